@@ -1,0 +1,142 @@
+"""From a case to a verdict. Nobody types a verdict: each one is reached here.
+
+The rules, in this order:
+
+- `reported`: the statement is a fact about a product, so no mathematics can check it;
+- `definition`: it introduces a name that no derivation knows and that it does not use itself;
+- `proved`: read with the derived quantities, it holds for all values;
+- `qualified`: it holds under the condition brought with it, and fails at a witness outside it;
+- `corrected`: the correction brought with it is proved, and the printed form fails at a witness.
+
+Anything else is an error: the ledger has no entry that was not decided.
+"""
+
+from sympy import Basic, Eq, MatrixBase, N, Set, deg, sympify
+from sympy.logic.boolalg import BooleanFalse
+
+from chr_notes.ledger.case import CannotJudgeError, Case
+from chr_notes.ledger.entry import Entry, Verdict, Witness
+from chr_notes.ledger.proof import equal, evaluate, fails, parts, proves, sides
+from chr_notes.symbols import ANGLES
+from chr_notes.typeset import latex
+
+
+def judge(case: Case) -> Entry:
+    """Reach the verdict on one printed statement.
+
+    Parameters
+    ----------
+    case
+        The printed statement and what was brought with it.
+
+    Returns
+    -------
+    Entry
+        The row of the ledger.
+
+    Raises
+    ------
+    CannotJudgeError
+        If the statement is not proved and what was brought does not settle it, or if a condition
+        or correction was brought although the statement is true as printed.
+    """
+    verdict, method = _verdict(case)
+    printed = case.printed
+    failing = verdict in ("qualified", "corrected")
+    return Entry(
+        id=printed.id,
+        document=printed.document,
+        kind=printed.kind,
+        says=printed.says,
+        verdict=verdict,
+        printed_latex=latex(printed.statement),
+        derived_latex=_derived(case),
+        correction_latex=latex(case.correction) if case.correction is not None else None,
+        condition=latex(case.condition.holds) if case.condition is not None else None,
+        witness=_witness(case) if failing else None,
+        method=method,
+        remark=case.remark,
+        derivation=tuple((step.says, latex(step.statement)) for step in case.steps),
+    )
+
+
+def _verdict(case: Case) -> tuple[Verdict, str]:
+    statement, read, name = case.printed.statement, case.read, case.printed.id
+    if introduces_name(case):
+        return "definition", "the name stands in no derivation and not in its own definition"
+    if proves(statement, read):
+        if case.condition is not None or case.correction is not None:
+            msg = f"{name}: proved as printed, yet a condition or a correction was brought"
+            raise CannotJudgeError(msg)
+        return "proved", "derived independently; the difference simplifies to zero"
+    if not fails(statement, read, case.witness):
+        msg = f"{name}: not proved, and the witness {case.witness} does not show that it fails"
+        raise CannotJudgeError(msg)
+    if case.condition is not None and case.correction is None:
+        if not isinstance(case.condition.holds.subs(case.witness), BooleanFalse):
+            msg = f"{name}: the witness {case.witness} meets the condition {case.condition.holds}"
+            raise CannotJudgeError(msg)
+        if proves(statement, read, case.condition):
+            return "qualified", "proved under the condition; fails at the witness outside it"
+    if case.correction is not None and case.condition is None and proves(case.correction, read):
+        return "corrected", "the correction is proved; the printed form fails at the witness"
+    msg = f"{name}: not proved, and neither a condition nor a correction that is proved was brought"
+    raise CannotJudgeError(msg)
+
+
+def introduces_name(case: Case) -> bool:
+    """Whether a statement only gives a name: one that no derivation knows, nor itself uses."""
+    statement = case.printed.statement
+    if not isinstance(statement, Eq):
+        return False
+    name = statement.lhs
+    known = case.read(name) != name
+    return (
+        not known
+        and bool(name.free_symbols)
+        and not (name.free_symbols & statement.rhs.free_symbols)
+    )
+
+
+def _derived(case: Case) -> str | None:
+    """Typeset what the derivations give for the left side, where the statement is an equation."""
+    statement = case.printed.statement
+    if not isinstance(statement, Eq) or introduces_name(case):
+        return None
+    return latex(evaluate(statement.lhs, case.read, {}))
+
+
+def _witness(case: Case) -> Witness:
+    """Put the numbers of the witness beside each other, where printed and right differ most."""
+    point = case.witness
+    at = tuple(
+        (latex(symbol), _number(sympify(value), angle=symbol in ANGLES))
+        for symbol, value in point.items()
+    )
+    failing = next(part for part in parts(case.printed.statement) if fails(part, case.read, point))
+    if not isinstance(failing, Eq):
+        value = evaluate(failing.lhs, case.read, point)
+        return Witness(at, latex(failing), latex(Eq(failing.lhs, value, evaluate=False)))
+    right, printed = sides(failing, case.read, point)
+    if isinstance(right, MatrixBase):
+        where = max(
+            (index for index in range(len(right)) if not equal(right[index], printed[index])),
+            key=lambda index: abs(N(right[index] - printed[index])),
+        )
+        row, column = divmod(where, right.cols)
+        place = rf"_{{{row + 1}{column + 1}}}" if right.cols > 1 else f"_{row + 1}"
+        return Witness(
+            at,
+            rf"(\ldots){place} = {_number(printed[where])}",
+            rf"(\ldots){place} = {_number(right[where])}",
+        )
+    return Witness(at, _number(printed), _number(right))
+
+
+def _number(value: Basic, *, angle: bool = False) -> str:
+    """Typeset a number with four digits, an angle in degrees; names and sets as they are."""
+    if isinstance(value, Set) or not value.is_number or not value.is_finite:
+        return latex(value)
+    if angle:
+        return rf"{float(deg(value)):.6g}^\circ"
+    return f"{float(value):.4g}"

@@ -1,0 +1,13 @@
+"""What each document prints, mistakes included, as SymPy objects with an id.
+
+Nothing here is derived and nothing here is true because it is here: the ledger judges it.
+"""
+
+from chr_notes.printed import euler
+from chr_notes.printed.statement import Printed
+
+DOCUMENTS: dict[str, tuple[Printed, ...]] = {
+    "euler": euler.PRINTED,
+}
+
+__all__ = ["DOCUMENTS", "Printed"]

@@ -1,0 +1,38 @@
+"""Typesetting of checked objects: the only place where SymPy becomes LaTeX."""
+
+from sympy import And, Basic, Integer, MatrixBase
+from sympy.matrices.expressions.matexpr import MatrixElement
+from sympy.printing.latex import LatexPrinter
+
+_SETTINGS = {"mat_str": "pmatrix", "mat_delim": "", "fold_func_brackets": True, "ln_notation": True}
+
+
+class _Printer(LatexPrinter):
+    """LaTeX as a textbook has it: indices from one, statements joined by 'and'."""
+
+    def _print_MatrixElement(self, element: MatrixElement) -> str:  # noqa: N802 (SymPy's hook)
+        row, column = (
+            self._print(index + 1 if isinstance(index, Integer) else index)
+            for index in (element.i, element.j)
+        )
+        matrix = self.parenthesize(element.parent, 1000, strict=True)
+        return rf"\left[{matrix}\right]_{{{row}{column}}}"
+
+    def _print_And(self, statement: And) -> str:  # noqa: N802 (SymPy's hook)
+        return r" \quad\text{and}\quad ".join(self._print(part) for part in statement.args)
+
+
+def latex(expression: Basic | MatrixBase) -> str:
+    """Typeset a SymPy object.
+
+    Parameters
+    ----------
+    expression
+        Expression, matrix or statement.
+
+    Returns
+    -------
+    str
+        LaTeX without delimiters, for MathJax with the AMS packages.
+    """
+    return str(_Printer(_SETTINGS).doprint(expression))

@@ -1,0 +1,122 @@
+"""The usual misprints, made on purpose, one at a time."""
+
+from collections.abc import Iterator
+
+from sympy import (
+    Add,
+    Basic,
+    Eq,
+    Function,
+    ImmutableMatrix,
+    MatMul,
+    MatrixBase,
+    Mul,
+    Symbol,
+    cos,
+    sin,
+)
+from sympy.core.relational import Relational
+from sympy.logic.boolalg import And
+
+from chr_notes.printed.statement import Rotation
+
+SWAPPED_FUNCTION: dict[type[Function], type[Function]] = {sin: cos, cos: sin}
+
+
+def misprints(statement: Basic) -> Iterator[tuple[str, Basic]]:
+    """Yield (name, misprinted statement) for a relation or a conjunction of relations."""
+    if isinstance(statement, And):
+        for index, part in enumerate(statement.args):
+            for name, wrong in misprints(part):
+                rest = [other for place, other in enumerate(statement.args) if place != index]
+                yield f"part {index}: {name}", And(wrong, *rest, evaluate=False)
+        return
+    assert isinstance(statement, Relational)
+    if not isinstance(statement, Eq):
+        return
+    for name, wrong in wrong_expressions(statement.rhs):
+        if wrong != statement.rhs:
+            yield name, Eq(statement.lhs, wrong, evaluate=False)
+
+
+def wrong_expressions(expression: Basic) -> Iterator[tuple[str, Basic]]:
+    """Yield the misprints of one side."""
+    yield from swapped_symbols(expression)
+    if isinstance(expression, MatrixBase):
+        if expression.rows == expression.cols:
+            yield "transposed", ImmutableMatrix(expression.T)
+        for index, element in enumerate(expression):
+            for name, wrong in wrong_scalars(element):
+                elements = list(expression)
+                elements[index] = wrong
+                place = f"element {index}: {name}"
+                yield place, ImmutableMatrix(expression.rows, expression.cols, elements)
+    elif isinstance(expression, MatMul):
+        if expression.rows == expression.cols:
+            yield "factors in reverse order", MatMul(*reversed(expression.args))
+        for index, factor in enumerate(expression.args):
+            wrongs = [(f"factor {index} {name}", w) for name, w in wrong_factors(factor)]
+            for name, wrong in wrongs:
+                args = list(expression.args)
+                args[index] = wrong
+                yield name, MatMul(*args)
+    elif getattr(expression, "is_Matrix", False):
+        yield from wrong_factors(expression)
+    else:
+        yield from wrong_scalars(expression)
+
+
+def wrong_factors(factor: Basic) -> Iterator[tuple[str, Basic]]:
+    """Misprint one factor of a product of matrices."""
+    yield "negated", -factor
+    if isinstance(factor, Rotation):
+        source, target = factor.frames
+        yield "in the other direction", Rotation(target, source, *factor.angles)
+        for index, angle in enumerate(factor.angles):
+            angles = list(factor.angles)
+            angles[index] = -angle
+            yield f"with angle {index} negated", Rotation(source, target, *angles)
+
+
+def wrong_scalars(expression: Basic) -> Iterator[tuple[str, Basic]]:
+    """Misprint a scalar: a sign, sin for cos, a factor of two."""
+    if expression == 0:
+        return
+    yield "negated", -expression
+    yield "twice as large", 2 * expression
+    yield "half as large", expression / 2
+    for path, node in nodes(expression):
+        if type(node) in SWAPPED_FUNCTION:
+            swapped = SWAPPED_FUNCTION[type(node)](*node.args)
+            yield f"{swapped} for {node} at {path}", put(expression, path, swapped)
+        if isinstance(node, Add):
+            for index, term in enumerate(node.args):
+                wrong = put(expression, (*path, index), -term)
+                yield f"sign of {term} at {path}", wrong
+        if isinstance(node, Mul) and node.args[0] == 2:
+            yield f"factor of two lost at {path}", put(expression, path, node / 2)
+
+
+def swapped_symbols(expression: Basic) -> Iterator[tuple[str, Basic]]:
+    """Swap each pair of symbols throughout."""
+    names = sorted((s for s in expression.free_symbols if isinstance(s, Symbol)), key=str)
+    for index, one in enumerate(names):
+        for other in names[index + 1 :]:
+            swap = {one: other, other: one}
+            yield f"{one} and {other} swapped", expression.xreplace(swap)
+
+
+def nodes(expression: Basic, path: tuple[int, ...] = ()) -> Iterator[tuple[tuple[int, ...], Basic]]:
+    """Yield all nodes of an expression with their paths."""
+    yield path, expression
+    for index, child in enumerate(expression.args):
+        yield from nodes(child, (*path, index))
+
+
+def put(expression: Basic, path: tuple[int, ...], new: Basic) -> Basic:
+    """Replace the node at a path."""
+    if not path:
+        return new
+    args = list(expression.args)
+    args[path[0]] = put(args[path[0]], path[1:], new)
+    return expression.func(*args)
