@@ -1,0 +1,84 @@
+"""Write the generated files, or compare them: `python -m chr_notes.codegen [--check]`."""
+
+import argparse
+import sys
+from pathlib import Path
+
+from chr_notes.codegen import javascript, python
+from chr_notes.codegen.header import COMMAND
+from chr_notes.codegen.lowering import lower
+from chr_notes.codegen.targets import TARGETS
+
+FOLDER = Path(__file__).resolve().parents[1] / "generated"
+
+
+def files() -> dict[str, str]:
+    """Make all generated files.
+
+    Returns
+    -------
+    dict
+        From the path below `generated/` to the text of the file.
+    """
+    programs = tuple(lower(target) for target in TARGETS)
+    topics = list(dict.fromkeys(target.topic for target in TARGETS))
+    made = {
+        "__init__.py": '"""Generated code; `python -m chr_notes.codegen` writes it."""\n',
+        "scalar/__init__.py": '"""Functions of floats, for one attitude at a time."""\n',
+        "arrays/__init__.py": '"""Functions of arrays, for many attitudes at once."""\n',
+        "javascript/attitude.mjs": javascript.module(programs),
+    }
+    for topic in topics:
+        own = tuple(program for program in programs if program.target.topic == topic)
+        made[f"scalar/{topic}.py"] = python.scalar_module(own)
+        made[f"arrays/{topic}.py"] = python.array_module(own)
+    return made
+
+
+def compare(folder: Path, made: dict[str, str]) -> list[str]:
+    """List what differs between a folder and the files as made now.
+
+    Missing and extra files count; Python's caches do not.
+    """
+    there = {
+        path.relative_to(folder).as_posix(): path.read_text(encoding="utf-8")
+        for path in sorted(folder.rglob("*"))
+        if path.is_file() and "__pycache__" not in path.parts
+    }
+    return [
+        *(f"missing: {name}" for name in sorted(made.keys() - there.keys())),
+        *(f"extra: {name}" for name in sorted(there.keys() - made.keys())),
+        *(
+            f"differs: {name}"
+            for name in sorted(made)
+            if name in there and made[name] != there[name]
+        ),
+    ]
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run the command."""
+    parser = argparse.ArgumentParser(prog=COMMAND, description=__doc__)
+    parser.add_argument("--check", action="store_true", help="compare, and write nothing")
+    options = parser.parse_args(arguments)
+    made = files()
+    if options.check:
+        differences = compare(FOLDER, made)
+        for line in differences:
+            print(line, file=sys.stderr)
+        if differences:
+            print(f"Run `{COMMAND}` and commit the result.", file=sys.stderr)
+        return int(bool(differences))
+    for name in compare(FOLDER, made):
+        kind, path = name.split(": ")
+        if kind == "extra":
+            (FOLDER / path).unlink()
+    for path, text in made.items():
+        (FOLDER / path).parent.mkdir(parents=True, exist_ok=True)
+        (FOLDER / path).write_text(text, encoding="utf-8", newline="\n")
+    print(f"{len(made)} files written to {FOLDER.name}/")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

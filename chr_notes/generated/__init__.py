@@ -1,0 +1,1 @@
+"""Generated code; `python -m chr_notes.codegen` writes it."""

@@ -1,0 +1,1 @@
+"""Functions of floats, for one attitude at a time."""
