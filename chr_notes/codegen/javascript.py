@@ -24,6 +24,7 @@ def _function(program: Program) -> str:
     target = program.target
     names = {argument.name: camel(argument.name) for argument in target.arguments}
     names |= {str(local): camel(str(local)) for local, _ in program.assignments}
+    arguments = ", ".join(names[argument.name] for argument in target.arguments)
     lines = [
         "/**",
         f" * {returns(target, program.shape)}",
@@ -31,7 +32,7 @@ def _function(program: Program) -> str:
         f" * @returns {{{'number[]' if program.shape else 'number'}}}",
         f" * Ledger: {', '.join(target.entries)}.",
         " */",
-        f"export function {camel(target.name)}({', '.join(names[a.name] for a in target.arguments)}) {{",
+        f"export function {camel(target.name)}({arguments}) {{",
     ]
     symbols = {local: type(local)(names[str(local)]) for local, _ in program.assignments}
     for value in (*(v for _, v in program.assignments), *program.results):

@@ -47,7 +47,8 @@ def lower(target: Target) -> Program:
     names = {argument.symbol: Symbol(argument.name, real=True) for argument in target.arguments}
     foreign = formula.free_symbols - set(names)
     if foreign:
-        msg = f"{target.name}: expected a formula in {list(names)}, got also {sorted(foreign, key=str)}"
+        found = sorted(foreign, key=str)
+        msg = f"{target.name}: expected a formula in {list(names)}, got also {found}"
         raise ValueError(msg)
     is_matrix = isinstance(formula, MatrixBase)
     elements = [element.xreplace(names) for element in (formula if is_matrix else [formula])]

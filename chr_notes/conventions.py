@@ -1,0 +1,72 @@
+"""The conventions of the project, stated once: for the code, the book and the reader."""
+
+from dataclasses import dataclass
+
+STANDARD_GRAVITY = 9.80665
+"""Standard gravity, m/s² (exact by definition, CGPM 1901)."""
+
+
+@dataclass(frozen=True)
+class Convention:
+    """One convention.
+
+    Parameters
+    ----------
+    title
+        What it is about.
+    statement
+        The convention itself, Markdown with LaTeX.
+    """
+
+    title: str
+    statement: str
+
+
+CONVENTIONS = (
+    Convention(
+        "Frames",
+        "The navigation frame, which the notes call inertial, is **north-east-down**: x points "
+        "north, y east, z down. The body frame is **forward-right-down**: x out of the nose, y "
+        "out of the right side, z out of the bottom. Both are right-handed.",
+    ),
+    Convention(
+        "Euler angles",
+        r"The sequence is **3-2-1**: yaw $\psi$ about the inertial z-axis, then pitch $\theta$ "
+        r"about the y-axis that yaw has turned (vehicle-1), then roll $\phi$ about the x-axis that "
+        r"both have turned (vehicle-2). Arrays hold them in the order (roll, pitch, yaw) on the "
+        r"last axis.",
+    ),
+    Convention(
+        "Units",
+        "Every function takes and returns radians, rad/s, m/s² and seconds. Degrees stand in "
+        "prose, in demos, and in names that end in `_deg`.",
+    ),
+    Convention(
+        "Matrices",
+        r"A rotation matrix is **passive**: $R_I^B$ takes the components of one and the same "
+        r"vector from the inertial frame to the body frame, $\mathbf{v}_B = R_I^B\,\mathbf{v}_I$. "
+        r"The other direction is its transpose.",
+    ),
+    Convention(
+        "Quaternions",
+        r"Quaternions are **Hamilton's**, scalar first: $(a, b, c, d)$ on the last axis, with "
+        r"$i^2 = j^2 = k^2 = ijk = -1$. The attitude quaternion satisfies "
+        r"$\mathbf{v}_I = q\,\mathbf{v}_B\,q^*$. Results are unit quaternions with $a \ge 0$.",
+    ),
+    Convention(
+        "Accelerometers",
+        r"An accelerometer measures **specific force**: what acts on it besides gravity, per unit "
+        r"of mass. Level and at rest it reads $(0, 0, -g)$.",
+    ),
+    Convention(
+        "Gimbal lock",
+        r"Exactly at a pitch of ±90° roll and yaw are not determined one by one. Every function "
+        r"that returns Euler angles then sets **roll to 0** and lets yaw carry the rest, so that "
+        r"the angles still rebuild the same attitude.",
+    ),
+    Convention(
+        "Names",
+        "A function is called `target_from_source`: `matrix_from_euler` takes Euler angles and "
+        "gives a matrix.",
+    ),
+)

@@ -1,0 +1,22 @@
+"""Errors and warnings of the numeric functions."""
+
+
+class GimbalLockWarning(UserWarning):
+    """Some attitudes are at gimbal lock: roll was set to 0 and yaw carries the rest."""
+
+
+class GimbalLockError(ValueError):
+    """Some attitudes are at gimbal lock, and the caller asked for an error.
+
+    Parameters
+    ----------
+    indices
+        Index of each attitude at the lock, over the leading axes.
+    """
+
+    def __init__(self, indices: tuple[tuple[int, ...], ...]) -> None:
+        self.indices = indices
+        super().__init__(
+            f"expected attitudes off gimbal lock, got {len(indices)} at a pitch of ±90°, "
+            f"the first at index {indices[0]}"
+        )

@@ -1,0 +1,66 @@
+"""Which layer may import which; anything else is a mistake."""
+
+import ast
+from pathlib import Path
+
+import pytest
+
+PACKAGE = Path(__file__).resolve().parents[1] / "chr_notes"
+
+# Each layer with the modules and layers of the package that it may import.
+NOTATION = {"symbols"}
+NUMERIC = {"conventions", "errors", "_arrays", "generated", "numeric"}
+ALLOWED = {
+    "symbols": set(),
+    "conventions": set(),
+    "errors": set(),
+    "palette": set(),
+    "printed": NOTATION | {"printed"},
+    "derivations": NOTATION | {"derivations"},
+    "typeset": set(),
+    "ledger": NOTATION | {"printed", "derivations", "typeset", "ledger"},
+    "codegen": NOTATION | {"derivations", "codegen"},
+    "generated": set(),
+    "_arrays": set(),
+    "numeric": NUMERIC,
+    "demos": {"demos", "palette"},
+    "book": {"ledger", "conventions", "palette", "demos"},
+    "__init__": NUMERIC,
+    "__main__": {"book", "ledger"},
+}
+
+
+def layer(module: str) -> str:
+    """The layer of a module: its folder or its own name, 'numeric' for the numeric API."""
+    first = module.split(".", maxsplit=1)[0]
+    return first if first in ALLOWED else "numeric"
+
+
+def imported(path: Path) -> set[str]:
+    """The modules of the package that a file imports, anywhere in it."""
+    found = set()
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            found |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            assert node.level == 0, f"{path}: a relative import"
+            base = str(node.module)
+            found |= {f"{base}.{alias.name}" for alias in node.names}
+    return {name.removeprefix("chr_notes.") for name in found if name.startswith("chr_notes.")}
+
+
+FILES = sorted(PACKAGE.rglob("*.py"))
+
+
+@pytest.mark.parametrize("path", FILES, ids=[str(p.relative_to(PACKAGE)) for p in FILES])
+def test_imports_stay_within_the_layers(path: Path) -> None:
+    own = layer(".".join(path.relative_to(PACKAGE).with_suffix("").parts))
+    used = {layer(module) for module in imported(path)}
+    assert used - {own} <= ALLOWED[own]
+
+
+def test_numeric_api_does_not_load_sympy() -> None:
+    for path in FILES:
+        own = layer(".".join(path.relative_to(PACKAGE).with_suffix("").parts))
+        if own in ("numeric", "generated", "_arrays", "conventions", "errors", "__init__"):
+            assert "sympy" not in path.read_text(encoding="utf-8"), path
