@@ -1,0 +1,90 @@
+"""One entry of the ledger as a page shows it: formula, verdict, and what the verdict needs."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Final
+
+from chr_notes.ledger import entry as judged
+from chr_notes.ledger.entry import Entry, Verdict
+
+MARKS: Final[Mapping[Verdict, str]] = MappingProxyType(
+    {"definition": "≔", "proved": "✓", "qualified": "◐", "corrected": "✎", "reported": "❞"}
+)
+"""A sign beside each verdict's name, so that colour is not the only cue."""
+
+
+@dataclass(frozen=True)
+class Card:
+    """An entry that a notebook cell can show. Markdown serves JupyterLab and the book alike."""
+
+    entry: Entry
+
+    def __repr__(self) -> str:
+        """Give id and verdict, where no Markdown can be shown."""
+        return f"{self.entry.id}: {self.entry.verdict}"
+
+    def _repr_markdown_(self) -> str:
+        return "\n".join(_card(self.entry))
+
+
+def show(name: str) -> Card:
+    """Show one entry of the ledger with its verdict.
+
+    Parameters
+    ----------
+    name
+        Its id, for example `"euler.5.5"`.
+
+    Raises
+    ------
+    KeyError
+        If no document prints anything under that id.
+    """
+    return Card(judged(name))
+
+
+def badge(verdict: Verdict) -> str:
+    """Return a verdict as HTML: colour, sign and word."""
+    mark = f'<span aria-hidden="true">{MARKS[verdict]}</span>'
+    return f'<span class="verdict verdict-{verdict}">{mark} {verdict}</span>'
+
+
+def _card(entry: Entry) -> Iterator[str]:
+    # Blank lines end an HTML block, so that what stands between is read as Markdown.
+    yield f'<div class="entry" id="entry-{entry.id}">\n<div class="entry-head"><p>'
+    yield f'<span class="entry-id">{entry.id}</span> <strong>{badge(entry.verdict)}</strong> '
+    yield f'<span class="entry-kind">{entry.kind}</span>'
+    yield '</p></div>\n<div class="entry-body">\n'
+    yield f"{entry.says}\n"
+    yield from _formula("As printed" if entry.witness else "", entry.printed_latex)
+    if entry.correction_latex is not None:
+        yield from _formula("Right", entry.correction_latex)
+    if entry.condition is not None:
+        yield from _formula("Holds when", entry.condition)
+    if entry.witness is not None:
+        yield from _witness(entry)
+    if entry.remark is not None:
+        yield f"{entry.remark}\n"
+    if entry.derivation:
+        yield "<details>\n<summary>Derivation</summary>\n"
+        for words, latex in entry.derivation:
+            yield f"{words}\n"
+            yield from _formula("", latex)
+        yield "</details>\n"
+    yield "</div>\n</div>\n"
+
+
+def _formula(term: str, latex: str) -> Iterator[str]:
+    if term:
+        yield f'<p class="entry-term">{term}</p>\n'
+    yield f"$$\n{latex}\n$$\n"
+
+
+def _witness(entry: Entry) -> Iterator[str]:
+    witness = entry.witness
+    if witness is None:
+        return
+    point = ", ".join(f"${symbol} = {value}$" for symbol, value in witness.at)
+    at = f" at {point}" if point else ""
+    yield f"Witness{at}: printed ${witness.printed}$, right ${witness.right}$.\n"

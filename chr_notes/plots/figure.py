@@ -1,0 +1,57 @@
+"""A figure as a page shows it: an SVG image with a text alternative, the same each time."""
+
+import base64
+import html
+import io
+from dataclasses import dataclass
+
+import matplotlib as mpl
+from matplotlib import pyplot as plt
+from matplotlib.figure import Figure
+
+# Without a date and with a fixed salt the same figure gives the same file.
+_SAME_EACH_TIME = {"svg.hashsalt": "chr_notes", "svg.fonttype": "path"}
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A drawn figure with the words that stand in for it.
+
+    Parameters
+    ----------
+    svg
+        The drawing.
+    alt
+        What it shows, for those who do not see it.
+    """
+
+    svg: str
+    alt: str
+
+    def __repr__(self) -> str:
+        """Give the words, where no image can be shown."""
+        return f"Figure: {self.alt}"
+
+    def _repr_html_(self) -> str:
+        data = base64.b64encode(self.svg.encode()).decode()
+        return (
+            f'<img class="chr-figure" alt="{html.escape(self.alt)}" '
+            f'src="data:image/svg+xml;base64,{data}">'
+        )
+
+
+def show(figure: Figure, alt: str) -> Picture:
+    """Turn a figure into a picture for a notebook cell, and close it.
+
+    Parameters
+    ----------
+    figure
+        The matplotlib figure.
+    alt
+        What the figure shows, one or two sentences.
+    """
+    buffer = io.StringIO()
+    with mpl.rc_context(_SAME_EACH_TIME):
+        figure.savefig(buffer, format="svg", metadata={"Date": None}, bbox_inches="tight")
+    plt.close(figure)
+    return Picture(buffer.getvalue(), alt)

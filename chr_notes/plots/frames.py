@@ -1,0 +1,133 @@
+"""Frames and attitudes in three dimensions.
+
+North-east-down is drawn with north to the right, east towards the reader and down below: half a
+turn about north away from matplotlib's axes, so that nothing is mirrored.
+"""
+
+from typing import Any
+
+import numpy as np
+from matplotlib import pyplot as plt
+from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+from numpy.typing import ArrayLike, NDArray
+
+from chr_notes.palette import DASHES, PALETTE
+
+AXES = ("x", "y", "z")
+_DRAWN_FROM_NED = np.diag([1.0, -1.0, -1.0])
+
+# A small aircraft in the body frame: nose towards +x, right wing towards +y, fin towards -z.
+_AIRCRAFT = (
+    ((0.55, 0, 0), (0.25, 0.07, 0), (-0.5, 0.03, 0), (-0.5, -0.03, 0), (0.25, -0.07, 0)),
+    ((0.16, 0.05, 0), (-0.02, 0.6, 0), (-0.14, 0.6, 0), (-0.1, 0.05, 0)),
+    ((0.16, -0.05, 0), (-0.02, -0.6, 0), (-0.14, -0.6, 0), (-0.1, -0.05, 0)),
+    ((-0.36, 0, 0), (-0.46, 0.22, 0), (-0.53, 0.22, 0), (-0.53, -0.22, 0), (-0.46, -0.22, 0)),
+    ((-0.33, 0, 0), (-0.48, 0, -0.22), (-0.55, 0, -0.22), (-0.52, 0, 0)),
+)
+
+
+def world(axes: Any = None) -> Any:  # noqa: ANN401 (matplotlib's 3D axes are untyped)
+    """Prepare axes to draw frames in.
+
+    Parameters
+    ----------
+    axes
+        Three-dimensional matplotlib axes; new ones are made without it.
+
+    Returns
+    -------
+    Axes3D
+        Cleared, equal in all directions, without box.
+    """
+    if axes is None:
+        axes = plt.figure(figsize=(4.2, 3.8)).add_subplot(projection="3d")
+    axes.set_axis_off()
+    axes.set_proj_type("ortho")
+    for limits in (axes.set_xlim, axes.set_ylim, axes.set_zlim):
+        limits(-0.8, 0.8)
+    axes.set_box_aspect((1, 1, 1), zoom=1.2)
+    axes.view_init(elev=30, azim=-85)
+    return axes
+
+
+def draw_frame(
+    axes: Any,  # noqa: ANN401
+    matrix: ArrayLike,
+    name: str = "",
+    *,
+    faded: bool = False,
+) -> Any:  # noqa: ANN401
+    """Draw the three axes of a frame, each with its letter, colour and dash pattern.
+
+    Parameters
+    ----------
+    axes
+        From `world`.
+    matrix
+        From the inertial to the frame, shape (3, 3): its rows are the axes of the frame.
+    name
+        Written as an index to the letters.
+    faded
+        Whether the frame is there for reference only, drawn in grey.
+    """
+    ends = np.asarray(matrix, dtype=np.float64) @ _DRAWN_FROM_NED
+    for letter, end in zip(AXES, ends, strict=True):
+        colour = PALETTE["muted" if faded else letter].light
+        axes.quiver(
+            0, 0, 0, *end,
+            color=colour, linewidth=1.1 if faded else 2.2, arrow_length_ratio=0.08,
+            linestyle=(0, DASHES[letter]) if DASHES[letter] else "solid",
+        )  # fmt: skip
+        label = rf"${letter}_{{{name}}}$" if name else f"${letter}$"
+        reach = 1.3 if faded else 1.13
+        axes.text(*(reach * end), label, color=colour, ha="center", va="center", fontsize=12)
+    return axes
+
+
+def draw_arc(
+    axes: Any,  # noqa: ANN401
+    start: ArrayLike,
+    end: ArrayLike,
+    label: str,
+) -> Any:  # noqa: ANN401
+    """Draw the arc along which one axis of a frame has turned into another.
+
+    Parameters
+    ----------
+    axes
+        From `world`.
+    start, end
+        Unit vectors in inertial components, shape (3,), not opposite to each other.
+    label
+        Written at the middle of the arc.
+    """
+    first, last = (np.asarray(vector, dtype=np.float64) for vector in (start, end))
+    share = np.linspace(0.0, 1.0, 40)[:, np.newaxis]
+    chord = (1 - share) * first + share * last
+    arc = 0.55 * chord / np.linalg.norm(chord, axis=1, keepdims=True) @ _DRAWN_FROM_NED
+    axes.plot(*arc.T, color=PALETTE["ink"].light, linewidth=1.2)
+    axes.text(*(1.2 * arc[20]), label, color=PALETTE["ink"].light, ha="center", fontsize=12)
+    return axes
+
+
+def draw_aircraft(axes: Any, matrix: ArrayLike) -> Any:  # noqa: ANN401
+    """Draw a small aircraft.
+
+    Parameters
+    ----------
+    axes
+        From `world`.
+    matrix
+        From the inertial to the body frame, shape (3, 3).
+    """
+    to_drawn: NDArray[np.float64] = np.asarray(matrix, dtype=np.float64) @ _DRAWN_FROM_NED
+    axes.add_collection3d(
+        Poly3DCollection(
+            [np.array(corners) @ to_drawn for corners in _AIRCRAFT],
+            facecolor=PALETTE["body"].light,
+            edgecolor=PALETTE["glass"].light,
+            linewidth=0.8,
+            alpha=0.95,
+        )
+    )
+    return axes
