@@ -1,5 +1,7 @@
 """Typesetting of checked objects: the only place where SymPy becomes LaTeX."""
 
+from dataclasses import dataclass
+
 from sympy import And, Basic, Integer, MatrixBase
 from sympy.matrices.expressions.matexpr import MatrixElement
 from sympy.printing.latex import LatexPrinter
@@ -36,3 +38,22 @@ def latex(expression: Basic | MatrixBase) -> str:
         LaTeX without delimiters, for MathJax with the AMS packages.
     """
     return str(_Printer(_SETTINGS).doprint(expression))
+
+
+@dataclass(frozen=True)
+class Formula:
+    """A typeset formula that a notebook cell can show."""
+
+    latex: str
+
+    def __repr__(self) -> str:
+        """Give the LaTeX source, where nothing can be typeset."""
+        return self.latex
+
+    def _repr_markdown_(self) -> str:
+        return f"$$\n{self.latex}\n$$"
+
+
+def formula(left: Basic | MatrixBase, right: Basic | MatrixBase) -> Formula:
+    """Show `left = right` in a notebook, typeset from the objects themselves."""
+    return Formula(f"{latex(left)} = {latex(right)}")

@@ -15,6 +15,8 @@ ALLOWED = {
     "conventions": set(),
     "errors": set(),
     "palette": set(),
+    "plots": {"palette", "plots"},
+    "exercises": set(),
     "printed": NOTATION | {"printed"},
     "derivations": NOTATION | {"derivations"},
     "typeset": set(),

@@ -9,9 +9,6 @@ import matplotlib as mpl
 from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
 
-# Without a date and with a fixed salt the same figure gives the same file.
-_SAME_EACH_TIME = {"svg.hashsalt": "chr_notes", "svg.fonttype": "path"}
-
 
 @dataclass(frozen=True)
 class Picture:
@@ -51,7 +48,8 @@ def show(figure: Figure, alt: str) -> Picture:
         What the figure shows, one or two sentences.
     """
     buffer = io.StringIO()
-    with mpl.rc_context(_SAME_EACH_TIME):
+    # Without a date and with a fixed salt the same figure gives the same file.
+    with mpl.rc_context({"svg.hashsalt": "chr_notes", "svg.fonttype": "path"}):
         figure.savefig(buffer, format="svg", metadata={"Date": None}, bbox_inches="tight")
     plt.close(figure)
     return Picture(buffer.getvalue(), alt)

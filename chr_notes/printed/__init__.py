@@ -4,10 +4,10 @@ Nothing here is derived and nothing here is true because it is here: the ledger 
 """
 
 from chr_notes.printed import euler
-from chr_notes.printed.statement import Printed
+from chr_notes.printed.statement import Printed, Rotation
 
 DOCUMENTS: dict[str, tuple[Printed, ...]] = {
     "euler": euler.PRINTED,
 }
 
-__all__ = ["DOCUMENTS", "Printed"]
+__all__ = ["DOCUMENTS", "Printed", "Rotation"]

@@ -1,0 +1,39 @@
+"""What the figures show is where the numbers say."""
+
+import numpy as np
+from matplotlib import pyplot as plt
+
+import chr_notes
+from chr_notes import plots
+
+
+def test_a_figure_is_the_same_each_time_and_has_words() -> None:
+    def picture() -> plots.Picture:
+        axes = plots.draw_frame(plots.world(), np.eye(3), "I")
+        return plots.show(plots.draw_aircraft(axes, np.eye(3)).figure, 'a "frame"')
+
+    first, second = picture(), picture()
+    assert first == second
+    assert first._repr_html_().count('alt="a &quot;frame&quot;"') == 1
+    assert "Date" not in first.svg
+    assert not plt.get_fignums()
+
+
+def test_letters_stand_beyond_the_ends_of_the_axes() -> None:
+    matrix = chr_notes.matrix_from_euler([0.1, 0.2, 0.3])
+    axes = plots.draw_frame(plots.world(), matrix, "B")
+    placed = np.array([text.get_position_3d() for text in axes.texts])
+    ends = placed / np.linalg.norm(placed, axis=1, keepdims=True)
+    # East and down are drawn towards the reader's negative axes.
+    np.testing.assert_allclose(ends * [1, -1, -1], matrix, atol=1e-12)
+    plt.close(axes.figure)
+
+
+def test_an_arc_runs_from_one_axis_to_the_other() -> None:
+    start, end = np.array([1.0, 0, 0]), np.array([0, 1.0, 0])
+    axes = plots.draw_arc(plots.world(), start, end, "angle")
+    line = np.array(axes.lines[0].get_data_3d()).T * [1, -1, -1]
+    radius = np.linalg.norm(line, axis=1)
+    np.testing.assert_allclose(radius, radius[0])
+    np.testing.assert_allclose(line[[0, -1]] / radius[0], [start, end], atol=1e-12)
+    plt.close(axes.figure)
