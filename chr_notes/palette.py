@@ -38,7 +38,7 @@ PALETTE: Final[Mapping[str, Colour]] = MappingProxyType(
         "y": Colour("#00805c", "#3ccf9f"),
         "z": Colour("#0067a8", "#5fb4f5"),
         # A body, a warning, and the five verdicts.
-        "body": Colour("#dfe5ec", "#c5cfdb"),
+        "body": Colour("#c2ccd8", "#c5cfdb"),
         "glass": Colour("#33455a", "#3b4f66"),
         "alert": Colour("#a8327e", "#ee8cc8"),
         "definition": Colour("#566274", "#a3afbf"),

@@ -25,7 +25,7 @@ ALLOWED = {
     "generated": set(),
     "_arrays": set(),
     "numeric": NUMERIC,
-    "demos": {"demos", "palette"},
+    "demos": {"demos", "palette", "generated"},
     "book": {"ledger", "conventions", "palette", "demos"},
     "__init__": NUMERIC,
     "__main__": {"book", "ledger"},

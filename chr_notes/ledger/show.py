@@ -24,8 +24,12 @@ class Card:
         """Give id and verdict, where no Markdown can be shown."""
         return f"{self.entry.id}: {self.entry.verdict}"
 
-    def _repr_markdown_(self) -> str:
+    def markdown(self) -> str:
+        """Return the card, for a page that is made from data."""
         return "\n".join(_card(self.entry))
+
+    def _repr_markdown_(self) -> str:
+        return self.markdown()
 
 
 def show(name: str) -> Card:

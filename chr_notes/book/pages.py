@@ -1,0 +1,84 @@
+"""The pages of the book that come from data, as MyST Markdown."""
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping
+from types import MappingProxyType
+from typing import Final, get_args
+
+from chr_notes.conventions import CONVENTIONS
+from chr_notes.demos import GimbalLockDemo
+from chr_notes.ledger import Entry, Verdict, entries
+from chr_notes.ledger.show import badge, show
+
+__all__ = ["generated"]
+
+DOCUMENTS: Final[Mapping[str, str]] = MappingProxyType(
+    {
+        "euler": "Understanding Euler Angles",
+        "quaternions": "Understanding Quaternions",
+        "sensors": "Sensors for Orientation Estimation",
+        "estimation": "Fundamentals of Attitude Estimation",
+        "dead_reckoning": "Using Accelerometers to Estimate Position and Velocity",
+        "validation": "Real-time Validation of Euler Angles",
+    }
+)
+"""Title of each document by its topic."""
+
+MEANINGS: Final[Mapping[Verdict, str]] = MappingProxyType(
+    {
+        "definition": "introduces a name; there is nothing to prove",
+        "proved": "derived independently, with the same result",
+        "qualified": "holds only under a condition that the document leaves out",
+        "corrected": "wrong as printed; the right form stands beside it",
+        "reported": "a fact about a product, which mathematics cannot check",
+    }
+)
+
+
+def generated() -> dict[str, str]:
+    """Return the text of each generated page or part of a page by its file name."""
+    ledger = entries()
+    return {
+        "conventions.md": conventions(),
+        "ledger.md": "\n".join(_documents(ledger)),
+        "verdicts.md": verdicts(ledger),
+        "gimbal_lock.md": GimbalLockDemo(yaw=30.0, pitch=75.0, roll=20.0).to_html() + "\n",
+    }
+
+
+def conventions() -> str:
+    """Return the conventions, a section each."""
+    return "\n".join(f"## {each.title}\n\n{each.statement}\n" for each in CONVENTIONS)
+
+
+def verdicts(ledger: Iterable[Entry]) -> str:
+    """Return how many entries have each verdict, and what it means, as an HTML list."""
+    counts = Counter(entry.verdict for entry in ledger)
+    items = "\n".join(
+        f"<li><b>{counts[verdict]}</b> {badge(verdict)} <span>{MEANINGS[verdict]}</span></li>"
+        for verdict in get_args(Verdict)
+    )
+    return f'<ul class="verdict-counts">\n{items}\n</ul>\n'
+
+
+def _documents(ledger: Iterable[Entry]) -> Iterator[str]:
+    document = None
+    for entry in ledger:
+        if entry.document != document:
+            document = entry.document
+            yield f"## {DOCUMENTS[document]}\n"
+        yield from _row(entry)
+
+
+def _row(entry: Entry) -> Iterator[str]:
+    # The label is for links within the book; the span keeps the id itself as an anchor.
+    yield f"({entry.id})="
+    yield ":::::{div} ledger-row"
+    yield f'<span id="{entry.id}"></span>\n'
+    yield show(entry.id).markdown()
+    yield f"::::{{dropdown}} {entry.method[0].upper()}{entry.method[1:]}."
+    if entry.derived_latex is None:
+        yield "The statement was decided as a proposition; there is no formula to compare.\n"
+    else:
+        yield f"What the derivation gives:\n\n$$\n{entry.derived_latex}\n$$\n"
+    yield "::::\n:::::\n"

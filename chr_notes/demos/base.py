@@ -1,0 +1,82 @@
+"""What the demos have in common on the Python side.
+
+A demo is one anywidget: live with a kernel, and without one a ``div`` that the script of the
+book's pages mounts with the stored state. Both run the same JavaScript module, and a reader who
+has neither gets its numbers as text.
+"""
+
+import html
+import json
+from pathlib import Path
+from typing import Any, ClassVar
+
+import anywidget
+import traitlets
+
+from chr_notes import palette
+
+__all__ = ["BUILT", "SOURCES", "Demo", "formatted", "styles"]
+
+SOURCES = Path(__file__).parent
+BUILT = SOURCES / "built"
+_BEYOND = 1e12  # above this a double near a pole says no more than "without bound"
+
+
+def styles() -> str:
+    """Return the style sheet of the demos, with the colours of the project in it."""
+    return palette.css() + (SOURCES / "demos.css").read_text(encoding="utf-8")
+
+
+def formatted(value: float) -> str:
+    """Return four significant digits, or the sign of infinity, as the demos show it."""
+    if not abs(value) < _BEYOND:
+        return "−∞" if value < 0 else "∞"
+    return f"{float(f'{value:.4g}'):.15g}".replace("-", "−")
+
+
+class Demo(anywidget.AnyWidget):
+    """Base of the demos: a subclass names its element and its traits, and says its numbers.
+
+    Raises
+    ------
+    traitlets.TraitError
+        For a state outside the range of its slider.
+    """
+
+    element: ClassVar[str]
+    controls: ClassVar[tuple[str, ...]]
+
+    _esm = traitlets.Unicode().tag(sync=True)
+    _css = traitlets.Unicode().tag(sync=True)
+
+    @traitlets.default("_esm")
+    def _read_module(self) -> str:
+        path = BUILT / f"{self.element.replace('-', '_')}.mjs"
+        return path.read_text(encoding="utf-8")
+
+    @traitlets.default("_css")
+    def _make_styles(self) -> str:
+        return styles()
+
+    def state(self) -> dict[str, float]:
+        """Return the value of each control by its name."""
+        return {name: float(getattr(self, name)) for name in self.controls}
+
+    def fallback(self) -> str:
+        """Return what a reader without JavaScript sees."""
+        raise NotImplementedError
+
+    def to_html(self) -> str:
+        """Return the element that the script of the book's pages turns into the demo."""
+        state = html.escape(json.dumps(self.state()))
+        text = html.escape(self.fallback())
+        return f'<div data-demo="{self.element}" data-state="{state}"><p>{text}</p></div>'
+
+    def __repr__(self) -> str:
+        """Return the call that makes this demo."""
+        values = ", ".join(f"{name}={value:.15g}" for name, value in self.state().items())
+        return f"{type(self).__name__}({values})"
+
+    def _repr_mimebundle_(self, **kwargs: Any) -> tuple[dict[str, Any], dict[str, Any]]:  # noqa: ANN401 - Jupyter's signature
+        data, metadata = super()._repr_mimebundle_(**kwargs) or ({}, {})
+        return {**data, "text/html": self.to_html()}, metadata

@@ -1,0 +1,614 @@
+// Bundled by `python -m chr_notes.demos.build` with esbuild@0.28.2. Do not edit.
+// From chr_notes/demos/*.js and chr_notes/generated/javascript.
+
+// ../generated/javascript/attitude.mjs
+function matrixFromEuler(roll, pitch, yaw) {
+  const cosPitch = Math.cos(pitch);
+  const cosRoll = Math.cos(roll);
+  const cosYaw = Math.cos(yaw);
+  const sinPitch = Math.sin(pitch);
+  const sinRoll = Math.sin(roll);
+  const sinYaw = Math.sin(yaw);
+  const x0 = cosRoll * sinYaw;
+  const x1 = cosRoll * cosYaw;
+  const x2 = sinRoll * sinYaw;
+  return [
+    cosPitch * cosYaw,
+    cosPitch * sinYaw,
+    -sinPitch,
+    cosYaw * sinPitch * sinRoll - x0,
+    sinPitch * x2 + x1,
+    cosPitch * sinRoll,
+    sinPitch * x1 + x2,
+    -cosYaw * sinRoll + sinPitch * x0,
+    cosPitch * cosRoll
+  ];
+}
+function eulerRatesMatrix(roll, pitch) {
+  const cosPitch = Math.cos(pitch);
+  const cosRoll = Math.cos(roll);
+  const sinRoll = Math.sin(roll);
+  const tanPitch = Math.tan(pitch);
+  const x0 = 1 / cosPitch;
+  return [
+    1,
+    sinRoll * tanPitch,
+    cosRoll * tanPitch,
+    0,
+    cosRoll,
+    -sinRoll,
+    0,
+    sinRoll * x0,
+    cosRoll * x0
+  ];
+}
+function eulerRatesDeterminant(pitch) {
+  const cosPitch = Math.cos(pitch);
+  return 1 / cosPitch;
+}
+function eulerRatesCondition(pitch) {
+  const cosPitch = Math.cos(pitch);
+  const sinPitch = Math.sin(pitch);
+  return (Math.abs(sinPitch) + 1) / Math.abs(cosPitch);
+}
+
+// draw.js
+var NEAR_PLANE = 1e-7;
+var toChild = (m, [x, y, z]) => [
+  m[0] * x + m[1] * y + m[2] * z,
+  m[3] * x + m[4] * y + m[5] * z,
+  m[6] * x + m[7] * y + m[8] * z
+];
+var toParent = (m, [x, y, z]) => [
+  m[0] * x + m[3] * y + m[6] * z,
+  m[1] * x + m[4] * y + m[7] * z,
+  m[2] * x + m[5] * y + m[8] * z
+];
+var dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+var minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+var between = (a, b, t) => a.map((value, i) => value + t * (b[i] - value));
+var cross = (a, b) => [
+  a[1] * b[2] - a[2] * b[1],
+  a[2] * b[0] - a[0] * b[2],
+  a[0] * b[1] - a[1] * b[0]
+];
+var sum = (a, b) => a.map((value, i) => value + b[i]);
+var scaled = (a, factor) => a.map((value) => value * factor);
+var unit = (a) => scaled(a, 1 / (Math.hypot(...a) || 1));
+function camera(matrix, distance, { width, height, span, shift = 0 }) {
+  const eye = toParent(matrix, [-distance, 0, 0]);
+  const zoom = Math.min(width, height) * distance / span;
+  const project = (point) => {
+    const [depth, right, down] = toChild(matrix, point);
+    const perspective = zoom / (distance + depth);
+    return [width / 2 + perspective * right, height / 2 + perspective * (down + shift)];
+  };
+  return { eye, project, light: unit(toParent(matrix, [-1, -0.55, -1])) };
+}
+function plane(points) {
+  const normal = [0, 0, 0];
+  points.forEach((a, i) => {
+    const b = points[(i + 1) % points.length];
+    normal[0] += (b[1] - a[1]) * (a[2] + b[2]);
+    normal[1] += (b[2] - a[2]) * (a[0] + b[0]);
+    normal[2] += (b[0] - a[0]) * (a[1] + b[1]);
+  });
+  const direction = unit(normal);
+  return { normal: direction, offset: dot(direction, points[0]) };
+}
+var placed = (polygons, matrix) => polygons.map((polygon) => ({
+  ...polygon,
+  points: polygon.points.map((point) => toParent(matrix, point))
+}));
+function loft(outlines, fill) {
+  const sides = outlines.slice(1).flatMap(
+    (outline, i) => outline.map((point, j) => {
+      const next = (j + 1) % outline.length;
+      return { points: [outlines[i][next], outlines[i][j], point, outline[next]], fill };
+    })
+  );
+  const caps = [outlines[0], [...outlines.at(-1)].reverse()].map((points) => ({ points, fill }));
+  return [...sides, ...caps];
+}
+function ring({ u, v, inner, outer, depth, fill, marked, mark, count = 72 }) {
+  const axis = cross(u, v);
+  const at = (i, radius, height) => {
+    const angle = 2 * Math.PI * i / count;
+    return [0, 1, 2].map(
+      (k) => radius * (u[k] * Math.cos(angle) + v[k] * Math.sin(angle)) + height * axis[k]
+    );
+  };
+  const wall = (i, radius, low, high) => [
+    at(i, radius, low),
+    at(i, radius, high),
+    at(i + 1, radius, high),
+    at(i + 1, radius, low)
+  ];
+  const face = (i, a, b, height) => [
+    at(i, a, height),
+    at(i, b, height),
+    at(i + 1, b, height),
+    at(i + 1, a, height)
+  ];
+  return Array.from({ length: count }, (_, i) => {
+    const colour = mark(i) ? marked : fill;
+    return [
+      { points: face(i, outer, inner, depth), fill: colour },
+      { points: face(i, inner, outer, -depth), fill: colour },
+      { points: wall(i, outer, -depth, depth), fill },
+      { points: wall(i, inner, depth, -depth), fill }
+    ];
+  }).flat();
+}
+function strip(points, width, fill, eye) {
+  return points.slice(1).map((end, i) => {
+    const start = points[i];
+    const across = scaled(unit(cross(minus(end, start), minus(eye, start))), width / 2);
+    const back = scaled(across, -1);
+    const corners = [sum(start, across), sum(end, across), sum(end, back), sum(start, back)];
+    return { points: corners, fill, flat: true, open: true };
+  });
+}
+function partition(polygons) {
+  if (polygons.length === 0) return null;
+  const [first, ...rest] = polygons;
+  const cut = first.plane;
+  const within = [first];
+  const front = [];
+  const behind = [];
+  for (const polygon of rest) {
+    const heights = polygon.points.map((point) => dot(cut.normal, point) - cut.offset);
+    const above = heights.some((height) => height > NEAR_PLANE);
+    const below = heights.some((height) => height < -NEAR_PLANE);
+    if (above && below) {
+      front.push({ ...polygon, points: clipped(polygon.points, heights, 1) });
+      behind.push({ ...polygon, points: clipped(polygon.points, heights, -1) });
+    } else (above ? front : below ? behind : within).push(polygon);
+  }
+  return { cut, within, front: partition(front), behind: partition(behind) };
+}
+function clipped(points, heights, side) {
+  return points.flatMap((point, i) => {
+    const next = (i + 1) % points.length;
+    const kept = side * heights[i] >= -NEAR_PLANE ? [point] : [];
+    const crosses = Math.abs(heights[i]) > NEAR_PLANE && heights[i] * heights[next] < 0;
+    if (!crosses || Math.abs(heights[next]) <= NEAR_PLANE) return kept;
+    return [...kept, between(point, points[next], heights[i] / (heights[i] - heights[next]))];
+  });
+}
+function fromBehind(tree, eye, visit) {
+  if (tree === null) return;
+  const seenFromFront = dot(tree.cut.normal, eye) > tree.cut.offset;
+  fromBehind(seenFromFront ? tree.behind : tree.front, eye, visit);
+  tree.within.forEach(visit);
+  fromBehind(seenFromFront ? tree.front : tree.behind, eye, visit);
+}
+function paint(context, polygons, { eye, project, light }) {
+  const visible = polygons.map((polygon) => ({ ...polygon, plane: plane(polygon.points) })).filter(({ plane: { normal, offset }, open }) => open || dot(normal, eye) > offset);
+  fromBehind(partition(visible), eye, ({ points, fill, flat, plane: { normal } }) => {
+    const brightness = flat ? 1 : 0.62 + 0.4 * Math.max(0, dot(normal, light));
+    context.beginPath();
+    points.forEach((point) => context.lineTo(...project(point)));
+    context.closePath();
+    context.fillStyle = rgb(scaled(fill, brightness));
+    context.strokeStyle = context.fillStyle;
+    context.lineWidth = 0.6;
+    context.fill();
+    context.stroke();
+  });
+}
+function label(context, text, [x, y], { colour, rim, size = 14, offset = [0, 0], width }) {
+  context.font = `600 ${size}px system-ui, sans-serif`;
+  context.textAlign = "center";
+  context.textBaseline = "middle";
+  context.lineJoin = "round";
+  context.lineWidth = size / 3;
+  context.strokeStyle = rim;
+  context.fillStyle = colour;
+  const half = context.measureText(text).width / 2 + 6;
+  const side = offset[0] === 0 ? 0 : Math.sign(offset[0]) * (half - 6) + offset[0];
+  const middle = Math.min(Math.max(x + side, half), width - half);
+  context.strokeText(text, middle, y + offset[1]);
+  context.fillText(text, middle, y + offset[1]);
+}
+var parsed = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16));
+var mixed = (a, b, t) => between(a, b, t);
+var rgb = (channels) => `rgb(${channels.map((value) => Math.round(Math.min(255, value))).join(" ")})`;
+
+// aircraft.js
+var CORNERS = 10;
+var SECTIONS = [
+  [-0.55, 0.012, 0.02, -0.05],
+  [-0.42, 0.035, 0.045, -0.035],
+  [-0.15, 0.075, 0.085, -0.01],
+  [0.12, 0.085, 0.09, 0],
+  [0.32, 0.07, 0.07, 0.01],
+  [0.45, 0.04, 0.042, 0.018]
+];
+var TIP = [0.54, 8e-3, 8e-3, 0.02];
+var section = ([x, wide, high, middle]) => Array.from({ length: CORNERS }, (_, i) => {
+  const angle = 2 * Math.PI * (i + 0.5) / CORNERS;
+  return [x, wide * Math.cos(angle), middle + high * Math.sin(angle)];
+});
+var plate = (root, tip, fill, upright = false) => {
+  const outline = ([front, back, side, height, half]) => {
+    const at = (x, offset) => upright ? [x, offset, height] : [x, side, height + offset];
+    const thickest = (2 * front + back) / 3;
+    return [at(front, 0), at(thickest, -half), at(back, 0), at(thickest, half)];
+  };
+  return loft([outline(root), outline(tip)], fill);
+};
+var mirrored = (polygons) => polygons.map((polygon) => ({
+  ...polygon,
+  points: polygon.points.map(([x, y, z]) => [x, -y, z]).reverse()
+}));
+function aircraft({ body, glass, x, y, z }) {
+  const wing = plate([0.2, -0.1, 0.06, 0.02, 0.022], [0.04, -0.09, 0.42, -5e-3, 0.012], body);
+  const tip = plate([0.04, -0.09, 0.42, -5e-3, 0.012], [0, -0.085, 0.53, -0.013, 8e-3], y);
+  const bare = plate([0.04, -0.09, 0.42, -5e-3, 0.012], [0, -0.085, 0.53, -0.013, 8e-3], body);
+  const tail = plate([-0.38, -0.52, 0.02, -0.05, 0.012], [-0.46, -0.53, 0.2, -0.06, 6e-3], body);
+  const fin = plate([-0.3, -0.52, 0, -0.05, 0.012], [-0.46, -0.56, 0, -0.25, 6e-3], body, true);
+  const canopy = loft(
+    [
+      section([0.02, 0.035, 0.03, -0.085]),
+      section([0.12, 0.05, 0.055, -0.085]),
+      section([0.24, 0.045, 0.045, -0.07]),
+      section([0.33, 0.02, 0.02, -0.05])
+    ],
+    glass
+  );
+  const belly = loft([section([-0.05, 0.03, 0.02, 0.085]), section([0.15, 0.03, 0.02, 0.085])], z);
+  return [
+    ...loft(SECTIONS.map(section), body),
+    ...loft([SECTIONS.at(-1), TIP].map(section), x),
+    ...wing,
+    ...tip,
+    ...tail,
+    ...mirrored([...wing, ...bare, ...tail]),
+    ...fin,
+    ...canopy,
+    ...belly
+  ];
+}
+
+// controls.js
+var ANNOUNCE_AFTER = 600;
+var GLIDE = 450;
+function formatted(value) {
+  if (!(Math.abs(value) < 1e12)) return value < 0 ? "−∞" : "∞";
+  return String(Number(value.toPrecision(4))).replace("-", "−");
+}
+var prefersStillness = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
+function mountDemo(element, definition2, initial, onChange = () => {
+}) {
+  const state = { ...definition2.start, ...initial };
+  const cleanup = new AbortController();
+  const canvas = node("canvas", { role: "img", "aria-label": definition2.title });
+  const live = node("p", { class: "chr-live", "aria-live": "polite" });
+  const sliders = definition2.controls.map((control) => slider(control, changed));
+  const outputs = definition2.outputs.map(readout);
+  const reset = node("button", { type: "button", name: "reset" }, "Reset");
+  const panel = node(
+    "div",
+    { class: "chr-panel" },
+    ...sliders.map((each) => each.element),
+    node("div", { class: "chr-readouts" }, ...outputs.map((each) => each.element)),
+    node("div", { class: "chr-buttons" }, reset)
+  );
+  const root = node(
+    "div",
+    // JupyterLab listens for shortcuts before the page does; this attribute tells it not to.
+    { class: "chr-demo", role: "group", "aria-label": definition2.title, "data-lm-suppress-shortcuts": "true" },
+    node("div", { class: "chr-body" }, node("div", { class: "chr-stage" }, canvas), panel),
+    live
+  );
+  for (const type of ["keydown", "keyup", "keypress"])
+    root.addEventListener(type, (event) => event.stopPropagation());
+  let frame = 0;
+  let timer = 0;
+  function paint2() {
+    frame = 0;
+    const ratio = devicePixelRatio || 1;
+    const { width, height } = canvas.getBoundingClientRect();
+    if (width === 0) return;
+    canvas.width = Math.round(width * ratio);
+    canvas.height = Math.round(height * ratio);
+    const context = canvas.getContext("2d");
+    context.scale(ratio, ratio);
+    definition2.draw(context, { width, height }, state, coloursOf(root));
+  }
+  function redraw() {
+    frame ||= requestAnimationFrame(paint2);
+  }
+  function show() {
+    const texts = definition2.readouts(state);
+    sliders.forEach((each) => each.show(state));
+    outputs.forEach((each) => each.show(texts));
+    redraw();
+  }
+  function changed(part) {
+    Object.assign(state, part);
+    show();
+    onChange({ ...state });
+    clearTimeout(timer);
+    timer = setTimeout(() => live.textContent = definition2.summary(state), ANNOUNCE_AFTER);
+  }
+  reset.addEventListener("click", () => glide(state, definition2.start, changed, cleanup.signal));
+  watch(root, canvas, redraw, cleanup.signal);
+  element.replaceChildren(root);
+  show();
+  return {
+    update(part) {
+      Object.assign(state, part);
+      show();
+    },
+    destroy() {
+      cleanup.abort();
+      clearTimeout(timer);
+      cancelAnimationFrame(frame);
+      root.remove();
+    }
+  };
+}
+function node(tag, attributes = {}, ...children) {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+  element.append(...children);
+  return element;
+}
+function slider({ name, label: label2, symbol, axis, min, max, step, unit: unit2, digits = 0 }, changed) {
+  const input = node("input", { type: "range", name, min, max, step });
+  const value = node("span", { class: "chr-value", "aria-hidden": "true" });
+  const symbols = node("span", { class: "chr-symbol", "aria-hidden": "true" }, symbol);
+  const caption = node("span", { class: "chr-caption" }, label2, " ", symbols, value);
+  input.addEventListener("input", () => changed({ [name]: input.valueAsNumber }));
+  return {
+    element: node("label", { class: "chr-slider", "data-axis": axis }, caption, input),
+    show(state) {
+      const text = `${Number(state[name].toFixed(digits + 2))}${unit2.short}`.replace("-", "−");
+      input.value = state[name];
+      input.setAttribute("aria-valuetext", `${Number(state[name].toFixed(2))} ${unit2.long}`);
+      value.textContent = text;
+    }
+  };
+}
+function readout({ name, label: label2, wide }) {
+  const output = node("output", { name, "aria-live": "off" });
+  return {
+    element: node("div", { class: wide ? "chr-readout chr-wide" : "chr-readout" }, node("span", {}, label2), output),
+    show(texts) {
+      output.textContent = texts[name];
+    }
+  };
+}
+function coloursOf(element) {
+  const style = getComputedStyle(element);
+  return (name) => style.getPropertyValue(`--chr-${name}`).trim();
+}
+function watch(root, canvas, redraw, signal) {
+  const sizes = new ResizeObserver(redraw);
+  sizes.observe(canvas);
+  const themes = new MutationObserver(redraw);
+  for (const host of [document.documentElement, document.body])
+    themes.observe(host, { attributes: true });
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw, { signal });
+  signal.addEventListener("abort", () => {
+    sizes.disconnect();
+    themes.disconnect();
+  });
+}
+function glide(state, goal, changed, signal) {
+  if (prefersStillness()) return changed(goal);
+  const from = { ...state };
+  const began = performance.now();
+  const step = (now) => {
+    if (signal.aborted) return;
+    const t = Math.min(1, Math.max(0, (now - began) / GLIDE));
+    const eased = t * t * (3 - 2 * t);
+    const between2 = ([name, end]) => [name, t === 1 ? end : from[name] + eased * (end - from[name])];
+    changed(Object.fromEntries(Object.entries(goal).map(between2)));
+    if (t < 1) requestAnimationFrame(step);
+  };
+  requestAnimationFrame(step);
+}
+
+// widget.js
+var widget = (mount2) => ({
+  render({ model, el }) {
+    const names = Object.keys(mount2.start);
+    const state = () => Object.fromEntries(names.map((name) => [name, model.get(name)]));
+    const demo = mount2(el, state(), (changed) => {
+      names.forEach((name) => model.set(name, changed[name]));
+      model.save_changes();
+    });
+    const follow = () => demo.update(state());
+    names.forEach((name) => model.on(`change:${name}`, follow));
+    return () => {
+      names.forEach((name) => model.off(`change:${name}`, follow));
+      demo.destroy();
+    };
+  }
+});
+
+// gimbal_lock.js
+var DEGREE = Math.PI / 180;
+var VIEW = matrixFromEuler(0, -22 * DEGREE, 32 * DEGREE);
+var [NORTH, EAST, DOWN] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+var FLOOR = 1.4;
+var [YAW_ARROW, PITCH_ARROW, ROLL_ARROW] = [1.4, 1.2, 1.17];
+var LOCKED = 1e-9;
+var MARKS = { x: () => true, y: (i) => i % 6 < 4, z: (i) => i % 2 === 0 };
+var RINGS = {
+  z: { u: EAST, v: DOWN, inner: 0.95, outer: 1.03, depth: 0.05 },
+  y: { u: NORTH, v: EAST, inner: 0.81, outer: 0.89, depth: 0.05 },
+  x: { u: DOWN, v: NORTH, inner: 0.67, outer: 0.75, depth: 0.05 }
+};
+function frames({ yaw, pitch, roll }) {
+  const [phi, theta, psi] = [roll * DEGREE, pitch * DEGREE, yaw * DEGREE];
+  return {
+    z: matrixFromEuler(0, 0, psi),
+    y: matrixFromEuler(0, theta, psi),
+    x: matrixFromEuler(phi, theta, psi)
+  };
+}
+function axesOf(state) {
+  const [north, east, down] = toParent(frames(state).x, NORTH);
+  const apart = Math.atan2(Math.hypot(north, east), down) / DEGREE;
+  return { apart, locked: Math.hypot(north, east) < LOCKED, opposite: down < 0 };
+}
+var LOST = "About the dotted line no ring can turn it.";
+function rings(state) {
+  const { apart, locked, opposite } = axesOf(state);
+  if (locked && opposite)
+    return `Locked. Yaw and roll turn the aircraft about the same axis, in opposite senses: raise both by the same amount and it stays where it is. ${LOST}`;
+  if (locked)
+    return `Locked. Yaw and roll turn the aircraft about the same axis, in the same sense: raise one, lower the other by as much, and it stays where it is. ${LOST}`;
+  const d = eulerRatesMatrix(state.roll * DEGREE, state.pitch * DEGREE);
+  const fastest = formatted(Math.hypot(d[6], d[7], d[8]));
+  const short = formatted(Math.min(apart, 180 - apart));
+  return `The roll axis is ${short}° from the line of the yaw axis. To follow the aircraft, the yaw ring turns at up to ${fastest} × its speed.`;
+}
+var readouts = (state) => ({
+  determinant: formatted(eulerRatesDeterminant(state.pitch * DEGREE)),
+  condition: formatted(eulerRatesCondition(state.pitch * DEGREE)),
+  rings: rings(state)
+});
+function summary(state) {
+  const { determinant, condition, rings: sentence } = readouts(state);
+  return `Determinant ${determinant}, condition number ${condition}. ${sentence}`;
+}
+var arc = (u, v, centre, radius, from, to) => Array.from({ length: 25 }, (_, i) => {
+  const angle = from + (to - from) * i / 24;
+  return centre.map((c, k) => c + radius * (u[k] * Math.cos(angle) + v[k] * Math.sin(angle)));
+});
+function turn(u, v, centre, colour, eye) {
+  const path = arc(u, v, centre, 0.15, 0.35 * Math.PI, 1.9 * Math.PI);
+  const [tip] = arc(u, v, centre, 0.15, 2.12 * Math.PI, 2.12 * Math.PI);
+  const [inside] = arc(u, v, centre, 0.085, 1.85 * Math.PI, 1.85 * Math.PI);
+  const [outside] = arc(u, v, centre, 0.215, 1.85 * Math.PI, 1.85 * Math.PI);
+  const head = { points: [tip, inside, outside], fill: colour, flat: true, open: true };
+  return [...strip(path, 0.028, colour, eye), head];
+}
+function tube(along, across, from, to, radius, fill) {
+  const round = arc(across, cross(along, across), [0, 0, 0], radius, 0, 2 * Math.PI).slice(0, -1);
+  const outline = (distance) => round.filter((_, i) => i % 3 === 0).map((point) => sum(point, scaled(along, distance)));
+  return loft([outline(from), outline(to)], fill);
+}
+var pin = (along, across, from, to, fill) => [along, scaled(along, -1)].flatMap((side) => tube(side, across, from, to, 0.026, fill));
+function dashes(along, from, to, count, colour, eye) {
+  const at = (i) => scaled(along, from + (to - from) * i / (2 * count - 1));
+  const each = (_, i) => strip([at(2 * i), at(2 * i + 1)], 0.022, colour, eye);
+  return Array.from({ length: count }, each).flat();
+}
+function compass(context, { project }, colours, width) {
+  const line = (points, thickness) => {
+    context.beginPath();
+    points.forEach((point) => context.lineTo(...project(point)));
+    context.lineWidth = thickness;
+    context.stroke();
+  };
+  const at = (degrees, radius) => [
+    radius * Math.cos(degrees * DEGREE),
+    radius * Math.sin(degrees * DEGREE),
+    FLOOR
+  ];
+  const rim = Array.from({ length: 121 }, (_, i) => at(3 * i, 1));
+  context.beginPath();
+  rim.forEach((point) => context.lineTo(...project(point)));
+  context.fillStyle = colours("raised");
+  context.fill();
+  context.strokeStyle = colours("line");
+  line(rim, 2);
+  for (let heading = 0; heading < 360; heading += 10) {
+    const quarter = heading % 90 === 0;
+    line([at(heading, quarter ? 0.86 : 0.91), at(heading, 0.96)], quarter ? 2.5 : 1.2);
+  }
+  ["N", "E", "S", "W"].forEach(
+    (letter, i) => label(context, letter, project(at(90 * i, 0.73)), {
+      colour: colours("muted"),
+      rim: colours("raised"),
+      size: 12,
+      width
+    })
+  );
+}
+function draw(context, size, state, colours) {
+  const view = camera(VIEW, 6, { ...size, span: 3.4, shift: -0.03 });
+  const { eye, project } = view;
+  const colour = (name) => parsed(colours(name));
+  const frame = frames(state);
+  const { locked } = axesOf(state);
+  const [yAxis, xAxis] = [toParent(frame.y, EAST), toParent(frame.x, NORTH)];
+  compass(context, view, colours, size.width);
+  paint(context, [...solids(frame, colour), ...arrows(frame, colour, eye, locked)], view);
+  const words = (text, point, name, offset) => label(context, text, project(point), {
+    colour: colours(name),
+    rim: colours("surface"),
+    offset,
+    width: size.width
+  });
+  words("z yaw", scaled(DOWN, -YAW_ARROW), "z", [24, 0]);
+  words("y pitch", scaled(yAxis, PITCH_ARROW), "y", [0, 34]);
+  words("x roll", scaled(xAxis, ROLL_ARROW), "x", [24, 0]);
+}
+function solids(frame, colour) {
+  const steel = mixed(colour("body"), colour("muted"), 0.4);
+  const rings2 = ["z", "y", "x"].flatMap((axis) => {
+    const marked = colour(axis);
+    const fill = mixed(marked, colour("surface"), 0.55);
+    return placed(ring({ ...RINGS[axis], fill, marked, mark: MARKS[axis] }), frame[axis]);
+  });
+  const names = ["body", "glass", "x", "y", "z"];
+  const fills = Object.fromEntries(names.map((name) => [name, colour(name)]));
+  return [
+    ...rings2,
+    ...pin(DOWN, NORTH, 1.03, 1.1, steel),
+    ...tube(DOWN, NORTH, 1.1, FLOOR, 0.05, steel),
+    ...placed(pin(EAST, DOWN, 0.89, 0.95, steel), frame.y),
+    ...placed(pin(NORTH, EAST, 0.75, 0.81, steel), frame.x),
+    ...placed(pin(NORTH, EAST, 0.52, 0.67, steel), frame.x),
+    ...placed(aircraft(fills), frame.x)
+  ];
+}
+function arrows(frame, colour, eye, locked) {
+  const [yAxis, xAxis] = [toParent(frame.y, EAST), toParent(frame.x, NORTH)];
+  const [level, right, down] = [NORTH, EAST, DOWN].map((axis) => toParent(frame.z, axis));
+  const [pitchedRight, pitchedDown] = [EAST, DOWN].map((axis) => toParent(frame.y, axis));
+  const lost = [
+    ...dashes(level, -1.55, -0.25, 12, colour("alert"), eye),
+    ...dashes(level, 0.25, 1.55, 12, colour("alert"), eye)
+  ];
+  return [
+    ...dashes(DOWN, -1.1, -1.5, 4, colour("z"), eye),
+    ...turn(level, right, scaled(DOWN, -YAW_ARROW), colour("z"), eye),
+    ...dashes(yAxis, 1.03, 1.34, 2, colour("y"), eye),
+    ...turn(down, level, scaled(yAxis, PITCH_ARROW), colour("y"), eye),
+    ...dashes(xAxis, 0.89, 1.26, 1, colour("x"), eye),
+    ...turn(pitchedRight, pitchedDown, scaled(xAxis, ROLL_ARROW), colour("x"), eye),
+    ...locked ? lost : []
+  ];
+}
+var definition = {
+  title: "An aircraft in three rings: yaw outside, pitch in the middle, roll inside",
+  start: { yaw: 0, pitch: 0, roll: 0 },
+  controls: [
+    { name: "yaw", label: "Yaw", symbol: "ψ", axis: "z", min: -180, max: 180 },
+    { name: "pitch", label: "Pitch", symbol: "θ", axis: "y", min: -90, max: 90 },
+    { name: "roll", label: "Roll", symbol: "φ", axis: "x", min: -180, max: 180 }
+  ].map((control) => ({ ...control, step: 1, unit: { short: "°", long: "degrees" } })),
+  outputs: [
+    { name: "determinant", label: "Determinant of D" },
+    { name: "condition", label: "Condition number" },
+    { name: "rings", label: "The rings", wide: true }
+  ],
+  readouts,
+  summary,
+  draw
+};
+var mount = (element, state, onChange) => mountDemo(element, definition, state, onChange);
+mount.start = definition.start;
+var gimbal_lock_default = widget(mount);
+export {
+  gimbal_lock_default as default,
+  mount
+};

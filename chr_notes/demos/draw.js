@@ -1,0 +1,220 @@
+/**
+ * Solid drawing in a few lines of canvas: frames, polygons, a camera, and an order of painting.
+ *
+ * A point is an array of three numbers, a rotation a flat row-major array of nine that takes
+ * parent coordinates to child coordinates, as `matrixFromEuler` returns it. Coordinates are
+ * north-east-down, so that a camera is one more body frame: x into the picture, y to the right,
+ * z down the screen.
+ */
+
+const NEAR_PLANE = 1e-7; // closer to a plane than this counts as in it
+
+/** Coordinates in the child frame of a vector known in the parent frame. */
+export const toChild = (m, [x, y, z]) => [
+  m[0] * x + m[1] * y + m[2] * z,
+  m[3] * x + m[4] * y + m[5] * z,
+  m[6] * x + m[7] * y + m[8] * z,
+];
+
+/** Coordinates in the parent frame of a vector known in the child frame. */
+export const toParent = (m, [x, y, z]) => [
+  m[0] * x + m[3] * y + m[6] * z,
+  m[1] * x + m[4] * y + m[7] * z,
+  m[2] * x + m[5] * y + m[8] * z,
+];
+
+const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+const between = (a, b, t) => a.map((value, i) => value + t * (b[i] - value));
+export const cross = (a, b) => [
+  a[1] * b[2] - a[2] * b[1],
+  a[2] * b[0] - a[0] * b[2],
+  a[0] * b[1] - a[1] * b[0],
+];
+export const sum = (a, b) => a.map((value, i) => value + b[i]);
+export const scaled = (a, factor) => a.map((value) => value * factor);
+const unit = (a) => scaled(a, 1 / (Math.hypot(...a) || 1));
+
+/** A camera that looks at the origin with attitude `matrix` from `distance` away. */
+export function camera(matrix, distance, { width, height, span, shift = 0 }) {
+  const eye = toParent(matrix, [-distance, 0, 0]);
+  const zoom = (Math.min(width, height) * distance) / span;
+  const project = (point) => {
+    const [depth, right, down] = toChild(matrix, point);
+    const perspective = zoom / (distance + depth);
+    return [width / 2 + perspective * right, height / 2 + perspective * (down + shift)];
+  };
+  // The light stands above the viewer's left shoulder.
+  return { eye, project, light: unit(toParent(matrix, [-1, -0.55, -1])) };
+}
+
+// ── polygons ────────────────────────────────────────────────────────────────────────────────
+// { points, fill: [red, green, blue], flat?: no shading, open?: seen from both sides }
+// The corners of a closed polygon run clockwise as seen from outside.
+
+function plane(points) {
+  // Newell's normal: right for any flat polygon, whichever corners happen to be in line.
+  const normal = [0, 0, 0];
+  points.forEach((a, i) => {
+    const b = points[(i + 1) % points.length];
+    normal[0] += (b[1] - a[1]) * (a[2] + b[2]);
+    normal[1] += (b[2] - a[2]) * (a[0] + b[0]);
+    normal[2] += (b[0] - a[0]) * (a[1] + b[1]);
+  });
+  const direction = unit(normal);
+  return { normal: direction, offset: dot(direction, points[0]) };
+}
+
+/** The same polygons, seen from the frame in which `matrix` places them. */
+export const placed = (polygons, matrix) =>
+  polygons.map((polygon) => ({
+    ...polygon,
+    points: polygon.points.map((point) => toParent(matrix, point)),
+  }));
+
+/**
+ * A closed band of quadrilaterals over successive outlines, and a cap at either end. The
+ * outlines run clockwise for one who looks from the first towards the last.
+ */
+export function loft(outlines, fill) {
+  const sides = outlines.slice(1).flatMap((outline, i) =>
+    outline.map((point, j) => {
+      const next = (j + 1) % outline.length;
+      return { points: [outlines[i][next], outlines[i][j], point, outline[next]], fill };
+    }),
+  );
+  const caps = [outlines[0], [...outlines.at(-1)].reverse()].map((points) => ({ points, fill }));
+  return [...sides, ...caps];
+}
+
+/**
+ * A ring of rectangular section round the origin, in the plane of the unit vectors `u` and `v`.
+ * `mark(i)` says which of `count` segments carry the colour `marked` on their flat faces.
+ */
+export function ring({ u, v, inner, outer, depth, fill, marked, mark, count = 72 }) {
+  const axis = cross(u, v);
+  const at = (i, radius, height) => {
+    const angle = (2 * Math.PI * i) / count;
+    return [0, 1, 2].map(
+      (k) => radius * (u[k] * Math.cos(angle) + v[k] * Math.sin(angle)) + height * axis[k],
+    );
+  };
+  const wall = (i, radius, low, high) => [
+    at(i, radius, low), at(i, radius, high), at(i + 1, radius, high), at(i + 1, radius, low),
+  ];
+  const face = (i, a, b, height) => [
+    at(i, a, height), at(i, b, height), at(i + 1, b, height), at(i + 1, a, height),
+  ];
+  return Array.from({ length: count }, (_, i) => {
+    const colour = mark(i) ? marked : fill;
+    return [
+      { points: face(i, outer, inner, depth), fill: colour },
+      { points: face(i, inner, outer, -depth), fill: colour },
+      { points: wall(i, outer, -depth, depth), fill },
+      { points: wall(i, inner, depth, -depth), fill },
+    ];
+  }).flat();
+}
+
+/** A flat strip from point to point that turns its broad side to the eye. */
+export function strip(points, width, fill, eye) {
+  return points.slice(1).map((end, i) => {
+    const start = points[i];
+    const across = scaled(unit(cross(minus(end, start), minus(eye, start))), width / 2);
+    const back = scaled(across, -1);
+    const corners = [sum(start, across), sum(end, across), sum(end, back), sum(start, back)];
+    return { points: corners, fill, flat: true, open: true };
+  });
+}
+
+// ── order of painting ───────────────────────────────────────────────────────────────────────
+
+/**
+ * A binary space partition of polygons that have their `plane`. Sorting by distance fails where a polygon reaches both behind and
+ * in front of another; here the plane of the first polygon cuts all the others in two.
+ */
+export function partition(polygons) {
+  if (polygons.length === 0) return null;
+  const [first, ...rest] = polygons;
+  const cut = first.plane;
+  const within = [first];
+  const front = [];
+  const behind = [];
+  for (const polygon of rest) {
+    const heights = polygon.points.map((point) => dot(cut.normal, point) - cut.offset);
+    const above = heights.some((height) => height > NEAR_PLANE);
+    const below = heights.some((height) => height < -NEAR_PLANE);
+    if (above && below) {
+      front.push({ ...polygon, points: clipped(polygon.points, heights, 1) });
+      behind.push({ ...polygon, points: clipped(polygon.points, heights, -1) });
+    } else (above ? front : below ? behind : within).push(polygon);
+  }
+  return { cut, within, front: partition(front), behind: partition(behind) };
+}
+
+function clipped(points, heights, side) {
+  return points.flatMap((point, i) => {
+    const next = (i + 1) % points.length;
+    const kept = side * heights[i] >= -NEAR_PLANE ? [point] : [];
+    const crosses = Math.abs(heights[i]) > NEAR_PLANE && heights[i] * heights[next] < 0;
+    if (!crosses || Math.abs(heights[next]) <= NEAR_PLANE) return kept;
+    return [...kept, between(point, points[next], heights[i] / (heights[i] - heights[next]))];
+  });
+}
+
+/** Call `visit` for each polygon of a partition, from the farthest to the nearest. */
+export function fromBehind(tree, eye, visit) {
+  if (tree === null) return;
+  const seenFromFront = dot(tree.cut.normal, eye) > tree.cut.offset;
+  fromBehind(seenFromFront ? tree.behind : tree.front, eye, visit);
+  tree.within.forEach(visit);
+  fromBehind(seenFromFront ? tree.front : tree.behind, eye, visit);
+}
+
+/** Paint polygons, hidden parts removed and flat shaded, on a 2-d canvas context. */
+export function paint(context, polygons, { eye, project, light }) {
+  const visible = polygons
+    .map((polygon) => ({ ...polygon, plane: plane(polygon.points) }))
+    .filter(({ plane: { normal, offset }, open }) => open || dot(normal, eye) > offset);
+  fromBehind(partition(visible), eye, ({ points, fill, flat, plane: { normal } }) => {
+    const brightness = flat ? 1 : 0.62 + 0.4 * Math.max(0, dot(normal, light));
+    context.beginPath();
+    points.forEach((point) => context.lineTo(...project(point)));
+    context.closePath();
+    context.fillStyle = rgb(scaled(fill, brightness));
+    context.strokeStyle = context.fillStyle; // covers the hairline between neighbours
+    context.lineWidth = 0.6;
+    context.fill();
+    context.stroke();
+  });
+}
+
+/**
+ * Words at a point of the picture, over everything, with a rim that keeps them legible. `offset`
+ * moves them aside, in pixels; they never leave the picture.
+ */
+export function label(context, text, [x, y], { colour, rim, size = 14, offset = [0, 0], width }) {
+  context.font = `600 ${size}px system-ui, sans-serif`;
+  context.textAlign = "center";
+  context.textBaseline = "middle";
+  context.lineJoin = "round";
+  context.lineWidth = size / 3;
+  context.strokeStyle = rim;
+  context.fillStyle = colour;
+  const half = context.measureText(text).width / 2 + 6;
+  const side = offset[0] === 0 ? 0 : Math.sign(offset[0]) * (half - 6) + offset[0];
+  const middle = Math.min(Math.max(x + side, half), width - half);
+  context.strokeText(text, middle, y + offset[1]);
+  context.fillText(text, middle, y + offset[1]);
+}
+
+// ── colours ─────────────────────────────────────────────────────────────────────────────────
+
+/** `#rrggbb` as three numbers from 0 to 255. */
+export const parsed = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16));
+
+/** A colour on the way from one to another. */
+export const mixed = (a, b, t) => between(a, b, t);
+
+export const rgb = (channels) =>
+  `rgb(${channels.map((value) => Math.round(Math.min(255, value))).join(" ")})`;

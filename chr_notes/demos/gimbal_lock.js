@@ -1,0 +1,222 @@
+/**
+ * Gimbal lock: an aircraft in three rings, each turning on the one outside it, in the order
+ * yaw, pitch, roll. At a pitch of 90 degrees the outer and the inner axis become one line.
+ */
+import {
+  eulerRatesCondition,
+  eulerRatesDeterminant,
+  eulerRatesMatrix,
+  matrixFromEuler,
+} from "../generated/javascript/attitude.mjs";
+import { aircraft } from "./aircraft.js";
+import { formatted, mountDemo } from "./controls.js";
+import {
+  camera, cross, label, loft, mixed, paint, parsed, placed, ring, scaled, strip, sum, toParent,
+} from "./draw.js";
+import { widget } from "./widget.js";
+
+const DEGREE = Math.PI / 180;
+const VIEW = matrixFromEuler(0, -22 * DEGREE, 32 * DEGREE);
+const [NORTH, EAST, DOWN] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+const FLOOR = 1.4; // below the centre
+const [YAW_ARROW, PITCH_ARROW, ROLL_ARROW] = [1.4, 1.2, 1.17]; // distances from the centre
+const LOCKED = 1e-9; // cosine of pitch below which a double cannot tell it from a right angle
+
+// The second cue of an axis: which segments of its ring are bright.
+const MARKS = { x: () => true, y: (i) => i % 6 < 4, z: (i) => i % 2 === 0 };
+
+const RINGS = {
+  z: { u: EAST, v: DOWN, inner: 0.95, outer: 1.03, depth: 0.05 },
+  y: { u: NORTH, v: EAST, inner: 0.81, outer: 0.89, depth: 0.05 },
+  x: { u: DOWN, v: NORTH, inner: 0.67, outer: 0.75, depth: 0.05 },
+};
+
+/** Attitudes, as matrices from the inertial frame, of what each axis turns. */
+function frames({ yaw, pitch, roll }) {
+  const [phi, theta, psi] = [roll * DEGREE, pitch * DEGREE, yaw * DEGREE];
+  return {
+    z: matrixFromEuler(0, 0, psi),
+    y: matrixFromEuler(0, theta, psi),
+    x: matrixFromEuler(phi, theta, psi),
+  };
+}
+
+/** What the yaw axis (inertial z) and the roll axis (body x) do to each other. */
+function axesOf(state) {
+  const [north, east, down] = toParent(frames(state).x, NORTH);
+  const apart = Math.atan2(Math.hypot(north, east), down) / DEGREE;
+  return { apart, locked: Math.hypot(north, east) < LOCKED, opposite: down < 0 };
+}
+
+const LOST = "About the dotted line no ring can turn it.";
+
+function rings(state) {
+  const { apart, locked, opposite } = axesOf(state);
+  if (locked && opposite)
+    return `Locked. Yaw and roll turn the aircraft about the same axis, in opposite senses: raise both by the same amount and it stays where it is. ${LOST}`;
+  if (locked)
+    return `Locked. Yaw and roll turn the aircraft about the same axis, in the same sense: raise one, lower the other by as much, and it stays where it is. ${LOST}`;
+  const d = eulerRatesMatrix(state.roll * DEGREE, state.pitch * DEGREE);
+  const fastest = formatted(Math.hypot(d[6], d[7], d[8]));
+  const short = formatted(Math.min(apart, 180 - apart));
+  return `The roll axis is ${short}° from the line of the yaw axis. To follow the aircraft, the yaw ring turns at up to ${fastest} × its speed.`;
+}
+
+const readouts = (state) => ({
+  determinant: formatted(eulerRatesDeterminant(state.pitch * DEGREE)),
+  condition: formatted(eulerRatesCondition(state.pitch * DEGREE)),
+  rings: rings(state),
+});
+
+function summary(state) {
+  const { determinant, condition, rings: sentence } = readouts(state);
+  return `Determinant ${determinant}, condition number ${condition}. ${sentence}`;
+}
+
+// ── the picture ─────────────────────────────────────────────────────────────────────────────
+
+const arc = (u, v, centre, radius, from, to) =>
+  Array.from({ length: 25 }, (_, i) => {
+    const angle = from + ((to - from) * i) / 24;
+    return centre.map((c, k) => c + radius * (u[k] * Math.cos(angle) + v[k] * Math.sin(angle)));
+  });
+
+/** An arrow round an axis, in the sense in which its angle grows. */
+function turn(u, v, centre, colour, eye) {
+  const path = arc(u, v, centre, 0.15, 0.35 * Math.PI, 1.9 * Math.PI);
+  const [tip] = arc(u, v, centre, 0.15, 2.12 * Math.PI, 2.12 * Math.PI);
+  const [inside] = arc(u, v, centre, 0.085, 1.85 * Math.PI, 1.85 * Math.PI);
+  const [outside] = arc(u, v, centre, 0.215, 1.85 * Math.PI, 1.85 * Math.PI);
+  const head = { points: [tip, inside, outside], fill: colour, flat: true, open: true };
+  return [...strip(path, 0.028, colour, eye), head];
+}
+
+/** A round bar on the axis `along`, from one distance to another. */
+function tube(along, across, from, to, radius, fill) {
+  const round = arc(across, cross(along, across), [0, 0, 0], radius, 0, 2 * Math.PI).slice(0, -1);
+  const outline = (distance) =>
+    round.filter((_, i) => i % 3 === 0).map((point) => sum(point, scaled(along, distance)));
+  return loft([outline(from), outline(to)], fill);
+}
+
+/** Pins that join a ring to the next one, on both sides of the axis `along`. */
+const pin = (along, across, from, to, fill) =>
+  [along, scaled(along, -1)].flatMap((side) => tube(side, across, from, to, 0.026, fill));
+
+function dashes(along, from, to, count, colour, eye) {
+  const at = (i) => scaled(along, from + ((to - from) * i) / (2 * count - 1));
+  const each = (_, i) => strip([at(2 * i), at(2 * i + 1)], 0.022, colour, eye);
+  return Array.from({ length: count }, each).flat();
+}
+
+function compass(context, { project }, colours, width) {
+  const line = (points, thickness) => {
+    context.beginPath();
+    points.forEach((point) => context.lineTo(...project(point)));
+    context.lineWidth = thickness;
+    context.stroke();
+  };
+  const at = (degrees, radius) => [
+    radius * Math.cos(degrees * DEGREE), radius * Math.sin(degrees * DEGREE), FLOOR,
+  ];
+  const rim = Array.from({ length: 121 }, (_, i) => at(3 * i, 1));
+  context.beginPath();
+  rim.forEach((point) => context.lineTo(...project(point)));
+  context.fillStyle = colours("raised");
+  context.fill();
+  context.strokeStyle = colours("line");
+  line(rim, 2);
+  for (let heading = 0; heading < 360; heading += 10) {
+    const quarter = heading % 90 === 0;
+    line([at(heading, quarter ? 0.86 : 0.91), at(heading, 0.96)], quarter ? 2.5 : 1.2);
+  }
+  ["N", "E", "S", "W"].forEach((letter, i) =>
+    label(context, letter, project(at(90 * i, 0.73)), {
+      colour: colours("muted"), rim: colours("raised"), size: 12, width,
+    }),
+  );
+}
+
+function draw(context, size, state, colours) {
+  const view = camera(VIEW, 6, { ...size, span: 3.4, shift: -0.03 });
+  const { eye, project } = view;
+  const colour = (name) => parsed(colours(name));
+  const frame = frames(state);
+  const { locked } = axesOf(state);
+  const [yAxis, xAxis] = [toParent(frame.y, EAST), toParent(frame.x, NORTH)];
+
+  compass(context, view, colours, size.width);
+  paint(context, [...solids(frame, colour), ...arrows(frame, colour, eye, locked)], view);
+
+  const words = (text, point, name, offset) =>
+    label(context, text, project(point), {
+      colour: colours(name), rim: colours("surface"), offset, width: size.width,
+    });
+  words("z yaw", scaled(DOWN, -YAW_ARROW), "z", [24, 0]);
+  words("y pitch", scaled(yAxis, PITCH_ARROW), "y", [0, 34]);
+  words("x roll", scaled(xAxis, ROLL_ARROW), "x", [24, 0]);
+}
+
+/** Rings, pins, stand and aircraft. */
+function solids(frame, colour) {
+  const steel = mixed(colour("body"), colour("muted"), 0.4);
+  const rings = ["z", "y", "x"].flatMap((axis) => {
+    const marked = colour(axis);
+    const fill = mixed(marked, colour("surface"), 0.55);
+    return placed(ring({ ...RINGS[axis], fill, marked, mark: MARKS[axis] }), frame[axis]);
+  });
+  const names = ["body", "glass", "x", "y", "z"];
+  const fills = Object.fromEntries(names.map((name) => [name, colour(name)]));
+  return [
+    ...rings,
+    ...pin(DOWN, NORTH, 1.03, 1.1, steel),
+    ...tube(DOWN, NORTH, 1.1, FLOOR, 0.05, steel),
+    ...placed(pin(EAST, DOWN, 0.89, 0.95, steel), frame.y),
+    ...placed(pin(NORTH, EAST, 0.75, 0.81, steel), frame.x),
+    ...placed(pin(NORTH, EAST, 0.52, 0.67, steel), frame.x),
+    ...placed(aircraft(fills), frame.x),
+  ];
+}
+
+/** The axes, the sense in which each angle grows, and at the lock the axis that is lost. */
+function arrows(frame, colour, eye, locked) {
+  const [yAxis, xAxis] = [toParent(frame.y, EAST), toParent(frame.x, NORTH)];
+  const [level, right, down] = [NORTH, EAST, DOWN].map((axis) => toParent(frame.z, axis));
+  const [pitchedRight, pitchedDown] = [EAST, DOWN].map((axis) => toParent(frame.y, axis));
+  const lost = [
+    ...dashes(level, -1.55, -0.25, 12, colour("alert"), eye),
+    ...dashes(level, 0.25, 1.55, 12, colour("alert"), eye),
+  ];
+  return [
+    ...dashes(DOWN, -1.1, -1.5, 4, colour("z"), eye),
+    ...turn(level, right, scaled(DOWN, -YAW_ARROW), colour("z"), eye),
+    ...dashes(yAxis, 1.03, 1.34, 2, colour("y"), eye),
+    ...turn(down, level, scaled(yAxis, PITCH_ARROW), colour("y"), eye),
+    ...dashes(xAxis, 0.89, 1.26, 1, colour("x"), eye),
+    ...turn(pitchedRight, pitchedDown, scaled(xAxis, ROLL_ARROW), colour("x"), eye),
+    ...(locked ? lost : []),
+  ];
+}
+
+const definition = {
+  title: "An aircraft in three rings: yaw outside, pitch in the middle, roll inside",
+  start: { yaw: 0, pitch: 0, roll: 0 },
+  controls: [
+    { name: "yaw", label: "Yaw", symbol: "ψ", axis: "z", min: -180, max: 180 },
+    { name: "pitch", label: "Pitch", symbol: "θ", axis: "y", min: -90, max: 90 },
+    { name: "roll", label: "Roll", symbol: "φ", axis: "x", min: -180, max: 180 },
+  ].map((control) => ({ ...control, step: 1, unit: { short: "°", long: "degrees" } })),
+  outputs: [
+    { name: "determinant", label: "Determinant of D" },
+    { name: "condition", label: "Condition number" },
+    { name: "rings", label: "The rings", wide: true },
+  ],
+  readouts,
+  summary,
+  draw,
+};
+
+export const mount = (element, state, onChange) => mountDemo(element, definition, state, onChange);
+mount.start = definition.start;
+
+export default widget(mount);
