@@ -2,20 +2,28 @@
 
 from sympy import Symbol, symbols
 
+
+class Angle(Symbol):
+    """An angle, radians. Equations between angles hold up to whole turns."""
+
+
+class AngularRate(Symbol):
+    """An angular rate, rad/s."""
+
+
 # Euler angles, radians: roll about the vehicle-2 x-axis, pitch about the vehicle-1 y-axis,
 # yaw about the inertial z-axis.
-phi, theta, psi = symbols("phi theta psi", real=True)
+phi, theta, psi = symbols("phi theta psi", real=True, cls=Angle)
 roll_rate, pitch_rate, yaw_rate = (
-    Symbol(f"{name}dot", real=True) for name in ("phi", "theta", "psi")
+    AngularRate(f"{name}dot", real=True) for name in ("phi", "theta", "psi")
 )
 
 # Body rates, rad/s, about the body x, y and z axes.
-p, q, r = symbols("p q r", real=True)
+p, q, r = symbols("p q r", real=True, cls=AngularRate)
 
 # Magnitude of gravity, m/s².
 g = Symbol("g", positive=True)
 
-ANGLES = frozenset({phi, theta, psi})
 EULER = (phi, theta, psi)
 EULER_RATES = (roll_rate, pitch_rate, yaw_rate)
 BODY_RATES = (p, q, r)

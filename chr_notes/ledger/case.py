@@ -44,6 +44,9 @@ class Case:
         What the document prints.
     read
         Replaces the document's symbols by the derived quantities that they name, unevaluated.
+    given
+        What the document itself, or the convention, presumes: the range of an angle, a gain
+        between 0 and 1. Everything is judged within it, the witness included.
     condition
         For a statement that holds only under it.
     correction
@@ -58,6 +61,7 @@ class Case:
 
     printed: Printed
     read: Read
+    given: tuple[Condition, ...] = ()
     condition: Condition | None = None
     correction: Boolean | None = None
     witness: Mapping[Basic, Basic] = field(default_factory=dict)

@@ -39,6 +39,8 @@ class Entry:
         What the derivation gives for the thing that the statement is about.
     correction_latex
         The right form of a `corrected` statement.
+    given
+        What the document or the convention presumes, within which it is judged.
     condition
         Under which a `qualified` statement holds.
     witness
@@ -59,6 +61,7 @@ class Entry:
     printed_latex: str
     derived_latex: str | None
     correction_latex: str | None
+    given: str | None
     condition: str | None
     witness: Witness | None
     method: str

@@ -4,21 +4,26 @@ The rules, in this order:
 
 - `reported`: the statement is a fact about a product, so no mathematics can check it;
 - `definition`: it introduces a name that no derivation knows and that it does not use itself;
-- `proved`: read with the derived quantities, it holds for all values;
+- `proved`: read with the derived quantities, it holds for all values, or for all that the
+  document or the convention presumes;
 - `qualified`: it holds under the condition brought with it, and fails at a witness outside it;
 - `corrected`: the correction brought with it is proved, and the printed form fails at a witness.
 
 Anything else is an error: the ledger has no entry that was not decided.
 """
 
-from sympy import Basic, Eq, MatrixBase, N, Set, deg, sympify
+from sympy import And, Basic, Eq, MatrixBase, N, S, Set, deg, sympify
 from sympy.logic.boolalg import BooleanFalse
 
 from chr_notes.ledger.case import CannotJudgeError, Case
 from chr_notes.ledger.entry import Entry, Verdict, Witness
-from chr_notes.ledger.proof import equal, evaluate, fails, parts, proves, sides
-from chr_notes.symbols import ANGLES
+from chr_notes.ledger.identities import equal
+from chr_notes.ledger.proof import evaluate, fails, parts, proves, sides
+from chr_notes.printed.statement import Approximately
+from chr_notes.symbols import Angle, AngularRate
 from chr_notes.typeset import latex
+
+GIVEN_IN_DEGREES = {Angle: r"^\circ", AngularRate: r"^\circ/\mathrm{s}"}
 
 
 def judge(case: Case) -> Entry:
@@ -52,6 +57,7 @@ def judge(case: Case) -> Entry:
         printed_latex=latex(printed.statement),
         derived_latex=_derived(case),
         correction_latex=latex(case.correction) if case.correction is not None else None,
+        given=latex(And(*(g.holds for g in case.given), evaluate=False)) if case.given else None,
         condition=latex(case.condition.holds) if case.condition is not None else None,
         witness=_witness(case) if failing else None,
         method=method,
@@ -64,11 +70,14 @@ def _verdict(case: Case) -> tuple[Verdict, str]:
     statement, read, name = case.printed.statement, case.read, case.printed.id
     if introduces_name(case):
         return "definition", "the name stands in no derivation and not in its own definition"
-    if proves(statement, read):
+    if proves(statement, read, *case.given):
         if case.condition is not None or case.correction is not None:
             msg = f"{name}: proved as printed, yet a condition or a correction was brought"
             raise CannotJudgeError(msg)
         return "proved", "derived independently; the difference simplifies to zero"
+    if any(isinstance(given.holds.subs(case.witness), BooleanFalse) for given in case.given):
+        msg = f"{name}: the witness {case.witness} lies outside what is given"
+        raise CannotJudgeError(msg)
     if not fails(statement, read, case.witness):
         msg = f"{name}: not proved, and the witness {case.witness} does not show that it fails"
         raise CannotJudgeError(msg)
@@ -76,9 +85,13 @@ def _verdict(case: Case) -> tuple[Verdict, str]:
         if not isinstance(case.condition.holds.subs(case.witness), BooleanFalse):
             msg = f"{name}: the witness {case.witness} meets the condition {case.condition.holds}"
             raise CannotJudgeError(msg)
-        if proves(statement, read, case.condition):
+        if proves(statement, read, *case.given, case.condition):
             return "qualified", "proved under the condition; fails at the witness outside it"
-    if case.correction is not None and case.condition is None and proves(case.correction, read):
+    if (
+        case.correction is not None
+        and case.condition is None
+        and proves(case.correction, read, *case.given)
+    ):
         return "corrected", "the correction is proved; the printed form fails at the witness"
     msg = f"{name}: not proved, and neither a condition nor a correction that is proved was brought"
     raise CannotJudgeError(msg)
@@ -101,6 +114,8 @@ def introduces_name(case: Case) -> bool:
 def _derived(case: Case) -> str | None:
     """Typeset what the derivations give for the left side, where the statement is an equation."""
     statement = case.printed.statement
+    if isinstance(statement, Approximately):
+        return _number(evaluate(statement.lhs, case.read, {}))
     if not isinstance(statement, Eq) or introduces_name(case):
         return None
     return latex(evaluate(statement.lhs, case.read, {}))
@@ -109,12 +124,9 @@ def _derived(case: Case) -> str | None:
 def _witness(case: Case) -> Witness:
     """Put the numbers of the witness beside each other, where printed and right differ most."""
     point = case.witness
-    at = tuple(
-        (latex(symbol), _number(sympify(value), angle=symbol in ANGLES))
-        for symbol, value in point.items()
-    )
+    at = tuple((latex(symbol), _number(sympify(value), symbol)) for symbol, value in point.items())
     failing = next(part for part in parts(case.printed.statement) if fails(part, case.read, point))
-    if not isinstance(failing, Eq):
+    if not isinstance(failing, Eq | Approximately):
         value = evaluate(failing.lhs, case.read, point)
         return Witness(at, latex(failing), latex(Eq(failing.lhs, value, evaluate=False)))
     right, printed = sides(failing, case.read, point)
@@ -130,13 +142,16 @@ def _witness(case: Case) -> Witness:
             rf"(\ldots){place} = {_number(printed[where])}",
             rf"(\ldots){place} = {_number(right[where])}",
         )
-    return Witness(at, _number(printed), _number(right))
+    return Witness(at, _number(printed, failing.lhs), _number(right, failing.lhs))
 
 
-def _number(value: Basic, *, angle: bool = False) -> str:
+def _number(value: Basic, of: Basic = S.One) -> str:
     """Typeset a number with four digits, an angle in degrees; names and sets as they are."""
+    if value is S.NaN:
+        return r"\text{undefined}"
     if isinstance(value, Set) or not value.is_number or not value.is_finite:
         return latex(value)
-    if angle:
-        return rf"{float(deg(value)):.6g}^\circ"
+    degrees = GIVEN_IN_DEGREES.get(type(of))
+    if degrees is not None:
+        return f"{float(deg(value)):.6g}{degrees}"
     return f"{float(value):.4g}"

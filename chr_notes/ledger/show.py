@@ -62,6 +62,8 @@ def _card(entry: Entry) -> Iterator[str]:
     yield '</p></div>\n<div class="entry-body">\n'
     yield f"{entry.says}\n"
     yield from _formula("As printed" if entry.witness else "", entry.printed_latex)
+    if entry.given is not None:
+        yield from _formula("Given", entry.given)
     if entry.correction_latex is not None:
         yield from _formula("Right", entry.correction_latex)
     if entry.condition is not None:

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import Literal, Self
 
-from sympy import Basic, Expr, Integer, MatrixExpr, Symbol
+from sympy import Basic, Expr, Integer, MatrixExpr, Rational, Symbol
 from sympy.core.symbol import Str
 from sympy.logic.boolalg import Boolean
 from sympy.matrices.expressions.matexpr import MatrixElement
@@ -73,6 +73,45 @@ class Rotation(MatrixExpr):
         below, above = (name.replace("v", "v_") if len(name) > 1 else name for name in self.frames)
         angles = ", ".join(printer.doprint(angle) for angle in self.angles)
         return f"R_{{{below}}}^{{{above}}}" + (rf"\left({angles}\right)" if angles else "")
+
+
+class Approximately(Boolean):
+    """A quantity given by a number, which is right if it differs by half its last digit at most."""
+
+    def __new__(cls, quantity: Basic, number: str | Str) -> Self:
+        """Say that a quantity is about a number.
+
+        Parameters
+        ----------
+        quantity
+            What the number is given for.
+        number
+            The number as printed, such as `"0.017"` or `"220 e 3"`.
+        """
+        return super().__new__(cls, quantity, number if isinstance(number, Str) else Str(number))
+
+    @property
+    def lhs(self) -> Basic:
+        """The quantity."""
+        return self.args[0]
+
+    @property
+    def rhs(self) -> Rational:
+        """The number."""
+        mantissa, _, exponent = self.args[1].name.partition("e")
+        return Rational(mantissa.strip()) * Integer(10) ** int(exponent or 0)
+
+    @property
+    def unit(self) -> Rational:
+        """One unit in the last printed digit."""
+        mantissa, _, exponent = self.args[1].name.partition("e")
+        decimals = len(mantissa.strip().partition(".")[2])
+        return Integer(10) ** (int(exponent or 0) - decimals)
+
+    def _latex(self, printer: LatexPrinter) -> str:
+        mantissa, _, exponent = self.args[1].name.partition("e")
+        power = rf" \times 10^{{{exponent.strip()}}}" if exponent else ""
+        return rf"{printer.doprint(self.lhs)} \approx {mantissa.strip()}{power}"
 
 
 def words(text: str) -> Symbol:

@@ -10,15 +10,17 @@ from sympy import (
     ImmutableMatrix,
     MatMul,
     MatrixBase,
+    MatrixSymbol,
     Mul,
     Symbol,
+    atan2,
     cos,
     sin,
 )
 from sympy.core.relational import Relational
 from sympy.logic.boolalg import And
 
-from chr_notes.printed.statement import Rotation
+from chr_notes.printed.statement import Approximately, Rotation
 
 SWAPPED_FUNCTION: dict[type[Function], type[Function]] = {sin: cos, cos: sin}
 
@@ -31,12 +33,30 @@ def misprints(statement: Basic) -> Iterator[tuple[str, Basic]]:
                 rest = [other for place, other in enumerate(statement.args) if place != index]
                 yield f"part {index}: {name}", And(wrong, *rest, evaluate=False)
         return
+    if isinstance(statement, Approximately):
+        yield from wrong_numbers(statement)
+        return
     assert isinstance(statement, Relational)
     if not isinstance(statement, Eq):
+        yield "turned round", statement.negated
         return
     for name, wrong in wrong_expressions(statement.rhs):
         if wrong != statement.rhs:
             yield name, Eq(statement.lhs, wrong, evaluate=False)
+
+
+def wrong_numbers(statement: Approximately) -> Iterator[tuple[str, Basic]]:
+    """Misprint a number: its sign, a factor of two, its last digit."""
+    number, unit = statement.rhs, statement.unit
+    for name, wrong in (
+        ("negated", -number),
+        ("twice as large", 2 * number),
+        ("half as large", number / 2),
+        ("last digit one up", number + unit),
+        ("last digit one down", number - unit),
+    ):
+        # In units of the last digit, which a misprint leaves where it is.
+        yield name, Approximately(statement.lhs / unit, str(round(wrong / unit)))
 
 
 def wrong_expressions(expression: Basic) -> Iterator[tuple[str, Basic]]:
@@ -93,15 +113,22 @@ def wrong_scalars(expression: Basic) -> Iterator[tuple[str, Basic]]:
             for index, term in enumerate(node.args):
                 wrong = put(expression, (*path, index), -term)
                 yield f"sign of {term} at {path}", wrong
+        if isinstance(node, atan2):
+            turned = atan2(*reversed(node.args))
+            yield f"arguments swapped at {path}", put(expression, path, turned)
         if isinstance(node, Mul) and node.args[0] == 2:
             yield f"factor of two lost at {path}", put(expression, path, node / 2)
 
 
 def swapped_symbols(expression: Basic) -> Iterator[tuple[str, Basic]]:
     """Swap each pair of symbols throughout."""
-    names = sorted((s for s in expression.free_symbols if isinstance(s, Symbol)), key=str)
+    names = sorted(
+        (s for s in expression.free_symbols if isinstance(s, Symbol | MatrixSymbol)), key=str
+    )
     for index, one in enumerate(names):
         for other in names[index + 1 :]:
+            if getattr(one, "shape", ()) != getattr(other, "shape", ()):
+                continue
             swap = {one: other, other: one}
             yield f"{one} and {other} swapped", expression.xreplace(swap)
 

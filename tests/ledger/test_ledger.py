@@ -54,6 +54,8 @@ def test_witness_shows_the_difference(name: str, case: Case) -> None:
         assert not fails(case.correction, case.read, case.witness)
     if case.condition is not None:
         assert isinstance(case.condition.holds.subs(case.witness), BooleanFalse)
+    for given in case.given:
+        assert not isinstance(given.holds.subs(case.witness), BooleanFalse)
     witness = ledger.entry(name).witness
     assert witness is not None
     assert witness.printed != witness.right
@@ -63,11 +65,11 @@ def test_witness_shows_the_difference(name: str, case: Case) -> None:
     ("name", "step"), STEPS, ids=[f"{n}-{i}" for i, (n, _) in enumerate(STEPS)]
 )
 def test_each_step_of_a_derivation_holds(name: str, step: ledger.Step) -> None:
-    assert proves(step.statement, CASES[name].read)
+    assert proves(step.statement, CASES[name].read, *CASES[name].given)
 
 
 @pytest.mark.parametrize(("name", "case"), PROVED.items(), ids=PROVED)
 def test_misprints_change_the_verdict(name: str, case: Case) -> None:
     for misprint, wrong in misprints(case.printed.statement):
         equivalent = (name, misprint) in EQUIVALENT
-        assert proves(wrong, case.read) == equivalent, f"{name}, {misprint}: {wrong}"
+        assert proves(wrong, case.read, *case.given) == equivalent, f"{name}, {misprint}: {wrong}"

@@ -1,0 +1,118 @@
+"""When two formulas are the same for all values of their symbols, and when one is larger."""
+
+from sympy import (
+    Abs,
+    Basic,
+    Dummy,
+    Expr,
+    Integer,
+    MatrixBase,
+    Pow,
+    Rational,
+    S,
+    Set,
+    cancel,
+    cos,
+    expand,
+    expand_trig,
+    floor,
+    fraction,
+    simplify,
+    sin,
+    tan,
+    together,
+)
+
+CLEARLY_NOT_ZERO = 1e-15  # against values computed with 30 digits
+
+
+def difference(left: Basic, right: Basic) -> tuple[Basic, ...]:
+    """Take left minus right, element by element, not yet simplified."""
+    if isinstance(left, MatrixBase) != isinstance(right, MatrixBase):
+        msg = f"expected two matrices or two scalars, got {left} and {right}"
+        raise TypeError(msg)
+    return tuple(left - right) if isinstance(left, MatrixBase) else (left - right,)
+
+
+def sample(expression: Basic) -> Basic:
+    """Give the value of an expression at one point of no particular kind, with 30 digits."""
+    names = sorted(expression.free_symbols, key=str)
+    point = {name: Rational(2 * index + 3, 7 * index + 11) for index, name in enumerate(names)}
+    return expression.subs(point).evalf(30, chop=False)
+
+
+def is_zero(expression: Basic) -> bool:
+    """Whether an expression vanishes for all values of its symbols.
+
+    A value clearly off zero settles that it does not. Otherwise it is made rational: sine and
+    cosine of each angle are put through the tangent of its half, which loses nothing, and the
+    fraction is cancelled. What is not rational then is left to SymPy's `simplify`.
+    """
+    if expression.is_Rational:
+        return bool(expression == 0)
+    if isinstance(expression, Abs):
+        return is_zero(expression.args[0])
+    value = sample(expression)
+    if value.is_Float and abs(value) > CLEARLY_NOT_ZERO:
+        return False
+    if not expression.free_symbols:
+        return bool(simplify(expression) == 0)
+    halves = {
+        angle: Dummy(f"t_{index}", real=True)
+        for index, angle in enumerate(sorted(expression.atoms(sin, cos, tan), key=str))
+        for angle in angle.args
+    }
+    rational = expression.replace(tan, lambda x: sin(x) / cos(x))
+    rational = rational.replace(sin, lambda x: 2 * halves[x] / (1 + halves[x] ** 2))
+    rational = rational.replace(cos, lambda x: (1 - halves[x] ** 2) / (1 + halves[x] ** 2))
+    return bool(cancel(together(rational)) == 0 or simplify(expression) == 0)
+
+
+def equal(left: Basic, right: Basic) -> bool:
+    """Whether two objects are the same: sets and names as such, formulas by their difference."""
+    if left.has(S.NaN, S.ComplexInfinity) or right.has(S.NaN, S.ComplexInfinity):
+        return False
+    if left == right:
+        return True
+    if isinstance(left, Set) or isinstance(right, Set):
+        return False
+    if {left, right} & {S.Infinity, S.NegativeInfinity}:
+        return False
+    if isinstance(left, Abs) and isinstance(right, Abs):
+        return any(is_zero(left.args[0] - sign * right.args[0]) for sign in (1, -1))
+    return all(is_zero(element) for element in difference(left, right))
+
+
+def same_angle(left: Expr, right: Expr) -> bool:
+    """Whether two angles are the same up to whole turns: their difference has sine 0, cosine 1."""
+    turn = left - right
+    return is_zero(expand_trig(sin(turn))) and is_zero(expand_trig(cos(turn)) - 1)
+
+
+def is_positive(expression: Expr) -> bool:
+    """Whether a rational expression is positive for all values that its symbols may take.
+
+    Numerator and denominator are multiplied out; SymPy knows a sum of positive terms to be
+    positive. An answer of no means only that this was not seen.
+    """
+    parts = [expand(part) for part in fraction(cancel(together(expression)))]
+    return all(part.is_positive for part in parts) or all(part.is_negative for part in parts)
+
+
+def settle(expression: Basic) -> Basic:
+    """Work out what SymPy leaves standing: floors of what lies in one unit, divisions by zero."""
+    expression = expression.replace(floor, _floor)
+    divisors = (power.base for power in expression.atoms(Pow) if power.exp.is_negative)
+    if not expression.free_symbols and any(is_zero(divisor) for divisor in divisors):
+        return S.NaN
+    return expression
+
+
+def _floor(argument: Expr) -> Expr:
+    """Round down an expression of which it can be shown between which integers it lies."""
+    argument = cancel(expand(argument))
+    guess = Integer(floor(sample(argument)))
+    below = argument - guess
+    if (below.is_nonnegative or is_positive(below)) and is_positive(1 - below):
+        return guess
+    return floor(argument)

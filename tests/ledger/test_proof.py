@@ -1,0 +1,135 @@
+"""What the proofs accept, and what they must not."""
+
+import pytest
+from sympy import (
+    Abs,
+    Basic,
+    Eq,
+    Gt,
+    Lt,
+    Ne,
+    Symbol,
+    asin,
+    atan,
+    atan2,
+    cos,
+    floor,
+    nan,
+    pi,
+    sin,
+    symbols,
+    tan,
+)
+
+from chr_notes.ledger.case import Condition
+from chr_notes.ledger.identities import equal, is_positive, is_zero, same_angle, settle
+from chr_notes.ledger.proof import fails, proves
+from chr_notes.printed.statement import Approximately
+from chr_notes.symbols import phi, psi, theta
+from chr_notes.typeset import latex
+
+s, d = symbols("s d", positive=True)
+x = Symbol("x", real=True)
+SLOPE = Symbol("t", real=True)
+
+
+def same(expression: Basic) -> Basic:
+    return expression
+
+
+def test_zero_is_told_from_small() -> None:
+    assert is_zero(sin(x) ** 2 + cos(x) ** 2 - 1)
+    assert is_zero(Abs(sin(2 * x) - 2 * sin(x) * cos(x)))
+    assert not is_zero(sin(x) ** 2 + cos(x) ** 2 - 1 + s / 10**12)
+    assert not is_zero(sin(pi / 7) - sin(pi / 7 + pi / 10**12))
+
+
+def test_magnitudes_are_equal_whatever_the_sign_inside() -> None:
+    assert equal(Abs(x - s), Abs(s - x))
+    assert not equal(Abs(x - s), Abs(x + s))
+
+
+@pytest.mark.parametrize("undefined", [nan, tan(pi / 2)])
+def test_what_is_undefined_equals_nothing(undefined: Basic) -> None:
+    assert not equal(undefined, undefined + x)
+    assert not equal(nan, nan)
+
+
+def test_division_by_zero_is_seen() -> None:
+    nothing = sin(pi / 7) ** 2 + cos(pi / 7) ** 2 - 1
+    assert settle(x / (1 + s)) == x / (1 + s)
+    assert settle(1 / nothing) is nan
+    assert fails(Eq(x, (x - 1) / (x - 1), evaluate=False), same, {x: 1})
+
+
+def test_angles_are_equal_up_to_whole_turns() -> None:
+    assert same_angle(atan2(sin(psi), cos(psi)), psi)
+    assert same_angle(phi, phi + 2 * pi)
+    assert not same_angle(phi, phi + pi)
+    assert not same_angle(atan2(cos(psi), sin(psi)), psi)
+    assert not same_angle(asin(sin(theta)), theta)
+    assert not same_angle(atan(tan(phi)), phi)
+    assert proves(Eq(psi, atan2(s * sin(psi), s * cos(psi))), same)
+    assert fails(Eq(phi, atan(tan(phi)), evaluate=False), same, {phi: 5 * pi / 6})
+
+
+def test_only_angles_are_equal_up_to_whole_turns() -> None:
+    assert not proves(Eq(x, x + 2 * pi, evaluate=False), same)
+
+
+def test_a_range_puts_the_angle_on_its_branch() -> None:
+    statement = Eq(phi, atan(sin(phi) / cos(phi)), evaluate=False)
+    assert not proves(statement, same)
+    assert proves(statement, same, Condition(cos(phi) > 0, ({phi: atan(SLOPE)},)))
+
+
+def test_inequalities_need_all_terms_of_one_sign() -> None:
+    assert is_positive(1 / s - 1 / (s + d))
+    assert is_positive(-1 / (-s - d))
+    assert not is_positive(s - d)
+    assert not is_positive(x**2 - 2 * x + s)
+    assert proves(Gt(1 / s, 1 / (s + d)), same)
+    assert not proves(Lt(1 / s, 1 / (s + d)), same)
+
+
+def test_a_floor_is_worked_out_between_two_integers() -> None:
+    part = s / (1 + s)
+    assert settle(floor(part)) == 0
+    assert settle(floor(3 + part)) == 3
+    assert settle(floor(-part)) == floor(-s / (s + 1))  # it may come arbitrarily close to -1
+    assert settle(floor(2 * part)) == floor(2 * s / (s + 1))
+
+
+def test_what_a_condition_excludes_is_not_zero() -> None:
+    condition = Condition(Ne(cos(x), 1))
+    assert proves(Ne(s * (1 - cos(x)), 0), same, condition)
+    assert not proves(Ne(s * (1 - cos(x)), 0), same)
+    assert not proves(Ne(x * (1 - cos(x)), 0), same, condition)
+
+
+def test_conditions_hold_together() -> None:
+    first, second = Condition(Eq(x, 1), ({x: 1},)), Condition(Eq(s, 2), ({s: 2}, {s: 2}))
+    assert proves(Eq(x * s, 2), same, first, second)
+    assert not proves(Eq(x * s, 2), same, first)
+
+
+@pytest.mark.parametrize(
+    ("printed", "right"),
+    [("0.017", "0.01749"), ("17", "17.5"), ("220 e 3", "219500"), ("1.1 e 6", "1.149e6")],
+)
+def test_a_number_holds_within_half_its_last_digit(printed: str, right: str) -> None:
+    quantity = Symbol("r")
+    statement = Approximately(quantity, printed)
+    value = Approximately(quantity, right).rhs
+    off = statement.unit / 2 + statement.unit / 1000
+    for sign in (1, -1):
+        wrong = {quantity: statement.rhs + sign * off}
+        assert not proves(statement.subs(wrong), same)
+        assert fails(statement, same, wrong)
+    assert proves(statement.subs({quantity: value}), same)
+    assert not fails(statement, same, {quantity: value})
+
+
+def test_a_number_is_typeset_as_printed() -> None:
+    assert latex(Approximately(Symbol("r"), "220 e 3")) == r"r \approx 220 \times 10^{3}"
+    assert latex(Approximately(Symbol("r"), "2.0")) == r"r \approx 2.0"
