@@ -21,8 +21,15 @@ roll_rate, pitch_rate, yaw_rate = (
 # Body rates, rad/s, about the body x, y and z axes.
 p, q, r = symbols("p q r", real=True, cls=AngularRate)
 
-# Magnitude of gravity, m/s².
-g = Symbol("g", positive=True)
+# Magnitude of gravity, m/s², and mass of the body, kg.
+g, m = symbols("g m", positive=True)
+
+# Readings of an accelerometer (m/s²) and of a magnetometer (any unit) along the body axes.
+ACCELEROMETER = symbols("a_x a_y a_z", real=True)
+MAGNETOMETER = symbols("m_x m_y m_z", real=True)
+
+# Sample period, s.
+T = Symbol("T", positive=True)
 
 EULER = (phi, theta, psi)
 EULER_RATES = (roll_rate, pitch_rate, yaw_rate)

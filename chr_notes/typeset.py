@@ -2,11 +2,17 @@
 
 from dataclasses import dataclass
 
-from sympy import And, Basic, Integer, MatrixBase
+from sympy import And, Basic, Integer, MatrixBase, atan2
 from sympy.matrices.expressions.matexpr import MatrixElement
 from sympy.printing.latex import LatexPrinter
 
-_SETTINGS = {"mat_str": "pmatrix", "mat_delim": "", "fold_func_brackets": True, "ln_notation": True}
+_SETTINGS = {
+    "mat_str": "pmatrix",
+    "mat_delim": "",
+    "fold_func_brackets": True,
+    "ln_notation": True,
+    "inv_trig_style": "full",
+}
 
 
 class _Printer(LatexPrinter):
@@ -22,6 +28,10 @@ class _Printer(LatexPrinter):
 
     def _print_And(self, statement: And) -> str:  # noqa: N802 (SymPy's hook)
         return r" \quad\text{and}\quad ".join(self._print(part) for part in statement.args)
+
+    def _print_atan2(self, angle: atan2) -> str:  # noqa: N802 (SymPy's hook)
+        arguments = ", ".join(self._print(argument) for argument in angle.args)
+        return rf"\operatorname{{atan2}}\left({arguments}\right)"
 
 
 def latex(expression: Basic | MatrixBase) -> str:
