@@ -40,12 +40,12 @@ def world(axes: Any = None) -> Any:  # noqa: ANN401 (matplotlib's 3D axes are un
         Cleared, equal in all directions, without box.
     """
     if axes is None:
-        axes = plt.figure(figsize=(4.2, 3.8)).add_subplot(projection="3d")
+        axes = plt.figure(figsize=(5.4, 3.6)).add_axes((0, 0, 1, 1), projection="3d")
     axes.set_axis_off()
     axes.set_proj_type("ortho")
-    for limits in (axes.set_xlim, axes.set_ylim, axes.set_zlim):
-        limits(-0.8, 0.8)
-    axes.set_box_aspect((1, 1, 1), zoom=1.2)
+    # Room for the axes, which point north, east and down, and a little for wings and fin.
+    axes.set(xlim=(-0.8, 1.2), ylim=(-1.15, 0.85), zlim=(-1.15, 0.85))
+    axes.set_box_aspect((1, 1, 1), zoom=1.5)
     axes.view_init(elev=30, azim=-85)
     return axes
 
@@ -56,6 +56,7 @@ def draw_frame(
     name: str = "",
     *,
     faded: bool = False,
+    unlabelled: str = "",
 ) -> Any:  # noqa: ANN401
     """Draw the three axes of a frame, each with its letter, colour and dash pattern.
 
@@ -69,6 +70,8 @@ def draw_frame(
         Written as an index to the letters.
     faded
         Whether the frame is there for reference only, drawn in grey.
+    unlabelled
+        Letters of the axes that get no label, because another frame's stands there.
     """
     ends = np.asarray(matrix, dtype=np.float64) @ _DRAWN_FROM_NED
     for letter, end in zip(AXES, ends, strict=True):
@@ -78,6 +81,8 @@ def draw_frame(
             color=colour, linewidth=1.1 if faded else 2.2, arrow_length_ratio=0.08,
             linestyle=(0, DASHES[letter]) if DASHES[letter] else "solid",
         )  # fmt: skip
+        if letter in unlabelled:
+            continue
         label = rf"${letter}_{{{name}}}$" if name else f"${letter}$"
         reach = 1.3 if faded else 1.13
         axes.text(*(reach * end), label, color=colour, ha="center", va="center", fontsize=12)
