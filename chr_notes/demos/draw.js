@@ -49,7 +49,7 @@ export function camera(matrix, distance, { width, height, span, shift = 0 }) {
 }
 
 // ── polygons ────────────────────────────────────────────────────────────────────────────────
-// { points, fill: [red, green, blue], flat?: no shading, open?: seen from both sides }
+// { points, fill: [red, green, blue], unlit?: no shading, open?: seen from both sides }
 // The corners of a closed polygon run clockwise as seen from outside.
 
 function plane(points) {
@@ -64,6 +64,9 @@ function plane(points) {
   const direction = unit(normal);
   return { normal: direction, offset: dot(direction, points[0]) };
 }
+
+/** A polygon with the plane that it lies in. */
+export const flat = (polygon) => ({ ...polygon, plane: plane(polygon.points) });
 
 /** The same polygons, seen from the frame in which `matrix` places them. */
 export const placed = (polygons, matrix) =>
@@ -116,22 +119,29 @@ export function ring({ u, v, inner, outer, depth, fill, marked, mark, count = 72
   }).flat();
 }
 
+const acrossAs = (start, end, eye) => unit(cross(minus(end, start), minus(eye, start)));
+
 /** A flat strip from point to point that turns its broad side to the eye. */
 export function strip(points, width, fill, eye) {
   return points.slice(1).map((end, i) => {
     const start = points[i];
-    const across = scaled(unit(cross(minus(end, start), minus(eye, start))), width / 2);
-    const back = scaled(across, -1);
-    const corners = [sum(start, across), sum(end, across), sum(end, back), sum(start, back)];
-    return { points: corners, fill, flat: true, open: true };
+    const half = scaled(acrossAs(start, end, eye), width / 2);
+    const corners = [sum(start, half), sum(end, half), minus(end, half), minus(start, half)];
+    return { points: corners, fill, unlit: true, open: true };
   });
+}
+
+/** A flat triangle from `start`, where it is widest, to its point, turned to the eye as well. */
+export function arrowhead(start, point, width, fill, eye) {
+  const half = scaled(acrossAs(start, point, eye), width / 2);
+  return { points: [sum(start, half), point, minus(start, half)], fill, unlit: true, open: true };
 }
 
 // ── order of painting ───────────────────────────────────────────────────────────────────────
 
 /**
- * A binary space partition of polygons that have their `plane`. Sorting by distance fails where a polygon reaches both behind and
- * in front of another; here the plane of the first polygon cuts all the others in two.
+ * A binary space partition of `flat` polygons. Sorting by distance fails where a polygon reaches
+ * both behind and in front of another; here the plane of the first one cuts all others in two.
  */
 export function partition(polygons) {
   if (polygons.length === 0) return null;
@@ -174,10 +184,10 @@ export function fromBehind(tree, eye, visit) {
 /** Paint polygons, hidden parts removed and flat shaded, on a 2-d canvas context. */
 export function paint(context, polygons, { eye, project, light }) {
   const visible = polygons
-    .map((polygon) => ({ ...polygon, plane: plane(polygon.points) }))
+    .map(flat)
     .filter(({ plane: { normal, offset }, open }) => open || dot(normal, eye) > offset);
-  fromBehind(partition(visible), eye, ({ points, fill, flat, plane: { normal } }) => {
-    const brightness = flat ? 1 : 0.62 + 0.4 * Math.max(0, dot(normal, light));
+  fromBehind(partition(visible), eye, ({ points, fill, unlit, plane: { normal } }) => {
+    const brightness = unlit ? 1 : 0.62 + 0.4 * Math.max(0, dot(normal, light));
     context.beginPath();
     points.forEach((point) => context.lineTo(...project(point)));
     context.closePath();

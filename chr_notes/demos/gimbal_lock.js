@@ -11,7 +11,8 @@ import {
 import { aircraft } from "./aircraft.js";
 import { formatted, mountDemo } from "./controls.js";
 import {
-  camera, cross, label, loft, mixed, paint, parsed, placed, ring, scaled, strip, sum, toParent,
+  arrowhead, camera, cross, label, loft, mixed, paint, parsed, placed, ring, scaled, strip,
+  sum, toParent,
 } from "./draw.js";
 import { widget } from "./widget.js";
 
@@ -19,7 +20,7 @@ const DEGREE = Math.PI / 180;
 const VIEW = matrixFromEuler(0, -22 * DEGREE, 32 * DEGREE);
 const [NORTH, EAST, DOWN] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 const FLOOR = 1.4; // below the centre
-const [YAW_ARROW, PITCH_ARROW, ROLL_ARROW] = [1.4, 1.2, 1.17]; // distances from the centre
+const [YAW_ARROW, PITCH_ARROW, ROLL_ARROW] = [1.42, 1.2, 1.17]; // distances from the centre
 const LOCKED = 1e-9; // cosine of pitch below which a double cannot tell it from a right angle
 
 // The second cue of an axis: which segments of its ring are bright.
@@ -81,14 +82,12 @@ const arc = (u, v, centre, radius, from, to) =>
     return centre.map((c, k) => c + radius * (u[k] * Math.cos(angle) + v[k] * Math.sin(angle)));
   });
 
-/** An arrow round an axis, in the sense in which its angle grows. */
+/** An arrow round an axis, in the sense in which its angle grows, from `u` towards `v`. */
 function turn(u, v, centre, colour, eye) {
-  const path = arc(u, v, centre, 0.15, 0.35 * Math.PI, 1.9 * Math.PI);
-  const [tip] = arc(u, v, centre, 0.15, 2.12 * Math.PI, 2.12 * Math.PI);
-  const [inside] = arc(u, v, centre, 0.085, 1.85 * Math.PI, 1.85 * Math.PI);
-  const [outside] = arc(u, v, centre, 0.215, 1.85 * Math.PI, 1.85 * Math.PI);
-  const head = { points: [tip, inside, outside], fill: colour, flat: true, open: true };
-  return [...strip(path, 0.028, colour, eye), head];
+  const [first, last, tip] = [0.45, 1.8, 2.1].map((halfTurns) => halfTurns * Math.PI);
+  const path = arc(u, v, centre, 0.17, first, last);
+  const [end] = arc(u, v, centre, 0.165, tip, tip);
+  return [...strip(path, 0.03, colour, eye), arrowhead(path.at(-1), end, 0.13, colour, eye)];
 }
 
 /** A round bar on the axis `along`, from one distance to another. */
@@ -152,9 +151,9 @@ function draw(context, size, state, colours) {
     label(context, text, project(point), {
       colour: colours(name), rim: colours("surface"), offset, width: size.width,
     });
-  words("z yaw", scaled(DOWN, -YAW_ARROW), "z", [24, 0]);
+  words("z yaw", scaled(DOWN, -YAW_ARROW), "z", [30, 0]);
   words("y pitch", scaled(yAxis, PITCH_ARROW), "y", [0, 34]);
-  words("x roll", scaled(xAxis, ROLL_ARROW), "x", [24, 0]);
+  words("x roll", scaled(xAxis, ROLL_ARROW), "x", [30, 0]);
 }
 
 /** Rings, pins, stand and aircraft. */

@@ -96,6 +96,7 @@
     const direction = unit(normal);
     return { normal: direction, offset: dot(direction, points[0]) };
   }
+  var flat = (polygon) => ({ ...polygon, plane: plane(polygon.points) });
   var placed = (polygons, matrix) => polygons.map((polygon) => ({
     ...polygon,
     points: polygon.points.map((point) => toParent(matrix, point))
@@ -140,14 +141,18 @@
       ];
     }).flat();
   }
+  var acrossAs = (start, end, eye) => unit(cross(minus(end, start), minus(eye, start)));
   function strip(points, width, fill, eye) {
     return points.slice(1).map((end, i) => {
       const start = points[i];
-      const across = scaled(unit(cross(minus(end, start), minus(eye, start))), width / 2);
-      const back = scaled(across, -1);
-      const corners = [sum(start, across), sum(end, across), sum(end, back), sum(start, back)];
-      return { points: corners, fill, flat: true, open: true };
+      const half = scaled(acrossAs(start, end, eye), width / 2);
+      const corners = [sum(start, half), sum(end, half), minus(end, half), minus(start, half)];
+      return { points: corners, fill, unlit: true, open: true };
     });
+  }
+  function arrowhead(start, point, width, fill, eye) {
+    const half = scaled(acrossAs(start, point, eye), width / 2);
+    return { points: [sum(start, half), point, minus(start, half)], fill, unlit: true, open: true };
   }
   function partition(polygons) {
     if (polygons.length === 0) return null;
@@ -184,9 +189,9 @@
     fromBehind(seenFromFront ? tree.front : tree.behind, eye, visit);
   }
   function paint(context, polygons, { eye, project, light }) {
-    const visible = polygons.map((polygon) => ({ ...polygon, plane: plane(polygon.points) })).filter(({ plane: { normal, offset }, open }) => open || dot(normal, eye) > offset);
-    fromBehind(partition(visible), eye, ({ points, fill, flat, plane: { normal } }) => {
-      const brightness = flat ? 1 : 0.62 + 0.4 * Math.max(0, dot(normal, light));
+    const visible = polygons.map(flat).filter(({ plane: { normal, offset }, open }) => open || dot(normal, eye) > offset);
+    fromBehind(partition(visible), eye, ({ points, fill, unlit, plane: { normal } }) => {
+      const brightness = unlit ? 1 : 0.62 + 0.4 * Math.max(0, dot(normal, light));
       context.beginPath();
       points.forEach((point) => context.lineTo(...project(point)));
       context.closePath();
@@ -435,7 +440,7 @@
   var VIEW = matrixFromEuler(0, -22 * DEGREE, 32 * DEGREE);
   var [NORTH, EAST, DOWN] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
   var FLOOR = 1.4;
-  var [YAW_ARROW, PITCH_ARROW, ROLL_ARROW] = [1.4, 1.2, 1.17];
+  var [YAW_ARROW, PITCH_ARROW, ROLL_ARROW] = [1.42, 1.2, 1.17];
   var LOCKED = 1e-9;
   var MARKS = { x: () => true, y: (i) => i % 6 < 4, z: (i) => i % 2 === 0 };
   var RINGS = {
@@ -482,12 +487,10 @@
     return centre.map((c, k) => c + radius * (u[k] * Math.cos(angle) + v[k] * Math.sin(angle)));
   });
   function turn(u, v, centre, colour, eye) {
-    const path = arc(u, v, centre, 0.15, 0.35 * Math.PI, 1.9 * Math.PI);
-    const [tip] = arc(u, v, centre, 0.15, 2.12 * Math.PI, 2.12 * Math.PI);
-    const [inside] = arc(u, v, centre, 0.085, 1.85 * Math.PI, 1.85 * Math.PI);
-    const [outside] = arc(u, v, centre, 0.215, 1.85 * Math.PI, 1.85 * Math.PI);
-    const head = { points: [tip, inside, outside], fill: colour, flat: true, open: true };
-    return [...strip(path, 0.028, colour, eye), head];
+    const [first, last, tip] = [0.45, 1.8, 2.1].map((halfTurns) => halfTurns * Math.PI);
+    const path = arc(u, v, centre, 0.17, first, last);
+    const [end] = arc(u, v, centre, 0.165, tip, tip);
+    return [...strip(path, 0.03, colour, eye), arrowhead(path.at(-1), end, 0.13, colour, eye)];
   }
   function tube(along, across, from, to, radius, fill) {
     const round = arc(across, cross(along, across), [0, 0, 0], radius, 0, 2 * Math.PI).slice(0, -1);
@@ -547,9 +550,9 @@
       offset,
       width: size.width
     });
-    words("z yaw", scaled(DOWN, -YAW_ARROW), "z", [24, 0]);
+    words("z yaw", scaled(DOWN, -YAW_ARROW), "z", [30, 0]);
     words("y pitch", scaled(yAxis, PITCH_ARROW), "y", [0, 34]);
-    words("x roll", scaled(xAxis, ROLL_ARROW), "x", [24, 0]);
+    words("x roll", scaled(xAxis, ROLL_ARROW), "x", [30, 0]);
   }
   function solids(frame, colour) {
     const steel = mixed(colour("body"), colour("muted"), 0.4);

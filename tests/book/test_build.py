@@ -1,0 +1,72 @@
+"""Building the book: what it says, and what it says when something is missing."""
+
+import importlib.util
+from collections import Counter
+from pathlib import Path
+
+import pytest
+
+import chr_notes.book
+from chr_notes.book import build, pages
+from chr_notes.conventions import CONVENTIONS
+from chr_notes.ledger import entries
+from chr_notes.palette import PALETTE, css
+
+
+def test_missing_package_names_the_command_that_brings_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    found = importlib.util.find_spec
+    monkeypatch.setattr(
+        importlib.util, "find_spec", lambda name: None if name == "jupyter_book" else found(name)
+    )
+    with pytest.raises(
+        RuntimeError, match=r'jupyter_book; run: python -m pip install -e "\.\[book'
+    ):
+        build()
+
+
+def test_missing_sources_are_explained(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setattr(chr_notes.book, "SOURCES", tmp_path)
+    with pytest.raises(RuntimeError, match="not part of an installed package"):
+        build()
+
+
+def test_each_convention_is_on_its_page() -> None:
+    text = pages.conventions()
+    for convention in CONVENTIONS:
+        assert f"## {convention.title}\n\n{convention.statement}\n" in text
+
+
+def test_counts_of_verdicts_are_those_of_the_ledger() -> None:
+    text = pages.verdicts(entries())
+    for verdict, count in Counter(entry.verdict for entry in entries()).items():
+        assert f'<li><b>{count}</b> <span class="verdict verdict-{verdict}">' in text
+
+
+def test_every_colour_is_a_variable_in_both_themes() -> None:
+    for name, colour in PALETTE.items():
+        assert f"--chr-{name}: {colour.light};" in css()
+        assert f"--chr-{name}: {colour.dark};" in css()
+
+
+def luminance(colour: str) -> float:
+    """Relative luminance as the web's accessibility guidelines define it."""
+    channels = (int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5))
+    linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in channels]
+    return float(0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2])
+
+
+def contrast(a: str, b: str) -> float:
+    low, high = sorted((luminance(a), luminance(b)))
+    return (high + 0.05) / (low + 0.05)
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_colours_stand_out(theme: str) -> None:
+    """Text at 4.5:1 and graphics at 3:1 on everything that they may stand on."""
+    text = {"ink", "muted", "accent", "definition", "proved", "qualified", "corrected", "reported"}
+    colour = {name: getattr(each, theme) for name, each in PALETTE.items()}
+    for ground in ("page", "surface", "raised"):
+        for name in text:
+            assert contrast(colour[name], colour[ground]) >= 4.5, (name, ground)
+        for name in ("x", "y", "z", "alert"):
+            assert contrast(colour[name], colour[ground]) >= 3, (name, ground)
