@@ -1,6 +1,20 @@
 """Figures: arrays in, matplotlib Axes out."""
 
+from chr_notes.plots.clouds import draw_cloud, draw_ellipsoid
 from chr_notes.plots.figure import Picture, show
 from chr_notes.plots.frames import draw_aircraft, draw_arc, draw_frame, world
+from chr_notes.plots.growth import draw_growth
+from chr_notes.plots.series import draw_angles
 
-__all__ = ["Picture", "draw_aircraft", "draw_arc", "draw_frame", "show", "world"]
+__all__ = [
+    "Picture",
+    "draw_aircraft",
+    "draw_angles",
+    "draw_arc",
+    "draw_cloud",
+    "draw_ellipsoid",
+    "draw_frame",
+    "draw_growth",
+    "show",
+    "world",
+]

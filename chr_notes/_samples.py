@@ -1,0 +1,82 @@
+"""Checks that functions of recordings share: samples along the first axis, one after another."""
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from chr_notes._arrays import Floats, floats
+
+
+def samples(name: str, value: ArrayLike) -> Floats:
+    """Take a recording of vectors, shape (N, 3).
+
+    Raises
+    ------
+    ValueError
+        If the shape differs; it states the expected and the received shape.
+    """
+    array = floats(name, value, 3)
+    if array.ndim != 2:  # noqa: PLR2004 (samples by axes)
+        msg = f"{name}: expected shape (N, 3), got {array.shape}"
+        raise ValueError(msg)
+    return array
+
+
+def whole_samples(name: str, value: ArrayLike) -> Floats:
+    """Take a recording without the rows that hold NaN or infinity."""
+    array = samples(name, value)
+    return array[np.isfinite(array).all(axis=1)]
+
+
+def times(value: ArrayLike) -> Floats:
+    """Take times in seconds, rising, shape (N,).
+
+    Raises
+    ------
+    ValueError
+        If the shape differs, or the times do not rise.
+    """
+    array = floats("time", value)
+    if array.ndim != 1:
+        msg = f"time: expected shape (N,), got {array.shape}"
+        raise ValueError(msg)
+    steps = np.diff(array)
+    if not (steps > 0).all():
+        place = int(np.argmax(~(steps > 0)))
+        msg = f"time: expected rising times, got {array[place : place + 2].tolist()} at {place}"
+        raise ValueError(msg)
+    return array
+
+
+def periods(value: ArrayLike, count: int) -> Floats:
+    """Take the time steps of a recording: a number, or one for each sample.
+
+    Raises
+    ------
+    ValueError
+        If the shape is neither, or a step is negative or no number.
+    """
+    array = floats("dt", value)
+    if array.shape not in ((), (count,)):
+        msg = f"dt: expected a number or shape ({count},), got {array.shape}"
+        raise ValueError(msg)
+    wrong = np.flatnonzero(~(np.isfinite(array) & (array >= 0)))
+    if wrong.size:
+        found = array.reshape(-1)[wrong[0]]
+        msg = f"dt: expected seconds, not negative, got {found} at {wrong[0]}"
+        raise ValueError(msg)
+    return np.broadcast_to(array, (count,))
+
+
+def per_axis(name: str, value: ArrayLike) -> Floats:
+    """Take one number for all axes or one for each, as shape (3,).
+
+    Raises
+    ------
+    ValueError
+        If it is neither; it states the expected and the received shape.
+    """
+    array = floats(name, value)
+    if array.shape not in ((), (3,)):
+        msg = f"{name}: expected a number or shape (3,), got {array.shape}"
+        raise ValueError(msg)
+    return np.broadcast_to(array, (3,))

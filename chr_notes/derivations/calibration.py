@@ -1,0 +1,61 @@
+"""From what a three-axis sensor measures back to what is there, by solving its model.
+
+The model of the notes: sensitivities S on the diagonal scale what is there, offsets are taken
+away, and the misalignment M mixes the axes. Its inverse N is used as a matrix of its own, since
+any invertible M has one. What is there comes first in each model, what is measured second.
+"""
+
+from sympy import Expr, ImmutableMatrix, Symbol, diag, solve, symbols
+
+from chr_notes.symbols import ACCELEROMETER, VECTOR
+
+MISALIGNMENT = ImmutableMatrix(3, 3, symbols("M_1(1:4) M_2(1:4) M_3(1:4)", real=True))
+REALIGNMENT = ImmutableMatrix(3, 3, symbols("N_1(1:4) N_2(1:4) N_3(1:4)", real=True))
+SENSITIVITY = symbols("S_x S_y S_z", real=True, nonzero=True)
+BIAS = symbols("beta_x beta_y beta_z", real=True)
+# How the acceleration along each axis adds to the reading of a rate gyro about each.
+COUPLING = ImmutableMatrix(3, 3, symbols("C_1(1:4) C_2(1:4) C_3(1:4)", real=True))
+SOFT_IRON = ImmutableMatrix(3, 3, symbols("D_1(1:4) D_2(1:4) D_3(1:4)", real=True))
+HARD_IRON = symbols("h_x h_y h_z", real=True)
+
+# The vector that goes in.
+INPUT = ImmutableMatrix(VECTOR)
+_NO_OFFSET = ImmutableMatrix.zeros(3, 1)
+
+
+def _aligned(actual: ImmutableMatrix, offset: ImmutableMatrix) -> ImmutableMatrix:
+    """Read along the sensor's own axes: scaled, less the bias, plus what else is added."""
+    return ImmutableMatrix(diag(*SENSITIVITY) * actual - ImmutableMatrix(BIAS) + offset)
+
+
+def measured(offset: ImmutableMatrix = _NO_OFFSET) -> ImmutableMatrix:
+    """Measure the vector (x, y, z), by the model."""
+    return ImmutableMatrix(MISALIGNMENT * _aligned(INPUT, offset))
+
+
+def corrected(offset: ImmutableMatrix = _NO_OFFSET) -> ImmutableMatrix:
+    """Solve the model for the vector that is there when (x, y, z) is measured."""
+    actual = ImmutableMatrix(symbols("u_1:4"))
+    return _solved(_aligned(actual, offset) - REALIGNMENT * INPUT, actual)
+
+
+def coupled() -> ImmutableMatrix:
+    """Add to a gyro's reading what the corrected acceleration makes of it."""
+    return ImmutableMatrix(COUPLING * ImmutableMatrix(ACCELEROMETER))
+
+
+def without_iron() -> ImmutableMatrix:
+    """Take soft and hard iron out of a field (x, y, z) that both distort."""
+    return ImmutableMatrix(SOFT_IRON * INPUT - ImmutableMatrix(HARD_IRON))
+
+
+def with_iron() -> ImmutableMatrix:
+    """Distort a field (x, y, z) by soft and hard iron; N is the inverse of the soft-iron matrix."""
+    distorted = ImmutableMatrix(symbols("u_1:4"))
+    # `without_iron` of the distorted field, brought to the matrix's other side
+    return _solved(distorted - REALIGNMENT * (INPUT + ImmutableMatrix(HARD_IRON)), distorted)
+
+
+def _solved(zero: ImmutableMatrix, unknowns: ImmutableMatrix) -> ImmutableMatrix:
+    found: dict[Symbol, Expr] = solve(list(zero), list(unknowns))
+    return ImmutableMatrix([found[unknown] for unknown in unknowns])
