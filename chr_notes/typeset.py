@@ -29,7 +29,7 @@ class _Printer(LatexPrinter):
     def _print_And(self, statement: And) -> str:  # noqa: N802 (SymPy's hook)
         return r" \quad\text{and}\quad ".join(self._print(part) for part in statement.args)
 
-    def _print_atan2(self, angle: atan2) -> str:  # noqa: N802 (SymPy's hook)
+    def _print_atan2(self, angle: atan2) -> str:
         arguments = ", ".join(self._print(argument) for argument in angle.args)
         return rf"\operatorname{{atan2}}\left({arguments}\right)"
 

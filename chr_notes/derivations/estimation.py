@@ -28,7 +28,6 @@ from sympy import (
     sin,
     solve,
     sqrt,
-    symbols,
 )
 
 from chr_notes.derivations.euler import Z, rotation
@@ -61,7 +60,7 @@ def weight() -> ImmutableMatrix:
 
 @cache
 def accelerometer_at_rest() -> ImmutableMatrix:
-    """Reading of an accelerometer at rest, m/s²: no net force, so its support holds it up."""
+    """Read an accelerometer at rest, m/s²: there is no net force, for its support holds it up."""
     return specific_force(ImmutableMatrix.zeros(3, 1), weight(), m)
 
 
@@ -128,7 +127,15 @@ def error_after() -> Expr:
     error = Function("e")
     new, errors = error_step()
     step = new.subs({errors["gyro"]: bias, errors["accel"]: 0, errors["before"]: error(n)})
-    return factor(rsolve(error(n + 1) - step, error(n), {error(0): start_error}))
+    return rsolve(error(n + 1) - step, error(n), {error(0): start_error})
+
+
+@cache
+def error_growth() -> Expr:
+    """Change of `error_after` in the step after the n-th, written without a division by L."""
+    error, power = error_after(), Dummy("power")
+    growth = expand(error.subs(n, n + 1) - error).subs((1 - L) ** n, power)
+    return factor(growth).subs(power, (1 - L) ** n)
 
 
 @cache
@@ -208,7 +215,8 @@ def vibration_share(gain: Expr = L) -> Expr:
 
 def _power(amplitude: Expr) -> Expr:
     """Squared magnitude of a complex amplitude."""
-    return factor(simplify(expand(amplitude * conjugate(amplitude))))
+    power = expand(amplitude * conjugate(amplitude))
+    return expand(power.subs(sin(omega * T) ** 2, 1 - cos(omega * T) ** 2))
 
 
 @cache
@@ -219,8 +227,7 @@ def best_gain() -> Expr:
 
 @cache
 def kalman_gain() -> Expr:
-    """Steady gain of the Kalman filter for one angle: gyro noise drives it, the accelerometer
-    measures it.
+    """Steady gain of the Kalman filter for one angle, driven by gyro noise.
 
     The variance grows by that of one gyro step, and the measurement, weighted by the inverse
     variances, brings it back to where it was.

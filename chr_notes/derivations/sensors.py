@@ -1,14 +1,14 @@
 """What the sensors measure, from the laws that govern them."""
 
-from sympy import Expr, ImmutableMatrix, Symbol, solve, symbols
+from sympy import Expr, ImmutableMatrix, Symbol, cancel, solve, symbols
 
 
 def specific_force(force: ImmutableMatrix, weight: ImmutableMatrix, mass: Expr) -> ImmutableMatrix:
-    """What an accelerometer measures, from Newton's second law for its proof mass.
+    """Solve Newton's second law for what holds an accelerometer's proof mass: its reading.
 
     The proof mass is held in its casing, so it accelerates as the body does. Two forces act on
     it: its own weight, and the force with which the casing holds it. The second one is what the
-    accelerometer senses; per unit of the proof mass it is the reading.
+    accelerometer senses; per unit of the proof mass it is what it reads.
 
     Parameters
     ----------
@@ -29,4 +29,4 @@ def specific_force(force: ImmutableMatrix, weight: ImmutableMatrix, mass: Expr) 
     # mass times acceleration, less the forces that act
     newton = proof_mass * force / mass - (holding + proof_mass * weight / mass)
     held = solve(list(newton), list(holding))
-    return ImmutableMatrix([held[component] / proof_mass for component in holding])
+    return ImmutableMatrix([cancel(held[component] / proof_mass) for component in holding])

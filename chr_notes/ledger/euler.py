@@ -22,7 +22,7 @@ from sympy import (
 from chr_notes.derivations import euler as derived
 from chr_notes.derivations.steps import Step
 from chr_notes.ledger.case import Case, Condition, complete
-from chr_notes.ledger.reading import reading
+from chr_notes.ledger.reading import elements, reading
 from chr_notes.printed import euler as printed
 from chr_notes.printed.statement import Rotation, words
 from chr_notes.symbols import (
@@ -44,18 +44,23 @@ FRAME_NAMES = {"v1": words("vehicle-1"), "v2": words("vehicle-2"), "B": words("b
 VECTOR = ImmutableMatrix(symbols("v_N v_E v_D", real=True))
 DEGREE = pi / 180
 
+
+def _arguments_of_d() -> FiniteSet:
+    return FiniteSet(*derived.euler_rates_matrix().free_symbols)
+
+
 READ = reading(
     {
         printed.Z_I: GROUND - printed.ALTITUDE,
         printed.PITCH_AXIS: derived.rotation("v1", "I") * derived.Y,
         printed.FIGURE_3_FRAME: FRAME_NAMES[derived.FRAMES[2]],
-        printed.LOCK_PITCHES: derived.lock_pitches(),
+        printed.LOCK_PITCHES: derived.lock_pitches,
         # One vector in two frames: its body components come from its inertial ones.
         printed.V_I: VECTOR,
         printed.V_B: ImmutableMatrix(derived.rotation("I", "B") * VECTOR),
-        printed.D: derived.euler_rates_matrix(),
-        printed.D_ARGUMENTS: FiniteSet(*derived.euler_rates_matrix().free_symbols),
-        **dict(zip(EULER_RATES, derived.euler_rates(), strict=True)),
+        printed.D: derived.euler_rates_matrix,
+        printed.D_ARGUMENTS: _arguments_of_d,
+        **elements(EULER_RATES, derived.euler_rates),
     }
 )
 

@@ -17,6 +17,7 @@ from sympy import (
     expand_trig,
     floor,
     fraction,
+    reduced,
     simplify,
     sin,
     tan,
@@ -44,9 +45,9 @@ def sample(expression: Basic) -> Basic:
 def is_zero(expression: Basic) -> bool:
     """Whether an expression vanishes for all values of its symbols.
 
-    A value clearly off zero settles that it does not. Otherwise it is made rational: sine and
-    cosine of each angle are put through the tangent of its half, which loses nothing, and the
-    fraction is cancelled. What is not rational then is left to SymPy's `simplify`.
+    A value clearly off zero settles that it does not. Otherwise sine and cosine of each angle
+    are taken as unknowns of which the squares add up to one, and the numerator is reduced by
+    that. What is not seen to vanish then is left to SymPy's `simplify`.
     """
     if expression.is_Rational:
         return bool(expression == 0)
@@ -57,15 +58,27 @@ def is_zero(expression: Basic) -> bool:
         return False
     if not expression.free_symbols:
         return bool(simplify(expression) == 0)
-    halves = {
-        angle: Dummy(f"t_{index}", real=True)
-        for index, angle in enumerate(sorted(expression.atoms(sin, cos, tan), key=str))
-        for angle in angle.args
-    }
-    rational = expression.replace(tan, lambda x: sin(x) / cos(x))
-    rational = rational.replace(sin, lambda x: 2 * halves[x] / (1 + halves[x] ** 2))
-    rational = rational.replace(cos, lambda x: (1 - halves[x] ** 2) / (1 + halves[x] ** 2))
-    return bool(cancel(together(rational)) == 0 or simplify(expression) == 0)
+    return _is_zero_on_circles(expression) or bool(simplify(expression) == 0)
+
+
+def _is_zero_on_circles(expression: Basic) -> bool:
+    """Whether the numerator vanishes as a polynomial in points (cosine, sine) of unit circles."""
+    angles = {call.args[0] for call in expression.atoms(sin, cos, tan)}
+    sine, cosine = ({angle: Dummy(name) for angle in angles} for name in ("s", "c"))
+    algebraic = (
+        expression.replace(tan, lambda x: sine[x] / cosine[x])
+        .replace(sin, lambda x: sine[x])
+        .replace(cos, lambda x: cosine[x])
+    )
+    numerator = expand(fraction(together(algebraic))[0])
+    if numerator == 0 or not angles:
+        return bool(numerator == 0)
+    points = (*sine.values(), *cosine.values())
+    if not numerator.is_polynomial(*points):
+        return False
+    circles = [sine[angle] ** 2 + cosine[angle] ** 2 - 1 for angle in angles]
+    # Leading terms without a common symbol: the remainder is zero for nothing but zero.
+    return bool(reduced(numerator, circles, *points)[1] == 0)
 
 
 def equal(left: Basic, right: Basic) -> bool:

@@ -12,7 +12,7 @@ The rules, in this order:
 Anything else is an error: the ledger has no entry that was not decided.
 """
 
-from sympy import And, Basic, Eq, MatrixBase, N, S, Set, deg, sympify
+from sympy import And, Basic, Eq, Limit, MatrixBase, N, S, Set, deg, sympify
 from sympy.logic.boolalg import BooleanFalse
 
 from chr_notes.ledger.case import CannotJudgeError, Case
@@ -70,16 +70,16 @@ def _verdict(case: Case) -> tuple[Verdict, str]:
     statement, read, name = case.printed.statement, case.read, case.printed.id
     if introduces_name(case):
         return "definition", "the name stands in no derivation and not in its own definition"
-    if proves(statement, read, *case.given):
-        if case.condition is not None or case.correction is not None:
-            msg = f"{name}: proved as printed, yet a condition or a correction was brought"
-            raise CannotJudgeError(msg)
-        return "proved", "derived independently; the difference simplifies to zero"
+    if case.condition is None and case.correction is None:
+        if proves(statement, read, *case.given):
+            return "proved", "derived independently; the difference simplifies to zero"
+        msg = f"{name}: not proved, and neither a condition nor a correction was brought"
+        raise CannotJudgeError(msg)
     if any(isinstance(given.holds.subs(case.witness), BooleanFalse) for given in case.given):
         msg = f"{name}: the witness {case.witness} lies outside what is given"
         raise CannotJudgeError(msg)
     if not fails(statement, read, case.witness):
-        msg = f"{name}: not proved, and the witness {case.witness} does not show that it fails"
+        msg = f"{name}: the witness {case.witness} does not show that it fails as printed"
         raise CannotJudgeError(msg)
     if case.condition is not None and case.correction is None:
         if not isinstance(case.condition.holds.subs(case.witness), BooleanFalse):
@@ -93,7 +93,7 @@ def _verdict(case: Case) -> tuple[Verdict, str]:
         and proves(case.correction, read, *case.given)
     ):
         return "corrected", "the correction is proved; the printed form fails at the witness"
-    msg = f"{name}: not proved, and neither a condition nor a correction that is proved was brought"
+    msg = f"{name}: what was brought, a condition or a correction, is not proved"
     raise CannotJudgeError(msg)
 
 
@@ -118,6 +118,8 @@ def _derived(case: Case) -> str | None:
         return _number(evaluate(statement.lhs, case.read, {}))
     if not isinstance(statement, Eq) or introduces_name(case):
         return None
+    if statement.lhs.has(Limit):  # it may depend on the range that is given
+        return None
     return latex(evaluate(statement.lhs, case.read, {}))
 
 
@@ -126,10 +128,11 @@ def _witness(case: Case) -> Witness:
     point = case.witness
     at = tuple((latex(symbol), _number(sympify(value), symbol)) for symbol, value in point.items())
     failing = next(part for part in parts(case.printed.statement) if fails(part, case.read, point))
-    if not isinstance(failing, Eq | Approximately):
-        value = evaluate(failing.lhs, case.read, point)
-        return Witness(at, latex(failing), latex(Eq(failing.lhs, value, evaluate=False)))
     right, printed = sides(failing, case.read, point)
+    if not isinstance(failing, Eq | Approximately):
+        values = zip((failing.lhs, failing.rhs), (right, printed), strict=True)
+        found = [Eq(side, value, evaluate=False) for side, value in values if side != value]
+        return Witness(at, latex(failing), latex(And(*found, evaluate=False)))
     if isinstance(right, MatrixBase):
         where = max(
             (index for index in range(len(right)) if not equal(right[index], printed[index])),

@@ -52,9 +52,13 @@ def proves(statement: Basic, read: Read, *conditions: Condition) -> bool:
 
 
 def _cases(conditions: tuple[Condition, ...]) -> Iterator[Mapping[Basic, Basic]]:
-    """Yield each choice of one case of every condition."""
+    """Yield each choice of one case of every condition; the later ones narrow the earlier ones."""
+    seen: list[Mapping[Basic, Basic]] = []
     for choice in product(*(condition.by for condition in conditions)):
-        yield {old: new for by in choice for old, new in by.items()}
+        by = {old: new for case in choice for old, new in case.items()}
+        if by not in seen:
+            seen.append(by)
+            yield by
 
 
 def _holds(

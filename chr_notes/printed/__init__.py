@@ -3,11 +3,12 @@
 Nothing here is derived and nothing here is true because it is here: the ledger judges it.
 """
 
-from chr_notes.printed import euler
+from chr_notes.printed import estimation, euler
 from chr_notes.printed.statement import Printed, Rotation
 
 DOCUMENTS: dict[str, tuple[Printed, ...]] = {
     "euler": euler.PRINTED,
+    "estimation": estimation.PRINTED,
 }
 
 __all__ = ["DOCUMENTS", "Printed", "Rotation"]
