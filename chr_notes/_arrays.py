@@ -1,13 +1,25 @@
-"""Checks of shape that the numeric functions share."""
+"""What the numeric functions share: checks of shape, and generated functions run in blocks."""
+
+from collections.abc import Callable, Iterator, Sequence
+from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 Floats = NDArray[np.float64]
+Reports = tuple[Floats | None, NDArray[np.bool_] | None] | None
+
+BLOCK = 8192
+"""Rows that are worked on at a time: few enough that what is computed on the way stays in cache."""
+_WORK = 16
+# A squared length within these bounds lost nothing, and neither did its square.
+_LEAST, _MOST = 2.0**-400, 2.0**400
 
 
 def floats(name: str, value: ArrayLike, *last: int) -> Floats:
-    """Take an argument as float64 with the given last axes.
+    """Take an argument as an array of real numbers with the given last axes.
+
+    A type other than float64 stays as it is, so that no copy is needed: blocks are converted.
 
     Parameters
     ----------
@@ -22,17 +34,27 @@ def floats(name: str, value: ArrayLike, *last: int) -> Floats:
     ------
     ValueError
         If the last axes differ; it states the expected and the received shape.
+    TypeError
+        If the numbers are not real.
     """
-    array = np.asarray(value, dtype=np.float64)
-    if array.shape[array.ndim - len(last) :] != last:
+    array = np.asarray(value)
+    if array.dtype.kind not in "biuf":
+        # A sequence that is empty or of mixed numbers may still be real.
+        array = np.asarray(value, dtype=np.float64)
+    if array.ndim < len(last) or array.shape[array.ndim - len(last) :] != last:
         sizes = ", ".join(str(size) for size in last)
         msg = f"{name}: expected shape (..., {sizes}), got {array.shape}"
         raise ValueError(msg)
     return array
 
 
-def common_shape(first: tuple[str, Floats], second: tuple[str, Floats]) -> tuple[int, ...]:
-    """Broadcast the leading axes of two arguments whose last axis is a vector.
+def common_shape(*arguments: tuple[str, Floats, int]) -> tuple[int, ...]:
+    """Broadcast the leading axes of arguments.
+
+    Parameters
+    ----------
+    *arguments
+        Name and value of each, and how many of its last axes do not broadcast.
 
     Raises
     ------
@@ -40,10 +62,114 @@ def common_shape(first: tuple[str, Floats], second: tuple[str, Floats]) -> tuple
         If the leading axes do not fit each other.
     """
     try:
-        return np.broadcast_shapes(first[1].shape[:-1], second[1].shape[:-1])
+        return np.broadcast_shapes(*(a.shape[: a.ndim - axes] for _, a, axes in arguments))
     except ValueError:
-        msg = (
-            f"expected {first[0]} and {second[0]} with leading axes that broadcast, "
-            f"got shapes {first[1].shape} and {second[1].shape}"
-        )
+        names = " and ".join(name for name, _, _ in arguments)
+        shapes = " and ".join(str(array.shape) for _, array, _ in arguments)
+        msg = f"expected {names} with leading axes that broadcast, got shapes {shapes}"
         raise ValueError(msg) from None
+
+
+def components(array: Floats, axes: int = 1) -> list[Floats]:
+    """Take views of the elements along the last axes, row by row."""
+    # The dots make a view of one element an array, not a number, so that it can be written to.
+    return [array[(..., *place)] for place in np.ndindex(array.shape[array.ndim - axes :])]
+
+
+def blocks(
+    given: Sequence[Floats], out: Sequence[Floats]
+) -> Iterator[tuple[int, tuple[Floats, ...], tuple[Floats, ...], Floats]]:
+    """Go through arrays that broadcast in blocks of at most `BLOCK` elements.
+
+    Parameters
+    ----------
+    given
+        Arrays to read, of any real type.
+    out
+        Arrays to write, whose shape is what the others broadcast to.
+
+    Yields
+    ------
+    tuple
+        Index of the block's first element in C order, the blocks to read and to write as float64,
+        and storage for what is computed on the way.
+    """
+    size = min(BLOCK, max(1, (*given, *out)[-1].size))
+    work = np.empty((_WORK, size))
+    read: list[Literal["readonly", "writeonly"]] = ["readonly"]
+    write: list[Literal["readonly", "writeonly"]] = ["writeonly"]
+    access = [*(read for _ in given), *(write for _ in out)]
+    start = 0
+    with np.nditer(
+        [*given, *out],
+        flags=["external_loop", "buffered", "zerosize_ok"],
+        op_flags=access,
+        op_dtypes=[np.float64] * len(access),
+        order="C",
+        casting="same_kind",
+        buffersize=size,
+    ) as iterator:
+        for parts in iterator:
+            count = len(parts[0])
+            if count:
+                yield start, parts[: len(given)], parts[len(given) :], work[:, :count]
+            start += count
+
+
+def evaluate(
+    function: Callable[..., Reports],
+    given: Sequence[Floats],
+    out: Sequence[Floats],
+    scaled: tuple[str, Floats] | None = None,
+) -> NDArray[np.intp]:
+    """Run a generated function over arrays.
+
+    Parameters
+    ----------
+    function
+        From `chr_notes.generated.arrays`.
+    given
+        Its arguments, broadcasting; those of `scaled` come first.
+    out
+        Its results.
+    scaled
+        Name and value of the argument whose length does not matter but must not be zero, for a
+        function with a guard. Where its square would overflow or vanish it is scaled first.
+
+    Returns
+    -------
+    ndarray
+        Indices, in C order, of the elements at gimbal lock, if the function tells.
+
+    Raises
+    ------
+    ValueError
+        If a row of `scaled` is zero; it names the first one.
+    """
+    locked: list[NDArray[np.intp]] = []
+    for start, parts, results, work in blocks(given, out):
+        with np.errstate(all="ignore"):
+            reports = function(*parts, results, work)
+            if reports is None:
+                continue
+            guard, lock = reports
+            # A comparison with NaN fails, so a block with NaN goes the slow way.
+            fits = guard is None or (guard.min() > _LEAST and guard.max() < _MOST)
+            if scaled is not None and not fits:
+                count = scaled[1].shape[-1]
+                lengths = _scale(parts[:count], *scaled)
+                _, lock = function(*lengths, *parts[count:], results, work) or (None, None)
+        if lock is not None and lock.any():
+            locked.append(start + np.flatnonzero(lock))
+    return np.concatenate(locked) if locked else np.empty(0, dtype=np.intp)
+
+
+def _scale(parts: Sequence[Floats], name: str, argument: Floats) -> list[Floats]:
+    """Bring each row's largest element to between 1/2 and 1, exactly; refuse a row of zeros."""
+    largest = np.max(np.abs(parts), axis=0)
+    if (largest == 0).any():
+        where = np.argwhere(~np.any(argument, axis=-1))[0]
+        msg = f"{name}: expected no row of zeros, got one at index {tuple(map(int, where))}"
+        raise ValueError(msg)
+    exponent = np.where(np.isfinite(largest), np.frexp(largest)[1], 0)
+    return [np.ldexp(part, -exponent) for part in parts]

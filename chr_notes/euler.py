@@ -7,7 +7,8 @@ are in radians, in the order (roll, pitch, yaw); matrices are `R_I^B`, body from
 import numpy as np
 from numpy.typing import ArrayLike
 
-from chr_notes._arrays import Floats, common_shape, floats
+from chr_notes._arrays import Floats, common_shape, components, evaluate, floats
+from chr_notes._attitudes import OnGimbalLock, check_choice, rotations, tell
 from chr_notes.generated.arrays import euler as generated
 
 
@@ -35,7 +36,66 @@ def matrix_from_euler(euler: ArrayLike) -> Floats:
     """
     angles = floats("euler", euler, 3)
     out = np.empty((*angles.shape, 3))
-    generated.matrix_from_euler(angles[..., 0], angles[..., 1], angles[..., 2], out)
+    evaluate(generated.matrix_from_euler, components(angles), components(out, 2))
+    return out
+
+
+def euler_from_matrix(matrix: ArrayLike, *, on_gimbal_lock: OnGimbalLock = "warn") -> Floats:
+    """Turn matrices from the inertial to the body frame into Euler angles.
+
+    Parameters
+    ----------
+    matrix
+        `R_I^B` with `v_B = R v_I`, shape (..., 3, 3).
+    on_gimbal_lock
+        What to do where pitch is ±90°, so that roll is set to 0 and yaw carries the rest: "warn",
+        "ignore" or "raise".
+
+    Returns
+    -------
+    ndarray
+        Roll in [-pi, pi], pitch in [-pi/2, pi/2], yaw in [-pi, pi], radians, shape (..., 3). They
+        rebuild the matrix, at gimbal lock too.
+
+    Raises
+    ------
+    ValueError
+        If the last axes are not 3 by 3, or a matrix is not a rotation: `R Rᵀ` is off the identity
+        by more than 1e-4, or the determinant is negative. The error names the first such matrix.
+    GimbalLockError
+        If an attitude is at gimbal lock and `on_gimbal_lock` is "raise".
+
+    Warns
+    -----
+    GimbalLockWarning
+        If an attitude is at gimbal lock and `on_gimbal_lock` is "warn".
+    """
+    check_choice(on_gimbal_lock)
+    rotation = rotations("matrix", matrix)
+    out = np.empty(rotation.shape[:-1])
+    locked = evaluate(generated.euler_from_matrix, components(rotation, 2), components(out))
+    tell(locked, out.shape[:-1], on_gimbal_lock)
+    return out
+
+
+def wrap_angle(angle: ArrayLike) -> Floats:
+    """Take whole turns off an angle until it lies in [-pi, pi).
+
+    An angle that lies there already is returned as it is.
+
+    Parameters
+    ----------
+    angle
+        Radians, any shape.
+
+    Returns
+    -------
+    ndarray
+        The angle in [-pi, pi), same shape.
+    """
+    angles = floats("angle", angle)
+    out = np.empty(angles.shape)
+    evaluate(generated.wrap_angle, [angles], [out])
     return out
 
 
@@ -65,7 +125,7 @@ def euler_rates_matrix(euler: ArrayLike) -> Floats:
     """
     angles = floats("euler", euler, 3)
     out = np.empty((*angles.shape, 3))
-    generated.euler_rates_matrix(angles[..., 0], angles[..., 1], out)
+    evaluate(generated.euler_rates_matrix, components(angles)[:2], components(out, 2))
     return out
 
 
@@ -94,10 +154,10 @@ def euler_rates_from_body_rates(euler: ArrayLike, body_rates: ArrayLike) -> Floa
     Ledger: euler.7.3.
     """
     angles, rates = floats("euler", euler, 3), floats("body_rates", body_rates, 3)
-    out = np.empty((*common_shape(("euler", angles), ("body_rates", rates)), 3))
-    first, second, third = np.moveaxis(rates, -1, 0)
-    roll, pitch = angles[..., 0], angles[..., 1]
-    generated.euler_rates_from_body_rates(roll, pitch, first, second, third, out)
+    shape = common_shape(("euler", angles, 1), ("body_rates", rates, 1))
+    out = np.empty((*shape, 3))
+    given = [*components(angles)[:2], *components(rates)]
+    evaluate(generated.euler_rates_from_body_rates, given, components(out))
     return out
 
 
@@ -126,8 +186,8 @@ def body_rates_from_euler_rates(euler: ArrayLike, euler_rates: ArrayLike) -> Flo
     Ledger: euler.7.a.
     """
     angles, rates = floats("euler", euler, 3), floats("euler_rates", euler_rates, 3)
-    out = np.empty((*common_shape(("euler", angles), ("euler_rates", rates)), 3))
-    first, second, third = np.moveaxis(rates, -1, 0)
-    roll, pitch = angles[..., 0], angles[..., 1]
-    generated.body_rates_from_euler_rates(roll, pitch, first, second, third, out)
+    shape = common_shape(("euler", angles, 1), ("euler_rates", rates, 1))
+    out = np.empty((*shape, 3))
+    given = [*components(angles)[:2], *components(rates)]
+    evaluate(generated.body_rates_from_euler_rates, given, components(out))
     return out

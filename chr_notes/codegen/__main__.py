@@ -4,9 +4,10 @@ import argparse
 import sys
 from pathlib import Path
 
-from chr_notes.codegen import javascript, python
+from chr_notes.codegen import arrays, c, javascript, python
 from chr_notes.codegen.header import COMMAND
-from chr_notes.codegen.lowering import lower
+from chr_notes.codegen.lowering import Program, lower
+from chr_notes.codegen.rewriting import by_half_tangent, by_library
 from chr_notes.codegen.targets import TARGETS
 
 FOLDER = Path(__file__).resolve().parents[1] / "generated"
@@ -20,19 +21,25 @@ def files() -> dict[str, str]:
     dict
         From the path below `generated/` to the text of the file.
     """
-    programs = tuple(lower(target) for target in TARGETS)
+    programs = tuple(lower(target, by_library) for target in TARGETS)
+    blocks = tuple(lower(target, by_half_tangent, guarded=True) for target in TARGETS)
     topics = list(dict.fromkeys(target.topic for target in TARGETS))
     made = {
         "__init__.py": '"""Generated code; `python -m chr_notes.codegen` writes it."""\n',
         "scalar/__init__.py": '"""Functions of floats, for one attitude at a time."""\n',
         "arrays/__init__.py": '"""Functions of arrays, for many attitudes at once."""\n',
         "javascript/attitude.mjs": javascript.module(programs),
+        "c/attitude.h": c.header(programs),
+        "c/attitude.c": c.source(programs),
     }
     for topic in topics:
-        own = tuple(program for program in programs if program.target.topic == topic)
-        made[f"scalar/{topic}.py"] = python.scalar_module(own)
-        made[f"arrays/{topic}.py"] = python.array_module(own)
+        made[f"scalar/{topic}.py"] = python.module(_of_topic(programs, topic))
+        made[f"arrays/{topic}.py"] = arrays.module(_of_topic(blocks, topic))
     return made
+
+
+def _of_topic(programs: tuple[Program, ...], topic: str) -> tuple[Program, ...]:
+    return tuple(program for program in programs if program.target.topic == topic)
 
 
 def compare(folder: Path, made: dict[str, str]) -> list[str]:

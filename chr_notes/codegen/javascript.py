@@ -1,17 +1,40 @@
 """Printer of the JavaScript module that the demos call."""
 
-from sympy.printing.jscode import JavascriptCodePrinter
-
-from chr_notes.codegen.header import made_how, returns
+from chr_notes.codegen.expressions import Language, conditional, infix
+from chr_notes.codegen.header import FLAG, folded, in_lines, ledger, made_how, needs, returns
 from chr_notes.codegen.lowering import Program
-
-_PRINTER = JavascriptCodePrinter()
+from chr_notes.derivations.computation import Choice, Let
 
 
 def camel(name: str) -> str:
     """Turn a name with underscores into JavaScript's way of writing names."""
     first, *rest = name.split("_")
     return first + "".join(word.capitalize() for word in rest)
+
+
+def number(value: float) -> str:
+    """Write a number: whole ones without a point."""
+    return str(int(value)) if value == int(value) else repr(value)
+
+
+JAVASCRIPT = Language(
+    name=camel,
+    number=number,
+    call={
+        "Abs": "Math.abs",
+        **{
+            name: f"Math.{name}"
+            for name in ("acos", "asin", "atan", "atan2", "cos", "floor", "hypot", "sin", "sqrt")
+        },
+        "tan": "Math.tan",
+    },
+    remainder="{0} % {1}",
+    epsilon=2.0**-52,
+    both="&&",
+    either="||",
+    negation="!",
+    conditional="{condition} ? {yes} : {no}",
+)
 
 
 def module(programs: tuple[Program, ...]) -> str:
@@ -22,26 +45,45 @@ def module(programs: tuple[Program, ...]) -> str:
 
 def _function(program: Program) -> str:
     target = program.target
-    names = {argument.name: camel(argument.name) for argument in target.arguments}
-    names |= {str(local): camel(str(local)) for local, _ in program.assignments}
-    arguments = ", ".join(names[argument.name] for argument in target.arguments)
+    names = [camel(argument.name) for argument in target.arguments]
+    result = "number[]" if program.shape else "number"
+    if program.flag is not None:
+        result = f"[...{result}, boolean]"
     lines = [
         "/**",
-        f" * {returns(target, program.shape)}",
-        *(f" * @param {{number}} {names[a.name]} {a.says}" for a in target.arguments),
-        f" * @returns {{{'number[]' if program.shape else 'number'}}}",
-        f" * Ledger: {', '.join(target.entries)}.",
+        f" * {returns(program)}",
+        *(
+            f" * @param {{number}} {name} {a.says}"
+            for name, a in zip(names, target.arguments, strict=True)
+        ),
+        f" * @returns {{{result}}}{f' last: {FLAG}' if program.flag is not None else ''}",
+        *(f" * {line}" for line in (needs(program), *ledger(target)) if line),
         " */",
-        f"export function {camel(target.name)}({arguments}) {{",
+        *in_lines(f"export function {camel(target.name)}(", names, ") {", "  "),
     ]
-    symbols = {local: type(local)(names[str(local)]) for local, _ in program.assignments}
-    for value in (*(v for _, v in program.assignments), *program.results):
-        symbols |= {s: type(s)(names[str(s)]) for s in value.free_symbols}
-    for local, value in program.assignments:
-        lines.append(f"  const {symbols[local]} = {_PRINTER.doprint(value.xreplace(symbols))};")
-    values = [_PRINTER.doprint(value.xreplace(symbols)) for value in program.results]
-    if program.shape:
-        lines += ["  return [", *(f"    {value}," for value in values), "  ];", "}"]
-    else:
-        lines += [f"  return {values[0]};", "}"]
-    return "\n".join(lines)
+    for step in program.steps:
+        lines += [part for line in _step(step) for part in folded(f"  {line}")]
+    values = [infix(value, JAVASCRIPT) for value in program.results]
+    values += [camel(program.flag.name)] if program.flag is not None else []
+    if not program.shape:
+        return "\n".join([*lines, f"  return {values[0]};", "}"])
+    return "\n".join([*lines, *in_lines("  return [", values, "];", "  "), "}"])
+
+
+def _step(step: Let | Choice) -> list[str]:
+    if isinstance(step, Let):
+        return [f"const {camel(step.name.name)} = {infix(step.value, JAVASCRIPT)};"]
+    one = conditional(step, JAVASCRIPT)
+    if one is not None:
+        return [f"const {camel(step.names[0].name)} = {one};"]
+    lines = [f"let {', '.join(camel(name.name) for name in step.names)};"]
+    for place, (condition, values) in enumerate(step.branches):
+        if condition == True:  # noqa: E712 (SymPy's true, not Python's)
+            lines.append("} else {")
+        else:
+            lines.append(f"{'} else ' if place else ''}if ({infix(condition, JAVASCRIPT)}) {{")
+        lines += [
+            f"  {camel(name.name)} = {infix(value, JAVASCRIPT)};"
+            for name, value in zip(step.names, values, strict=True)
+        ]
+    return [*lines, "}"]

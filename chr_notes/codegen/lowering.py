@@ -1,13 +1,14 @@
 """From a formula to a list of assignments, the same for every language."""
 
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
-from sympy import Expr, Function, MatrixBase, Symbol, cos, cse, numbered_symbols, sin, tan
-from sympy.core.function import AppliedUndef
+from sympy import Basic, Expr, MatrixBase, Symbol, cse, numbered_symbols
 
-from chr_notes.codegen.targets import Target
-
-NAMED = (sin, cos, tan)
+from chr_notes.codegen.names import name_of
+from chr_notes.codegen.rewriting import Rewriting
+from chr_notes.codegen.target import Target
+from chr_notes.derivations.computation import EPSILON, Choice, Computation, Let
 
 
 @dataclass(frozen=True)
@@ -18,53 +19,184 @@ class Program:
     ----------
     target
         Where it comes from.
-    assignments
+    steps
         Locals in the order in which they are computed.
     results
         The returned expressions in the locals and the arguments, row by row.
     shape
         Shape of the result: `()` for a scalar, `(3,)` for a vector, `(3, 3)` for a matrix.
+    flag
+        The local that says whether the attitude is at gimbal lock.
+    guard
+        The local that must be neither too small nor too large for the results to be right.
     """
 
     target: Target
-    assignments: tuple[tuple[Symbol, Expr], ...]
+    steps: tuple[Let | Choice, ...]
     results: tuple[Expr, ...]
     shape: tuple[int, ...]
+    flag: Symbol | None
+    guard: Symbol | None
 
 
-def lower(target: Target) -> Program:
+def lower(target: Target, rewriting: Rewriting, *, guarded: bool = False) -> Program:
     """Lower a target to assignments.
 
-    The arguments take their names, functions of a single argument become locals that say what
-    they are (`sin_roll`), and what still occurs twice is computed once.
+    The arguments take their names, functions of an angle become locals that say what they are
+    (`sin_roll`), and in a formula without named steps what occurs twice is computed once.
 
     Parameters
     ----------
     target
         Row of the table of targets.
+    rewriting
+        How functions of an angle are computed.
+    guarded
+        Whether the function returns the guard.
     """
     formula = target.formula()
+    computation = formula if isinstance(formula, Computation) else Computation((), formula)
+    _check_symbols(target, computation)
     names = {argument.symbol: Symbol(argument.name, real=True) for argument in target.arguments}
-    foreign = formula.free_symbols - set(names)
+    is_matrix = isinstance(computation.results, MatrixBase)
+    results = tuple(
+        element.xreplace(names)
+        for element in (computation.results if is_matrix else [computation.results])
+    )
+    steps = tuple(map_step(step, lambda value: value.xreplace(names)) for step in computation.steps)
+    angles, replaced = rewriting(expressions(steps, results))
+    steps = tuple(map_step(step, lambda value: value.xreplace(replaced)) for step in steps)
+    results = tuple(result.xreplace(replaced) for result in results)
+    known = {Symbol(argument.name, real=True) for argument in target.arguments}
+    steps, results = _schedule(known, angles, steps, results)
+    reports = {computation.flag} | ({computation.guard} if guarded else set())
+    steps = _needed(steps, results, reports - {None})
+    size = computation.results.shape if is_matrix else ()
+    return Program(
+        target=target,
+        steps=steps,
+        results=results,
+        shape=size[: 1 if size and size[1] == 1 else 2],
+        flag=computation.flag,
+        guard=computation.guard,
+    )
+
+
+def map_step(step: Let | Choice, change: Callable[[Basic], Basic]) -> Let | Choice:
+    """Change the values of a step and keep its names."""
+    if isinstance(step, Let):
+        return Let(step.name, change(step.value))
+    return Choice(
+        step.names,
+        tuple(
+            (change(condition), tuple(change(value) for value in values))
+            for condition, values in step.branches
+        ),
+    )
+
+
+def expressions(steps: Iterable[Let | Choice], results: Iterable[Expr]) -> tuple[Basic, ...]:
+    """List every expression of a program, in order."""
+    found: list[Basic] = []
+    for step in steps:
+        if isinstance(step, Let):
+            found.append(step.value)
+        else:
+            for condition, values in step.branches:
+                found += [condition, *values]
+    return (*found, *results)
+
+
+def _check_symbols(target: Target, computation: Computation) -> None:
+    """Refuse a formula that needs what is neither an argument nor a step before."""
+    known = {argument.symbol for argument in target.arguments} | {EPSILON}
+    for step in computation.steps:
+        needed = {s for value in expressions([step], ()) for s in value.free_symbols}
+        _refuse(target, needed - known)
+        known |= {step.name} if isinstance(step, Let) else set(step.names)
+    _refuse(target, computation.results.free_symbols - known)
+
+
+def _refuse(target: Target, foreign: set[Symbol]) -> None:
     if foreign:
-        found = sorted(foreign, key=str)
-        msg = f"{target.name}: expected a formula in {list(names)}, got also {found}"
+        names = [argument.name for argument in target.arguments]
+        msg = f"{target.name}: expected a formula in {names}, got also {sorted(foreign, key=str)}"
         raise ValueError(msg)
-    is_matrix = isinstance(formula, MatrixBase)
-    elements = [element.xreplace(names) for element in (formula if is_matrix else [formula])]
-    named = _name_functions(elements)
-    inverse = {call: local for local, call in named}
-    elements = [element.xreplace(inverse) for element in elements]
-    common, results = cse(elements, symbols=numbered_symbols("x"), order="canonical")
-    shape = () if not is_matrix else (formula.rows, formula.cols)[: 1 if formula.cols == 1 else 2]
-    return Program(target, (*named, *common), tuple(results), shape)
 
 
-def _name_functions(elements: list[Expr]) -> list[tuple[Symbol, Expr]]:
-    """Give each function of one argument a local of its own, in the order of the arguments."""
-    calls: set[Function] = {call for element in elements for call in element.atoms(*NAMED)}
-    return [
-        (Symbol(f"{call.func.__name__}_{call.args[0]}", real=True), call)
-        for call in sorted(calls, key=str)
-        if call.args[0].is_Symbol and not isinstance(call, AppliedUndef)
-    ]
+def _schedule(
+    known: set[Symbol],
+    angles: tuple[Let, ...],
+    steps: tuple[Let | Choice, ...],
+    results: tuple[Expr, ...],
+) -> tuple[tuple[Let | Choice, ...], tuple[Expr, ...]]:
+    """Put everything in order: functions of the arguments, then each step after what it needs.
+
+    What occurs twice is computed once, under a name that says what it is.
+    """
+    ordered: list[Let | Choice] = []
+    waiting: dict[Symbol, Expr] = {}
+    for let in angles:
+        if let.value.free_symbols <= known:
+            ordered.append(let)
+            known = known | {let.name}
+        else:
+            waiting[let.name] = let.value
+    lets = [step.value for step in steps if isinstance(step, Let)]
+    common, found = _common((*lets, *results))
+    waiting |= common
+    taken = known | {name for step in steps for name in step_names(step)}
+    renamed: dict[Symbol, Symbol] = {let.name: let.name for let in angles}
+
+    def ready(value: Basic) -> Basic:
+        for local in sorted(value.free_symbols & waiting.keys(), key=list(waiting).index):
+            needed = ready(waiting.pop(local))
+            if local not in renamed:
+                name = Symbol(name_of(needed) or f"common_{len(renamed)}", real=True)
+                renamed[local] = local if name in taken else name
+                taken.add(renamed[local])
+            ordered.append(Let(renamed[local], needed))
+        return value.xreplace(renamed)
+
+    values = iter(found)
+    for step in steps:
+        # What a step needs is put in order while its values are read, hence before it.
+        if isinstance(step, Let):
+            ordered.append(Let(step.name, ready(next(values))))
+        else:
+            ordered.append(map_step(step, ready))
+    finished = tuple(ready(value) for value in values)
+    return tuple(ordered), finished
+
+
+def _common(values: tuple[Basic, ...]) -> tuple[dict[Symbol, Expr], list[Basic]]:
+    """Find what occurs twice, apart from what costs as little as to look it up."""
+    common, found = cse(values, symbols=numbered_symbols("x"), order="canonical")
+    kept: dict[Symbol, Expr] = {}
+    trivial: dict[Symbol, Expr] = {}
+    for local, value in common:
+        whole = value.xreplace(trivial)
+        coefficient, rest = whole.as_coeff_Mul()
+        if whole.is_Boolean or (rest.is_Symbol and coefficient != 1):
+            trivial[local] = whole
+        else:
+            kept[local] = whole
+    return kept, [value.xreplace(trivial) for value in found]
+
+
+def _needed(
+    steps: tuple[Let | Choice, ...], results: tuple[Expr, ...], reports: set[Symbol]
+) -> tuple[Let | Choice, ...]:
+    """Leave out the steps on which neither results nor reports depend."""
+    needed = reports | {symbol for result in results for symbol in result.free_symbols}
+    kept: list[Let | Choice] = []
+    for step in reversed(steps):
+        if needed & set(step_names(step)):
+            kept.insert(0, step)
+            needed |= {s for value in expressions([step], ()) for s in value.free_symbols}
+    return tuple(kept)
+
+
+def step_names(step: Let | Choice) -> tuple[Symbol, ...]:
+    """Names that a step gives a value."""
+    return (step.name,) if isinstance(step, Let) else step.names

@@ -1,71 +1,81 @@
-"""Printers of Python: `math` for one attitude, NumPy for arrays of them."""
+"""Printer of Python for one attitude at a time, with `math`."""
 
-from sympy.printing.numpy import NumPyPrinter
-from sympy.printing.pycode import PythonCodePrinter
+import re
 
-from chr_notes.codegen.header import made_how, returns
+from chr_notes.codegen.expressions import Language, conditional, infix
+from chr_notes.codegen.header import FLAG, in_lines, ledger, made_how, needs, returns
 from chr_notes.codegen.lowering import Program
+from chr_notes.derivations.computation import Choice, Let
 
-_SCALAR = PythonCodePrinter({"fully_qualified_modules": False})
-_ARRAYS = NumPyPrinter({"fully_qualified_modules": True})
+PYTHON = Language(
+    name=str,
+    number=repr,
+    call={
+        "Abs": "abs",
+        **{name: name for name in ("acos", "asin", "atan", "atan2", "cos", "floor", "hypot")},
+        **{name: name for name in ("sin", "sqrt", "tan")},
+    },
+    remainder="fmod({0}, {1})",
+    epsilon=2.0**-52,
+    both="and",
+    either="or",
+    negation="not ",
+    conditional="{yes} if {condition} else {no}",
+)
 
 
-def scalar_module(programs: tuple[Program, ...]) -> str:
+def module(programs: tuple[Program, ...]) -> str:
     """Print a module of functions of floats that return a float or a flat tuple."""
-    body = "\n\n\n".join(_scalar_function(program) for program in programs)
-    used = sorted(name for name in ("cos", "sin", "sqrt", "tan", "atan2") if f"{name}(" in body)
+    body = "\n\n\n".join(_function(program) for program in programs)
+    names = {*PYTHON.call.values(), "fmod"} - {"abs"}
+    used = sorted(name for name in names if re.search(rf"\b{name}\(", body))
     head = '"""' + "\n".join(made_how(programs)) + '\n"""\n\n'
-    return f"{head}from math import {', '.join(used)}\n\n\n{body}\n"
+    imports = f"from math import {', '.join(used)}\n\n\n" if used else "\n"
+    return f"{head}{imports}{body}\n"
 
 
-def _scalar_function(program: Program) -> str:
+def _function(program: Program) -> str:
     target = program.target
-    arguments = ", ".join(f"{argument.name}: float" for argument in target.arguments)
-    result = (
-        "float" if not program.shape else f"tuple[{', '.join(['float'] * len(program.results))}]"
-    )
-    lines = [f"def {target.name}({arguments}) -> {result}:", *_docstring(program)]
-    lines += [f"    {local} = {_SCALAR.doprint(value)}" for local, value in program.assignments]
-    values = [_SCALAR.doprint(value) for value in program.results]
+    arguments = [f"{argument.name}: float" for argument in target.arguments]
+    types = ["float"] * len(program.results) + ["bool"] * (program.flag is not None)
+    result = f"tuple[{', '.join(types)}]" if program.shape else "float"
+    lines = in_lines(f"def {target.name}(", arguments, f") -> {result}:")
+    lines += _docstring(program)
+    for step in program.steps:
+        lines += [f"    {line}" for line in _step(step)]
+    values = [infix(value, PYTHON) for value in program.results]
+    values += [program.flag.name] if program.flag is not None else []
     if not program.shape:
         return "\n".join([*lines, f"    return {values[0]}"])
-    return "\n".join([*lines, "    return (", *(f"        {value}," for value in values), "    )"])
+    return "\n".join([*lines, *in_lines("    return (", values, ")")])
 
 
-def array_module(programs: tuple[Program, ...]) -> str:
-    """Print a module of functions of arrays of one shape, which write to `out`."""
-    body = "\n\n\n".join(_array_function(program) for program in programs)
-    head = '"""' + "\n".join(made_how(programs)) + '\n"""\n\n'
-    return f"{head}import numpy\nfrom numpy.typing import NDArray\n\n\n{body}\n"
-
-
-def _array_function(program: Program) -> str:
-    target = program.target
-    array = "NDArray[numpy.float64]"
-    arguments = ", ".join(f"{argument.name}: {array}" for argument in target.arguments)
-    lines = [f"def {target.name}({arguments}, out: {array}) -> None:", *_docstring(program)]
-    lines += [f"    {local} = {_ARRAYS.doprint(value)}" for local, value in program.assignments]
-    for index, value in enumerate(program.results):
-        lines.append(f"    out[{_place(index, program.shape)}] = {_ARRAYS.doprint(value)}")
-    return "\n".join(lines)
-
-
-def _place(index: int, shape: tuple[int, ...]) -> str:
-    """Index of one element on the last axes."""
-    if len(shape) < 2:  # noqa: PLR2004 (a matrix has two axes)
-        return ", ".join(["...", *([str(index)] if shape else [])])
-    row, column = divmod(index, shape[1])
-    return f"..., {row}, {column}"
+def _step(step: Let | Choice) -> list[str]:
+    if isinstance(step, Let):
+        return [f"{step.name} = {infix(step.value, PYTHON)}"]
+    one = conditional(step, PYTHON)
+    if one is not None:
+        return [f"{step.names[0]} = {one}"]
+    lines = []
+    for place, (condition, values) in enumerate(step.branches):
+        if condition == True:  # noqa: E712 (SymPy's true, not Python's)
+            lines.append("else:")
+        else:
+            lines.append(f"{'elif' if place else 'if'} {infix(condition, PYTHON)}:")
+        lines += [
+            f"    {name} = {infix(value, PYTHON)}"
+            for name, value in zip(step.names, values, strict=True)
+        ]
+    return lines
 
 
 def _docstring(program: Program) -> list[str]:
     target = program.target
-    entries = ", ".join(target.entries)
-    return [
-        f'    """{returns(target, program.shape)}',
-        "",
-        *(f"    {argument.name}: {argument.says}" for argument in target.arguments),
-        "",
-        f"    Ledger: {entries}.",
-        '    """',
-    ]
+    parts = [[f"{argument.name}: {argument.says}" for argument in target.arguments]]
+    if program.flag is not None:
+        parts.append([f"Also returns {FLAG}."])
+    parts.append([line for line in (needs(program), *ledger(target)) if line])
+    lines = [f'    """{returns(program)}']
+    for part in parts:
+        lines += ["", *(f"    {line}" for line in part)] if part else []
+    return [*lines, '    """']

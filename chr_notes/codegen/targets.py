@@ -3,86 +3,33 @@
 No formula stands here: each target names the derivation that it comes from.
 """
 
-from collections.abc import Callable
-from dataclasses import dataclass
-
-from sympy import Expr, ImmutableMatrix, Symbol
-
-from chr_notes.derivations import euler
-from chr_notes.symbols import p, phi, pitch_rate, psi, q, r, roll_rate, theta, yaw_rate
-
-
-@dataclass(frozen=True)
-class Argument:
-    """One scalar argument of a generated function.
-
-    Parameters
-    ----------
-    name
-        Its name in the generated code.
-    symbol
-        The symbol that it stands for in the derivation.
-    says
-        Meaning and unit.
-    """
-
-    name: str
-    symbol: Symbol
-    says: str
-
-
-@dataclass(frozen=True)
-class Target:
-    """One generated function.
-
-    Parameters
-    ----------
-    name
-        Its name, `target_from_source`.
-    topic
-        The stem of the file that it stands in.
-    says
-        What it returns.
-    arguments
-        Its scalar arguments in order.
-    formula
-        Gives the derived formula: a scalar, or a matrix returned row by row.
-    entries
-        Ids of the ledger entries that state it.
-    """
-
-    name: str
-    topic: str
-    says: str
-    arguments: tuple[Argument, ...]
-    formula: Callable[[], Expr | ImmutableMatrix]
-    entries: tuple[str, ...]
-
-
-ROLL = Argument("roll", phi, "roll about the body x-axis, radians")
-PITCH = Argument("pitch", theta, "pitch about the vehicle-1 y-axis, radians")
-YAW = Argument("yaw", psi, "yaw about the inertial z-axis, radians")
-P = Argument("p", p, "body rate about x, rad/s")
-Q = Argument("q", q, "body rate about y, rad/s")
-R = Argument("r", r, "body rate about z, rad/s")
-ROLL_RATE = Argument("roll_rate", roll_rate, "derivative of roll, rad/s")
-PITCH_RATE = Argument("pitch_rate", pitch_rate, "derivative of pitch, rad/s")
-YAW_RATE = Argument("yaw_rate", yaw_rate, "derivative of yaw, rad/s")
+from chr_notes.codegen import arguments as given
+from chr_notes.codegen.target import Target
+from chr_notes.derivations import euler, hamilton, quaternions
+from chr_notes.derivations.forms import euler as euler_forms
+from chr_notes.derivations.forms import quaternions as forms
 
 TARGETS = (
     Target(
         "matrix_from_euler",
         "euler",
         "Matrix from the inertial to the body frame, row by row",
-        (ROLL, PITCH, YAW),
+        given.ANGLES,
         lambda: euler.rotation("I", "B"),
         ("euler.5.2", "euler.5.3"),
+    ),
+    Target(
+        "euler_from_matrix",
+        "euler",
+        "Roll, pitch and yaw, radians",
+        given.MATRIX,
+        euler_forms.euler_from_matrix,
     ),
     Target(
         "euler_rates_matrix",
         "euler",
         "Matrix D from body rates to Euler rates, row by row",
-        (ROLL, PITCH),
+        (given.ROLL, given.PITCH),
         euler.euler_rates_matrix,
         ("euler.7.2", "euler.7.d"),
     ),
@@ -90,15 +37,15 @@ TARGETS = (
         "euler_rates_from_body_rates",
         "euler",
         "Derivatives of roll, pitch and yaw, rad/s",
-        (ROLL, PITCH, P, Q, R),
-        euler.euler_rates,
+        (given.ROLL, given.PITCH, *given.RATES),
+        euler_forms.euler_rates,
         ("euler.7.3",),
     ),
     Target(
         "body_rates_from_euler_rates",
         "euler",
         "Body rates about x, y and z, rad/s",
-        (ROLL, PITCH, ROLL_RATE, PITCH_RATE, YAW_RATE),
+        (given.ROLL, given.PITCH, *given.ANGLE_RATES),
         euler.body_rates,
         ("euler.7.a",),
     ),
@@ -106,7 +53,7 @@ TARGETS = (
         "euler_rates_determinant",
         "euler",
         "Determinant of the matrix D",
-        (PITCH,),
+        (given.PITCH,),
         euler.euler_rates_determinant,
         ("euler.7.c",),
     ),
@@ -114,8 +61,109 @@ TARGETS = (
         "euler_rates_condition",
         "euler",
         "Condition number of the matrix D in the 2-norm",
-        (PITCH,),
+        (given.PITCH,),
         euler.euler_rates_condition,
         ("euler.7.c",),
+    ),
+    Target(
+        "wrap_angle",
+        "euler",
+        "The angle less whole turns, from -pi up to but not including pi",
+        (given.ANGLE,),
+        euler_forms.wrap_angle,
+    ),
+    Target(
+        "matrix_from_quaternion",
+        "quaternions",
+        "Matrix from the inertial to the body frame, row by row",
+        given.QUATERNION_ARGUMENTS,
+        forms.matrix_from_quaternion,
+        ("quaternions.3.3",),
+    ),
+    Target(
+        "quaternion_from_matrix",
+        "quaternions",
+        "Unit quaternion with a >= 0",
+        given.MATRIX,
+        forms.quaternion_from_matrix,
+        ("quaternions.3.3",),
+    ),
+    Target(
+        "quaternion_from_euler",
+        "quaternions",
+        "Unit quaternion with a >= 0",
+        given.ANGLES,
+        forms.quaternion_from_euler,
+    ),
+    Target(
+        "euler_from_quaternion",
+        "quaternions",
+        "Roll, pitch and yaw, radians",
+        given.QUATERNION_ARGUMENTS,
+        forms.euler_from_quaternion,
+        ("quaternions.4.1", "quaternions.4.2", "quaternions.4.3", "quaternions.4.b"),
+    ),
+    Target(
+        "quaternion_from_axis_angle",
+        "quaternions",
+        "Unit quaternion with a >= 0",
+        (*given.AXIS_ARGUMENTS, given.TURN),
+        forms.quaternion_from_axis_angle,
+        ("quaternions.2.2",),
+    ),
+    Target(
+        "axis_angle_from_quaternion",
+        "quaternions",
+        "Unit axis x, y, z and the angle in [0, pi] of the turn about it, radians",
+        given.QUATERNION_ARGUMENTS,
+        forms.axis_angle_from_quaternion,
+        ("quaternions.2.2",),
+    ),
+    Target(
+        "quaternion_multiply",
+        "quaternions",
+        "Product of two quaternions",
+        given.PRODUCT,
+        hamilton.product,
+        ("quaternions.3.2",),
+    ),
+    Target(
+        "quaternion_conjugate",
+        "quaternions",
+        "Conjugate of the quaternion",
+        given.QUATERNION_ARGUMENTS,
+        lambda: hamilton.conjugate(quaternions.ATTITUDE),
+        ("quaternions.3.c",),
+    ),
+    Target(
+        "quaternion_inverse",
+        "quaternions",
+        "Inverse of the quaternion",
+        given.QUATERNION_ARGUMENTS,
+        forms.quaternion_inverse,
+        ("quaternions.3.a",),
+    ),
+    Target(
+        "rotate_to_inertial",
+        "quaternions",
+        "The vector in the inertial frame",
+        (*given.QUATERNION_ARGUMENTS, *given.vector("a vector in the body frame")),
+        forms.rotate_to_inertial,
+        ("quaternions.3.1",),
+    ),
+    Target(
+        "rotate_to_body",
+        "quaternions",
+        "The vector in the body frame",
+        (*given.QUATERNION_ARGUMENTS, *given.vector("a vector in the inertial frame")),
+        forms.rotate_to_body,
+        ("quaternions.3.1", "quaternions.3.4"),
+    ),
+    Target(
+        "quaternion_after_constant_rates",
+        "quaternions",
+        "Attitude quaternion after a time during which the body rates do not change",
+        (*given.QUATERNION_ARGUMENTS, *given.RATES, given.PERIOD),
+        forms.constant_rate_step,
     ),
 )

@@ -3,33 +3,33 @@
 (() => {
   // ../generated/javascript/attitude.mjs
   function matrixFromEuler(roll, pitch, yaw) {
-    const cosPitch = Math.cos(pitch);
-    const cosRoll = Math.cos(roll);
-    const cosYaw = Math.cos(yaw);
     const sinPitch = Math.sin(pitch);
+    const cosPitch = Math.cos(pitch);
     const sinRoll = Math.sin(roll);
+    const cosRoll = Math.cos(roll);
     const sinYaw = Math.sin(yaw);
-    const x0 = cosRoll * sinYaw;
-    const x1 = cosRoll * cosYaw;
-    const x2 = sinRoll * sinYaw;
+    const cosYaw = Math.cos(yaw);
+    const cosRollSinYaw = cosRoll * sinYaw;
+    const cosRollCosYaw = cosRoll * cosYaw;
+    const sinRollSinYaw = sinRoll * sinYaw;
     return [
       cosPitch * cosYaw,
       cosPitch * sinYaw,
       -sinPitch,
-      cosYaw * sinPitch * sinRoll - x0,
-      sinPitch * x2 + x1,
+      cosYaw * sinPitch * sinRoll - cosRollSinYaw,
+      cosRollCosYaw + sinPitch * sinRollSinYaw,
       cosPitch * sinRoll,
-      sinPitch * x1 + x2,
-      -cosYaw * sinRoll + sinPitch * x0,
+      cosRollCosYaw * sinPitch + sinRollSinYaw,
+      cosRollSinYaw * sinPitch - cosYaw * sinRoll,
       cosPitch * cosRoll
     ];
   }
   function eulerRatesMatrix(roll, pitch) {
     const cosPitch = Math.cos(pitch);
-    const cosRoll = Math.cos(roll);
-    const sinRoll = Math.sin(roll);
     const tanPitch = Math.tan(pitch);
-    const x0 = 1 / cosPitch;
+    const secPitch = 1 / cosPitch;
+    const sinRoll = Math.sin(roll);
+    const cosRoll = Math.cos(roll);
     return [
       1,
       sinRoll * tanPitch,
@@ -38,18 +38,20 @@
       cosRoll,
       -sinRoll,
       0,
-      sinRoll * x0,
-      cosRoll * x0
+      secPitch * sinRoll,
+      cosRoll * secPitch
     ];
   }
   function eulerRatesDeterminant(pitch) {
     const cosPitch = Math.cos(pitch);
-    return 1 / cosPitch;
+    const secPitch = 1 / cosPitch;
+    return secPitch;
   }
   function eulerRatesCondition(pitch) {
-    const cosPitch = Math.cos(pitch);
     const sinPitch = Math.sin(pitch);
-    return (Math.abs(sinPitch) + 1) / Math.abs(cosPitch);
+    const cosPitch = Math.cos(pitch);
+    const secPitch = 1 / cosPitch;
+    return (Math.abs(sinPitch) + 1) * Math.abs(secPitch);
   }
 
   // draw.js

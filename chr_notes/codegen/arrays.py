@@ -1,0 +1,143 @@
+"""Printer of NumPy functions that work on blocks of rows and allocate nothing of their size."""
+
+import re
+
+from chr_notes.codegen.blocks import Call, calls, in_place
+from chr_notes.codegen.expressions import infix
+from chr_notes.codegen.header import FLAG, in_lines, ledger, made_how, returns
+from chr_notes.codegen.lowering import Program
+from chr_notes.codegen.python import PYTHON
+
+_BOOLEAN = re.compile("less|greater|logical")
+WORK = 16
+"""How many arrays every function is given for what it computes on the way."""
+
+
+def module(programs: tuple[Program, ...]) -> str:
+    """Print a module of functions of arrays of one shape, which write to `out`."""
+    body = "\n\n\n".join(_function(program) for program in programs)
+    types = ["float64"] + ["bool_"] * any(program.flag is not None for program in programs)
+    used = sorted({call.function for program in programs for call in calls(program)})
+    head = '"""' + "\n".join(made_how(programs)) + '\n"""\n\n'
+    imports = "\n".join(
+        [
+            "from collections.abc import Sequence",
+            "",
+            *in_lines("from numpy import (", sorted([*used, *types]), ")"),
+            "from numpy.typing import NDArray",
+            "",
+            "Block = NDArray[float64]",
+        ]
+    )
+    return f"{head}{imports}\n\n\n{body}\n"
+
+
+def _function(program: Program) -> str:
+    target = program.target
+    arguments = [f"{argument.name}: Block" for argument in target.arguments]
+    arguments += ["out: Sequence[Block]", "work: Sequence[Block]"]
+    told = (program.guard, program.flag)
+    reports = [symbol.name for symbol in told if symbol is not None]
+    types = [
+        kind if symbol is not None else "None"
+        for symbol, kind in zip(told, ("Block", "NDArray[bool_]"), strict=True)
+    ]
+    result = f"tuple[{', '.join(types)}]" if reports else "None"
+    lines = in_lines(f"def {target.name}(", arguments, f") -> {result}:")
+    lines += _docstring(program)
+    made = calls(program)
+    storage = _storage(made, _fixed(program), reports)
+    inside = None
+    for place, call in enumerate(made):
+        if call.inside is not None and call.inside != inside:
+            lines.append(f"    if {_operand(call.inside, storage)}.any():")
+        inside = call.inside
+        indent = "        " if inside else "    "
+        alone = place + 1 == len(made) or made[place + 1].says is not None
+        lines += [indent + line for line in _statement(call, storage, alone=alone)]
+    if reports:
+        lines.append(f"    return {', '.join(map(str, told))}")
+    return "\n".join(lines)
+
+
+def _docstring(program: Program) -> list[str]:
+    target = program.target
+    size = len(program.results)
+    elements = "an array for the result" if size == 1 else f"{size} arrays for the elements"
+    lines = [
+        f'    """{returns(program)}',
+        "",
+        *(f"    {argument.name}: {argument.says}" for argument in target.arguments),
+        f"    out: {elements}",
+        f"    work: {WORK} arrays for what is computed on the way",
+    ]
+    told = [program.guard.name.replace("_", " ")] if program.guard is not None else []
+    told += [FLAG] if program.flag is not None else []
+    if told:
+        lines += ["", f"    Returns the {', and '.join(told)}."]
+    entries = [f"    {line}" for line in ledger(target)]
+    return [*lines, *([""] if entries else []), *entries, '    """']
+
+
+def _fixed(program: Program) -> dict[str, str]:
+    """Say where arguments and results are: a local that is a result has its place in `out`."""
+    arguments = {argument.name: argument.name for argument in program.target.arguments}
+    results = {f"out[{index}]": f"out[{index}]" for index in range(len(program.results))}
+    named = {name: f"out[{index}]" for name, index in in_place(program).items()}
+    return arguments | results | named
+
+
+def _storage(made: list[Call], fixed: dict[str, str], reports: list[str]) -> dict[str, str]:
+    """Give each value an array of `work`; an array whose value is no longer needed serves again.
+
+    Booleans need none: a block of them is small, so NumPy allocates it.
+    """
+    last = {}
+    for place, call in enumerate(made):
+        for name in (*call.operands, call.result, call.where, call.inside):
+            last[name] = place
+    last |= dict.fromkeys(reports, len(made))
+    free = list(range(WORK))
+    storage = dict(fixed)
+    rows: dict[str, int] = {}
+    for place, call in enumerate(made):
+        ended = [name for name in rows if last[name] <= place and name != call.result]
+        free = sorted([*free, *(rows.pop(name) for name in ended)])
+        result = call.result
+        if result in storage:
+            continue
+        if _BOOLEAN.match(call.function):
+            storage[result] = result.replace("$", "condition_")
+            continue
+        if not free:
+            msg = f"expected at most {WORK} values at once, got more at {call}"
+            raise ValueError(msg)
+        rows[result] = free.pop(0)
+        storage[result] = f"work[{rows[result]}]"
+    return storage
+
+
+def _operand(operand: str | float, storage: dict[str, str]) -> str:
+    if isinstance(operand, float):
+        return repr(operand)
+    # A local is known by its name, what has none by its place.
+    return storage.get(operand, operand) if operand.startswith("$") else operand
+
+
+def _statement(call: Call, storage: dict[str, str], *, alone: bool) -> list[str]:
+    """Print a call, after its formula where that takes more than one."""
+    operands = ", ".join(_operand(operand, storage) for operand in call.operands)
+    lines = []
+    if call.says is not None and not alone:
+        lines.append(f"# {call.says.name} = {infix(call.says.value, PYTHON)}")
+    place = storage[call.result]
+    is_local = call.result != place and not call.result.startswith("$")
+    if call.function == "copyto":
+        where = f", where={_operand(call.where, storage)}" if call.where else ""
+        if is_local and not call.where:
+            lines.append(f"{call.result} = {place}")
+        return [*lines, f"copyto({_operand(call.result, storage)}, {operands}{where})"]
+    if _BOOLEAN.match(call.function):
+        return [*lines, f"{place} = {call.function}({operands})"]
+    named = f"{call.result} = " if is_local else ""
+    return [*lines, f"{named}{call.function}({operands}, out={place})"]

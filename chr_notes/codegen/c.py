@@ -1,0 +1,162 @@
+"""Printer of C99: `attitude.h` and `attitude.c`, each function in double and in float."""
+
+from dataclasses import dataclass, replace
+from textwrap import wrap
+
+from sympy import Basic
+from sympy.core.relational import Relational
+from sympy.logic.boolalg import BooleanFunction
+
+from chr_notes.codegen.expressions import Language, conditional, infix
+from chr_notes.codegen.header import FLAG, WIDTH, folded, ledger, made_how, needs, returns
+from chr_notes.codegen.lowering import Program, expressions
+from chr_notes.derivations.computation import Choice, Let
+
+_NAMES = ("acos", "asin", "atan", "atan2", "cos", "floor", "hypot", "sin", "sqrt", "tan")
+
+DOUBLE = Language(
+    name=str,
+    number=repr,
+    call={"Abs": "fabs", **{name: name for name in _NAMES}},
+    remainder="fmod({0}, {1})",
+    epsilon=2.0**-52,
+    both="&&",
+    either="||",
+    negation="!",
+    conditional="{condition} ? {yes} : {no}",
+)
+FLOAT = replace(
+    DOUBLE,
+    number=lambda value: f"{value!r}f",
+    call={"Abs": "fabsf", **{name: f"{name}f" for name in _NAMES}},
+    remainder="fmodf({0}, {1})",
+    epsilon=2.0**-23,
+)
+
+
+@dataclass(frozen=True)
+class Precision:
+    """A floating-point type of C.
+
+    Parameters
+    ----------
+    type
+        Its name.
+    suffix
+        What the names of its functions end in.
+    language
+        How its expressions are written.
+    """
+
+    type: str
+    suffix: str
+    language: Language
+
+
+PRECISIONS = (Precision("double", "", DOUBLE), Precision("float", "_f", FLOAT))
+
+
+def header(programs: tuple[Program, ...]) -> str:
+    """Print `attitude.h`."""
+    lines = [
+        *_made_how(programs),
+        "#ifndef ATTITUDE_H",
+        "#define ATTITUDE_H",
+        "",
+        "#ifdef __cplusplus",
+        'extern "C" {',
+        "#endif",
+        "",
+    ]
+    for program in programs:
+        lines += _comment(program)
+        for precision in PRECISIONS:
+            lines += _signature(program, precision, ");")
+        lines.append("")
+    lines += ["#ifdef __cplusplus", "}", "#endif", "", "#endif"]
+    return "\n".join(lines) + "\n"
+
+
+def source(programs: tuple[Program, ...]) -> str:
+    """Print `attitude.c`."""
+    bodies = [
+        "\n".join(_function(program, precision)) for program in programs for precision in PRECISIONS
+    ]
+    head = "\n".join([*_made_how(programs), '#include "attitude.h"', "", "#include <math.h>"])
+    return "\n\n".join([head, *bodies]) + "\n"
+
+
+def _made_how(programs: tuple[Program, ...]) -> list[str]:
+    return ["/*", *(f" * {line}" for line in made_how(programs)), " */"]
+
+
+def _comment(program: Program) -> list[str]:
+    target = program.target
+    lines = [
+        returns(program),
+        *(f"{argument.name}: {argument.says}" for argument in target.arguments),
+        *([f"Returns {FLAG}."] if program.flag is not None else []),
+        *(line for line in (needs(program), *ledger(target)) if line),
+    ]
+    return ["/*", *(f" * {line}" for line in lines), " */"]
+
+
+def _signature(program: Program, precision: Precision, end: str) -> list[str]:
+    target = program.target
+    arguments = [f"{precision.type} {argument.name}" for argument in target.arguments]
+    result = precision.type
+    if program.shape:
+        result = "int" if program.flag is not None else "void"
+        arguments.append(f"{precision.type} out[{len(program.results)}]")
+    start = f"{result} attitude_{target.name}{precision.suffix}("
+    # A break may stand between arguments, not within one.
+    whole = f"{start}{', '.join(arguments)}{end}".replace(
+        f"{precision.type} ", precision.type + "_"
+    )
+    lines = wrap(whole, WIDTH, subsequent_indent="    ", break_on_hyphens=False)
+    return [line.replace(precision.type + "_", f"{precision.type} ") for line in lines]
+
+
+def _function(program: Program, precision: Precision) -> list[str]:
+    language = precision.language
+    lines = [*_signature(program, precision, ")"), "{"]
+    used = {symbol.name for value in _values(program) for symbol in value.free_symbols}
+    lines += [
+        f"    (void)({argument.name});"
+        for argument in program.target.arguments
+        if argument.name not in used
+    ]
+    for step in program.steps:
+        lines += [part for line in _step(step, precision) for part in folded(f"    {line}")]
+    values = [infix(value, language) for value in program.results]
+    if not program.shape:
+        return [*lines, f"    return {values[0]};", "}"]
+    lines += [f"    out[{index}] = {value};" for index, value in enumerate(values)]
+    if program.flag is not None:
+        lines.append(f"    return {program.flag.name};")
+    return [*lines, "}"]
+
+
+def _values(program: Program) -> tuple[Basic, ...]:
+    return expressions(program.steps, program.results)
+
+
+def _step(step: Let | Choice, precision: Precision) -> list[str]:
+    language = precision.language
+    if isinstance(step, Let):
+        kind = "int" if isinstance(step.value, BooleanFunction | Relational) else precision.type
+        return [f"const {kind} {step.name} = {infix(step.value, language)};"]
+    one = conditional(step, language)
+    if one is not None:
+        return [f"const {precision.type} {step.names[0]} = {one};"]
+    lines = [f"{precision.type} {', '.join(name.name for name in step.names)};"]
+    for place, (condition, values) in enumerate(step.branches):
+        if condition == True:  # noqa: E712 (SymPy's true, not Python's)
+            lines.append("} else {")
+        else:
+            lines.append(f"{'} else ' if place else ''}if ({infix(condition, language)}) {{")
+        lines += [
+            f"    {name} = {infix(value, language)};"
+            for name, value in zip(step.names, values, strict=True)
+        ]
+    return [*lines, "}"]

@@ -1,0 +1,359 @@
+"""Quaternions as numeric functions: conversions, algebra, rotation of vectors.
+
+Each takes array-likes, broadcasts over the leading axes, and returns new float64 arrays.
+Quaternions are Hamilton's, scalar first, and an attitude satisfies `v_I = q v_B q*`. A quaternion
+that stands for an attitude may have any norm but zero; results that do are unit quaternions with
+a >= 0. Products, conjugates and inverses are those of the algebra, sign and norm included.
+"""
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from chr_notes._arrays import Floats, common_shape, components, evaluate, floats
+from chr_notes._attitudes import OnGimbalLock, check_choice, rotations, tell
+from chr_notes.generated.arrays import quaternions as generated
+
+
+def matrix_from_quaternion(q: ArrayLike) -> Floats:
+    """Turn quaternions into matrices from the inertial to the body frame.
+
+    Parameters
+    ----------
+    q
+        Attitude quaternions of any norm but zero, shape (..., 4).
+
+    Returns
+    -------
+    ndarray
+        `R_I^B` with `v_B = R v_I`, shape (..., 3, 3).
+
+    Raises
+    ------
+    ValueError
+        If the last axis is not of size 4, or a quaternion is zero; it names the first one.
+
+    Notes
+    -----
+    Ledger: quaternions.3.3.
+    """
+    quaternion = floats("q", q, 4)
+    out = np.empty((*quaternion.shape[:-1], 3, 3))
+    given = components(quaternion)
+    evaluate(generated.matrix_from_quaternion, given, components(out, 2), ("q", quaternion))
+    return out
+
+
+def quaternion_from_matrix(matrix: ArrayLike) -> Floats:
+    """Turn matrices from the inertial to the body frame into quaternions.
+
+    Parameters
+    ----------
+    matrix
+        `R_I^B` with `v_B = R v_I`, shape (..., 3, 3).
+
+    Returns
+    -------
+    ndarray
+        Unit quaternions with a >= 0, shape (..., 4).
+
+    Raises
+    ------
+    ValueError
+        If the last axes are not 3 by 3, or a matrix is not a rotation: `R Rᵀ` is off the identity
+        by more than 1e-4, or the determinant is negative. The error names the first such matrix.
+
+    Notes
+    -----
+    Ledger: quaternions.3.3, whose matrix is solved for the elements.
+    """
+    rotation = rotations("matrix", matrix)
+    out = np.empty((*rotation.shape[:-2], 4))
+    evaluate(generated.quaternion_from_matrix, components(rotation, 2), components(out))
+    return out
+
+
+def quaternion_from_euler(euler: ArrayLike) -> Floats:
+    """Turn Euler angles into quaternions.
+
+    Parameters
+    ----------
+    euler
+        Roll, pitch, yaw in radians, any real number, shape (..., 3).
+
+    Returns
+    -------
+    ndarray
+        Unit quaternions with a >= 0, shape (..., 4).
+
+    Raises
+    ------
+    ValueError
+        If the last axis is not of size 3.
+
+    Notes
+    -----
+    Ledger: quaternions.2.2, for each of the three turns.
+    """
+    angles = floats("euler", euler, 3)
+    out = np.empty((*angles.shape[:-1], 4))
+    evaluate(generated.quaternion_from_euler, components(angles), components(out))
+    return out
+
+
+def euler_from_quaternion(q: ArrayLike, *, on_gimbal_lock: OnGimbalLock = "warn") -> Floats:
+    """Turn quaternions into Euler angles, to full precision up to the pole.
+
+    Parameters
+    ----------
+    q
+        Attitude quaternions of any norm but zero, shape (..., 4).
+    on_gimbal_lock
+        What to do where pitch is ±90°, so that roll is set to 0 and yaw carries the rest: "warn",
+        "ignore" or "raise".
+
+    Returns
+    -------
+    ndarray
+        Roll in [-pi, pi], pitch in [-pi/2, pi/2], yaw in [-pi, pi], radians, shape (..., 3). They
+        rebuild the attitude, at gimbal lock too.
+
+    Raises
+    ------
+    ValueError
+        If the last axis is not of size 4, or a quaternion is zero; it names the first one.
+    GimbalLockError
+        If an attitude is at gimbal lock and `on_gimbal_lock` is "raise".
+
+    Warns
+    -----
+    GimbalLockWarning
+        If an attitude is at gimbal lock and `on_gimbal_lock` is "warn".
+
+    Notes
+    -----
+    Ledger: quaternions.4.1, quaternions.4.2, quaternions.4.3, quaternions.4.b.
+    """
+    check_choice(on_gimbal_lock)
+    quaternion = floats("q", q, 4)
+    out = np.empty((*quaternion.shape[:-1], 3))
+    given = components(quaternion)
+    locked = evaluate(generated.euler_from_quaternion, given, components(out), ("q", quaternion))
+    tell(locked, out.shape[:-1], on_gimbal_lock)
+    return out
+
+
+def quaternion_from_axis_angle(axis: ArrayLike, angle: ArrayLike) -> Floats:
+    """Quaternion of a turn about an axis.
+
+    Parameters
+    ----------
+    axis
+        Direction of the axis, of any length but zero, shape (..., 3).
+    angle
+        Angle of the turn by the right-hand rule, radians, shape (...).
+
+    Returns
+    -------
+    ndarray
+        Unit quaternions with a >= 0, shape (..., 4).
+
+    Raises
+    ------
+    ValueError
+        If the last axis of `axis` is not of size 3, the shapes do not broadcast, or an axis is
+        zero; it names the first one.
+
+    Notes
+    -----
+    Ledger: quaternions.2.2.
+    """
+    axes, angles = floats("axis", axis, 3), floats("angle", angle)
+    shape = common_shape(("axis", axes, 1), ("angle", angles, 0))
+    out = np.empty((*shape, 4))
+    given = [*components(axes), angles]
+    evaluate(generated.quaternion_from_axis_angle, given, components(out), ("axis", axes))
+    return out
+
+
+def axis_angle_from_quaternion(q: ArrayLike) -> tuple[Floats, Floats]:
+    """Axis and angle of the turn that a quaternion stands for.
+
+    Parameters
+    ----------
+    q
+        Quaternions of any norm but zero, shape (..., 4).
+
+    Returns
+    -------
+    axis
+        Unit vectors, shape (..., 3); (1, 0, 0) where there is no turn.
+    angle
+        Angle in [0, pi], radians, shape (...).
+
+    Raises
+    ------
+    ValueError
+        If the last axis is not of size 4, or a quaternion is zero; it names the first one.
+
+    Notes
+    -----
+    Ledger: quaternions.2.2.
+    """
+    quaternion = floats("q", q, 4)
+    axis = np.empty((*quaternion.shape[:-1], 3))
+    angle = np.empty(quaternion.shape[:-1])
+    given, out = components(quaternion), [*components(axis), angle]
+    evaluate(generated.axis_angle_from_quaternion, given, out, ("q", quaternion))
+    return axis, angle
+
+
+def quaternion_multiply(p: ArrayLike, q: ArrayLike) -> Floats:
+    """Hamilton's product `p q`: the turn p after the turn q, both about fixed axes.
+
+    Parameters
+    ----------
+    p, q
+        Quaternions, shape (..., 4).
+
+    Returns
+    -------
+    ndarray
+        The product as it is, with its own sign and norm, shape (..., 4).
+
+    Raises
+    ------
+    ValueError
+        If a last axis is not of size 4 or the leading axes do not broadcast.
+
+    Notes
+    -----
+    Ledger: quaternions.3.2.
+    """
+    first, second = floats("p", p, 4), floats("q", q, 4)
+    out = np.empty((*common_shape(("p", first, 1), ("q", second, 1)), 4))
+    given = [*components(first), *components(second)]
+    evaluate(generated.quaternion_multiply, given, components(out))
+    return out
+
+
+def quaternion_conjugate(q: ArrayLike) -> Floats:
+    """Negate the vector part: for a unit quaternion, the turn back.
+
+    Parameters
+    ----------
+    q
+        Quaternions, shape (..., 4).
+
+    Returns
+    -------
+    ndarray
+        `q*`, shape (..., 4).
+
+    Raises
+    ------
+    ValueError
+        If the last axis is not of size 4.
+
+    Notes
+    -----
+    Ledger: quaternions.3.a, quaternions.3.c.
+    """
+    quaternion = floats("q", q, 4)
+    out = np.empty(quaternion.shape)
+    evaluate(generated.quaternion_conjugate, components(quaternion), components(out))
+    return out
+
+
+def quaternion_inverse(q: ArrayLike) -> Floats:
+    """Inverse of a quaternion: `q` times it is 1.
+
+    Parameters
+    ----------
+    q
+        Quaternions of any norm but zero, shape (..., 4).
+
+    Returns
+    -------
+    ndarray
+        `q* / (q q*)`, shape (..., 4).
+
+    Raises
+    ------
+    ValueError
+        If the last axis is not of size 4, or a quaternion is zero; it names the first one.
+
+    Notes
+    -----
+    Ledger: quaternions.3.a.
+    """
+    quaternion = floats("q", q, 4)
+    out = np.empty(quaternion.shape)
+    given = components(quaternion)
+    evaluate(generated.quaternion_inverse, given, components(out), ("q", quaternion))
+    return out
+
+
+def rotate_to_inertial(q: ArrayLike, v_body: ArrayLike) -> Floats:
+    """Components in the inertial frame of vectors given in the body frame: `q v q*`.
+
+    Parameters
+    ----------
+    q
+        Attitude quaternions of any norm but zero, shape (..., 4).
+    v_body
+        Vectors in the body frame, any unit, shape (..., 3).
+
+    Returns
+    -------
+    ndarray
+        The vectors in the inertial frame, same unit, shape (..., 3).
+
+    Raises
+    ------
+    ValueError
+        If a last axis has another size, the leading axes do not broadcast, or a quaternion is
+        zero; it names the first one.
+
+    Notes
+    -----
+    Ledger: quaternions.3.1.
+    """
+    quaternion, vector = floats("q", q, 4), floats("v_body", v_body, 3)
+    shape = common_shape(("q", quaternion, 1), ("v_body", vector, 1))
+    out = np.empty((*shape, 3))
+    given = [*components(quaternion), *components(vector)]
+    evaluate(generated.rotate_to_inertial, given, components(out), ("q", quaternion))
+    return out
+
+
+def rotate_to_body(q: ArrayLike, v_inertial: ArrayLike) -> Floats:
+    """Components in the body frame of vectors given in the inertial frame: `q* v q`.
+
+    Parameters
+    ----------
+    q
+        Attitude quaternions of any norm but zero, shape (..., 4).
+    v_inertial
+        Vectors in the inertial frame, any unit, shape (..., 3).
+
+    Returns
+    -------
+    ndarray
+        The vectors in the body frame, same unit, shape (..., 3).
+
+    Raises
+    ------
+    ValueError
+        If a last axis has another size, the leading axes do not broadcast, or a quaternion is
+        zero; it names the first one.
+
+    Notes
+    -----
+    Ledger: quaternions.3.1, quaternions.3.4.
+    """
+    quaternion, vector = floats("q", q, 4), floats("v_inertial", v_inertial, 3)
+    shape = common_shape(("q", quaternion, 1), ("v_inertial", vector, 1))
+    out = np.empty((*shape, 3))
+    given = [*components(quaternion), *components(vector)]
+    evaluate(generated.rotate_to_body, given, components(out), ("q", quaternion))
+    return out
