@@ -2,7 +2,8 @@
 
 from dataclasses import dataclass
 
-from sympy import And, Basic, Integer, MatrixBase, atan2
+from sympy import And, Basic, Integer, MatrixBase, Symbol, atan2
+from sympy.core.function import AppliedUndef
 from sympy.matrices.expressions.matexpr import MatrixElement
 from sympy.printing.latex import LatexPrinter
 
@@ -28,6 +29,10 @@ class _Printer(LatexPrinter):
 
     def _print_And(self, statement: And) -> str:  # noqa: N802 (SymPy's hook)
         return r" \quad\text{and}\quad ".join(self._print(part) for part in statement.args)
+
+    def _print_AppliedUndef(self, call: AppliedUndef) -> str:  # noqa: N802 (SymPy's hook)
+        arguments = ", ".join(self._print(argument) for argument in call.args)
+        return rf"{self._print(Symbol(call.func.__name__))}\left({arguments}\right)"
 
     def _print_atan2(self, angle: atan2) -> str:
         arguments = ", ".join(self._print(argument) for argument in angle.args)

@@ -12,7 +12,9 @@ The rules, in this order:
 Anything else is an error: the ledger has no entry that was not decided.
 """
 
-from sympy import And, Basic, Eq, Limit, MatrixBase, N, S, Set, deg, sympify
+from collections.abc import Mapping
+
+from sympy import And, Basic, Eq, Limit, MatrixBase, N, S, Set, deg, log, sympify
 from sympy.logic.boolalg import BooleanFalse
 
 from chr_notes.ledger.case import CannotJudgeError, Case
@@ -24,6 +26,7 @@ from chr_notes.symbols import Angle, AngularRate
 from chr_notes.typeset import latex
 
 GIVEN_IN_DEGREES = {Angle: r"^\circ", AngularRate: r"^\circ/\mathrm{s}"}
+MANY = 3
 
 
 def judge(case: Case) -> Entry:
@@ -126,12 +129,16 @@ def _derived(case: Case) -> str | None:
 def _witness(case: Case) -> Witness:
     """Put the numbers of the witness beside each other, where printed and right differ most."""
     point = case.witness
-    at = tuple((latex(symbol), _number(sympify(value), symbol)) for symbol, value in point.items())
+    at = _point(point)
     failing = next(part for part in parts(case.printed.statement) if fails(part, case.read, point))
     right, printed = sides(failing, case.read, point)
-    if not isinstance(failing, Eq | Approximately):
+    if isinstance(failing, Approximately):
+        # Two digits more than printed, so that the difference shows.
+        digits = 2 - round(log(failing.unit, 10))
+        return Witness(at, failing.number, f"{round(float(right), digits):.{max(digits, 0)}f}")
+    if not isinstance(failing, Eq):
         values = zip((failing.lhs, failing.rhs), (right, printed), strict=True)
-        found = [Eq(side, value, evaluate=False) for side, value in values if side != value]
+        found = [Eq(side, value, evaluate=False) for side, value in values if side.free_symbols]
         return Witness(at, latex(failing), latex(And(*found, evaluate=False)))
     if isinstance(right, MatrixBase):
         where = max(
@@ -148,6 +155,18 @@ def _witness(case: Case) -> Witness:
     return Witness(at, _number(printed, failing.lhs), _number(right, failing.lhs))
 
 
+def _point(point: Mapping[Basic, Basic]) -> tuple[tuple[str, str], ...]:
+    """Typeset a point; many zeros are put together."""
+    zeros = [symbol for symbol, value in point.items() if value == 0]
+    together = len(zeros) > MANY
+    at = tuple(
+        (latex(symbol), _number(sympify(value), symbol))
+        for symbol, value in point.items()
+        if not (together and value == 0)
+    )
+    return (*at, (r"\text{all others}", "0")) if together else at
+
+
 def _number(value: Basic, of: Basic = S.One) -> str:
     """Typeset a number with four digits, an angle in degrees; names and sets as they are."""
     if value is S.NaN:
@@ -157,4 +176,5 @@ def _number(value: Basic, of: Basic = S.One) -> str:
     degrees = GIVEN_IN_DEGREES.get(type(of))
     if degrees is not None:
         return f"{float(deg(value)):.6g}{degrees}"
-    return f"{float(value):.4g}"
+    mantissa, _, exponent = f"{float(value):.4g}".partition("e")
+    return rf"{mantissa} \times 10^{{{int(exponent)}}}" if exponent else mantissa

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 from itertools import product
 
-from sympy import And, Basic, Eq, Expr, Ge, Gt, Le, Lt, MatrixBase, Ne, cancel, simplify
+from sympy import And, Basic, Eq, Expr, Ge, Gt, Le, Lt, MatrixBase, N, Ne, cancel, simplify
 from sympy.core.relational import Relational
 from sympy.logic.boolalg import BooleanFalse, BooleanTrue
 from sympy.matrices.expressions.matexpr import MatrixExpr
@@ -84,8 +84,8 @@ def _equal(relation: Eq, read: Read, by: Mapping[Basic, Basic]) -> bool:
 
 
 def _within_its_digits(relation: Approximately, read: Read, by: Mapping[Basic, Basic]) -> bool:
-    off = abs(evaluate(relation.lhs, read, by) - relation.rhs)
-    return bool(off <= relation.unit / 2)
+    off = N(evaluate(relation.lhs, read, by) - relation.rhs, 30)
+    return bool(abs(off) <= relation.unit / 2)
 
 
 def _never_equal(

@@ -3,12 +3,13 @@
 Nothing here is derived and nothing here is true because it is here: the ledger judges it.
 """
 
-from chr_notes.printed import estimation, euler
+from chr_notes.printed import dead_reckoning, estimation, euler
 from chr_notes.printed.statement import Printed, Rotation
 
 DOCUMENTS: dict[str, tuple[Printed, ...]] = {
     "euler": euler.PRINTED,
     "estimation": estimation.PRINTED,
+    "dead_reckoning": dead_reckoning.PRINTED,
 }
 
 __all__ = ["DOCUMENTS", "Printed", "Rotation"]

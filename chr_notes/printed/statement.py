@@ -108,10 +108,15 @@ class Approximately(Boolean):
         decimals = len(mantissa.strip().partition(".")[2])
         return Integer(10) ** (int(exponent or 0) - decimals)
 
-    def _latex(self, printer: LatexPrinter) -> str:
+    @property
+    def number(self) -> str:
+        """The number as LaTeX."""
         mantissa, _, exponent = self.args[1].name.partition("e")
         power = rf" \times 10^{{{exponent.strip()}}}" if exponent else ""
-        return rf"{printer.doprint(self.lhs)} \approx {mantissa.strip()}{power}"
+        return f"{mantissa.strip()}{power}"
+
+    def _latex(self, printer: LatexPrinter) -> str:
+        return rf"{printer.doprint(self.lhs)} \approx {self.number}"
 
 
 def words(text: str) -> Symbol:

@@ -1,6 +1,6 @@
 """The usual misprints, made on purpose, one at a time."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from sympy import (
     Add,
@@ -8,6 +8,7 @@ from sympy import (
     Eq,
     Function,
     ImmutableMatrix,
+    MatAdd,
     MatMul,
     MatrixBase,
     MatrixSymbol,
@@ -63,27 +64,39 @@ def wrong_expressions(expression: Basic) -> Iterator[tuple[str, Basic]]:
     """Yield the misprints of one side."""
     yield from swapped_symbols(expression)
     if isinstance(expression, MatrixBase):
-        if expression.rows == expression.cols:
-            yield "transposed", ImmutableMatrix(expression.T)
-        for index, element in enumerate(expression):
-            for name, wrong in wrong_scalars(element):
-                elements = list(expression)
-                elements[index] = wrong
-                place = f"element {index}: {name}"
-                yield place, ImmutableMatrix(expression.rows, expression.cols, elements)
+        yield from wrong_matrices(expression)
     elif isinstance(expression, MatMul):
         if expression.rows == expression.cols:
             yield "factors in reverse order", MatMul(*reversed(expression.args))
-        for index, factor in enumerate(expression.args):
-            wrongs = [(f"factor {index} {name}", w) for name, w in wrong_factors(factor)]
-            for name, wrong in wrongs:
-                args = list(expression.args)
-                args[index] = wrong
-                yield name, MatMul(*args)
+        yield from wrong_parts(expression, wrong_factors)
+    elif isinstance(expression, MatAdd):
+        yield from wrong_parts(expression, wrong_expressions)
     elif getattr(expression, "is_Matrix", False):
         yield from wrong_factors(expression)
     else:
         yield from wrong_scalars(expression)
+
+
+def wrong_matrices(matrix: MatrixBase) -> Iterator[tuple[str, Basic]]:
+    """Misprint a matrix: transposed, or one of its elements."""
+    if matrix.rows == matrix.cols:
+        yield "transposed", ImmutableMatrix(matrix.T)
+    for index, element in enumerate(matrix):
+        for name, wrong in wrong_scalars(element):
+            elements = list(matrix)
+            elements[index] = wrong
+            yield f"element {index}: {name}", ImmutableMatrix(matrix.rows, matrix.cols, elements)
+
+
+def wrong_parts(
+    whole: Basic, misprint: Callable[[Basic], Iterator[tuple[str, Basic]]]
+) -> Iterator[tuple[str, Basic]]:
+    """Misprint one part of a sum or a product of matrices."""
+    for index, part in enumerate(whole.args):
+        for name, wrong in misprint(part):
+            args = list(whole.args)
+            args[index] = wrong
+            yield f"part {index} {name}", whole.func(*args)
 
 
 def wrong_factors(factor: Basic) -> Iterator[tuple[str, Basic]]:
