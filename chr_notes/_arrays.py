@@ -16,7 +16,7 @@ _WORK = 16
 _LEAST, _MOST = 2.0**-400, 2.0**400
 
 
-def floats(name: str, value: ArrayLike, *last: int) -> Floats:
+def reals(name: str, value: ArrayLike, *last: int) -> Floats:
     """Take an argument as an array of real numbers with the given last axes.
 
     A type other than float64 stays as it is, so that no copy is needed: blocks are converted.
@@ -38,14 +38,22 @@ def floats(name: str, value: ArrayLike, *last: int) -> Floats:
         If the numbers are not real.
     """
     array = np.asarray(value)
+    if array.dtype.kind == "c":
+        msg = f"{name}: expected real numbers, got {array.dtype}"
+        raise TypeError(msg)
     if array.dtype.kind not in "biuf":
-        # A sequence that is empty or of mixed numbers may still be real.
+        # Numbers of other types may still be real, such as fractions.
         array = np.asarray(value, dtype=np.float64)
     if array.ndim < len(last) or array.shape[array.ndim - len(last) :] != last:
         sizes = ", ".join(str(size) for size in last)
         msg = f"{name}: expected shape (..., {sizes}), got {array.shape}"
         raise ValueError(msg)
     return array
+
+
+def floats(name: str, value: ArrayLike, *last: int) -> Floats:
+    """Take an argument as `reals` does, converted to float64."""
+    return reals(name, value, *last).astype(np.float64, copy=False)
 
 
 def common_shape(*arguments: tuple[str, Floats, int]) -> tuple[int, ...]:

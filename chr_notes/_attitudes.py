@@ -6,7 +6,7 @@ from typing import Literal, get_args
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from chr_notes._arrays import Floats, blocks, components, floats
+from chr_notes._arrays import Floats, blocks, components, reals
 from chr_notes.errors import GimbalLockError, GimbalLockWarning
 
 OnGimbalLock = Literal["warn", "ignore", "raise"]
@@ -29,7 +29,7 @@ def rotations(name: str, value: ArrayLike) -> Floats:
     ValueError
         If the shape is another one, or a matrix is not a rotation; it names the first one.
     """
-    matrix = floats(name, value, 3, 3)
+    matrix = reals(name, value, 3, 3)
     leading = matrix.shape[:-2]
     for start, parts, _, _ in blocks(components(matrix, 2), []):
         block = np.reshape(parts, (3, 3, -1))

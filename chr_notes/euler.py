@@ -7,7 +7,7 @@ are in radians, in the order (roll, pitch, yaw); matrices are `R_I^B`, body from
 import numpy as np
 from numpy.typing import ArrayLike
 
-from chr_notes._arrays import Floats, common_shape, components, evaluate, floats
+from chr_notes._arrays import Floats, common_shape, components, evaluate, reals
 from chr_notes._attitudes import OnGimbalLock, check_choice, rotations, tell
 from chr_notes.generated.arrays import euler as generated
 
@@ -34,7 +34,7 @@ def matrix_from_euler(euler: ArrayLike) -> Floats:
     -----
     Ledger: euler.5.2, euler.5.3.
     """
-    angles = floats("euler", euler, 3)
+    angles = reals("euler", euler, 3)
     out = np.empty((*angles.shape, 3))
     evaluate(generated.matrix_from_euler, components(angles), components(out, 2))
     return out
@@ -93,7 +93,7 @@ def wrap_angle(angle: ArrayLike) -> Floats:
     ndarray
         The angle in [-pi, pi), same shape.
     """
-    angles = floats("angle", angle)
+    angles = reals("angle", angle)
     out = np.empty(angles.shape)
     evaluate(generated.wrap_angle, [angles], [out])
     return out
@@ -123,7 +123,7 @@ def euler_rates_matrix(euler: ArrayLike) -> Floats:
     -----
     Ledger: euler.7.2, euler.7.d.
     """
-    angles = floats("euler", euler, 3)
+    angles = reals("euler", euler, 3)
     out = np.empty((*angles.shape, 3))
     evaluate(generated.euler_rates_matrix, components(angles)[:2], components(out, 2))
     return out
@@ -153,7 +153,7 @@ def euler_rates_from_body_rates(euler: ArrayLike, body_rates: ArrayLike) -> Floa
     -----
     Ledger: euler.7.3.
     """
-    angles, rates = floats("euler", euler, 3), floats("body_rates", body_rates, 3)
+    angles, rates = reals("euler", euler, 3), reals("body_rates", body_rates, 3)
     shape = common_shape(("euler", angles, 1), ("body_rates", rates, 1))
     out = np.empty((*shape, 3))
     given = [*components(angles)[:2], *components(rates)]
@@ -185,7 +185,7 @@ def body_rates_from_euler_rates(euler: ArrayLike, euler_rates: ArrayLike) -> Flo
     -----
     Ledger: euler.7.a.
     """
-    angles, rates = floats("euler", euler, 3), floats("euler_rates", euler_rates, 3)
+    angles, rates = reals("euler", euler, 3), reals("euler_rates", euler_rates, 3)
     shape = common_shape(("euler", angles, 1), ("euler_rates", rates, 1))
     out = np.empty((*shape, 3))
     given = [*components(angles)[:2], *components(rates)]

@@ -9,7 +9,7 @@ a >= 0. Products, conjugates and inverses are those of the algebra, sign and nor
 import numpy as np
 from numpy.typing import ArrayLike
 
-from chr_notes._arrays import Floats, common_shape, components, evaluate, floats
+from chr_notes._arrays import Floats, common_shape, components, evaluate, reals
 from chr_notes._attitudes import OnGimbalLock, check_choice, rotations, tell
 from chr_notes.generated.arrays import quaternions as generated
 
@@ -36,7 +36,7 @@ def matrix_from_quaternion(q: ArrayLike) -> Floats:
     -----
     Ledger: quaternions.3.3.
     """
-    quaternion = floats("q", q, 4)
+    quaternion = reals("q", q, 4)
     out = np.empty((*quaternion.shape[:-1], 3, 3))
     given = components(quaternion)
     evaluate(generated.matrix_from_quaternion, given, components(out, 2), ("q", quaternion))
@@ -94,7 +94,7 @@ def quaternion_from_euler(euler: ArrayLike) -> Floats:
     -----
     Ledger: quaternions.2.2, for each of the three turns.
     """
-    angles = floats("euler", euler, 3)
+    angles = reals("euler", euler, 3)
     out = np.empty((*angles.shape[:-1], 4))
     evaluate(generated.quaternion_from_euler, components(angles), components(out))
     return out
@@ -134,7 +134,7 @@ def euler_from_quaternion(q: ArrayLike, *, on_gimbal_lock: OnGimbalLock = "warn"
     Ledger: quaternions.4.1, quaternions.4.2, quaternions.4.3, quaternions.4.b.
     """
     check_choice(on_gimbal_lock)
-    quaternion = floats("q", q, 4)
+    quaternion = reals("q", q, 4)
     out = np.empty((*quaternion.shape[:-1], 3))
     given = components(quaternion)
     locked = evaluate(generated.euler_from_quaternion, given, components(out), ("q", quaternion))
@@ -167,7 +167,7 @@ def quaternion_from_axis_angle(axis: ArrayLike, angle: ArrayLike) -> Floats:
     -----
     Ledger: quaternions.2.2.
     """
-    axes, angles = floats("axis", axis, 3), floats("angle", angle)
+    axes, angles = reals("axis", axis, 3), reals("angle", angle)
     shape = common_shape(("axis", axes, 1), ("angle", angles, 0))
     out = np.empty((*shape, 4))
     given = [*components(axes), angles]
@@ -199,7 +199,7 @@ def axis_angle_from_quaternion(q: ArrayLike) -> tuple[Floats, Floats]:
     -----
     Ledger: quaternions.2.2.
     """
-    quaternion = floats("q", q, 4)
+    quaternion = reals("q", q, 4)
     axis = np.empty((*quaternion.shape[:-1], 3))
     angle = np.empty(quaternion.shape[:-1])
     given, out = components(quaternion), [*components(axis), angle]
@@ -229,7 +229,7 @@ def quaternion_multiply(p: ArrayLike, q: ArrayLike) -> Floats:
     -----
     Ledger: quaternions.3.2.
     """
-    first, second = floats("p", p, 4), floats("q", q, 4)
+    first, second = reals("p", p, 4), reals("q", q, 4)
     out = np.empty((*common_shape(("p", first, 1), ("q", second, 1)), 4))
     given = [*components(first), *components(second)]
     evaluate(generated.quaternion_multiply, given, components(out))
@@ -258,7 +258,7 @@ def quaternion_conjugate(q: ArrayLike) -> Floats:
     -----
     Ledger: quaternions.3.a, quaternions.3.c.
     """
-    quaternion = floats("q", q, 4)
+    quaternion = reals("q", q, 4)
     out = np.empty(quaternion.shape)
     evaluate(generated.quaternion_conjugate, components(quaternion), components(out))
     return out
@@ -286,7 +286,7 @@ def quaternion_inverse(q: ArrayLike) -> Floats:
     -----
     Ledger: quaternions.3.a.
     """
-    quaternion = floats("q", q, 4)
+    quaternion = reals("q", q, 4)
     out = np.empty(quaternion.shape)
     given = components(quaternion)
     evaluate(generated.quaternion_inverse, given, components(out), ("q", quaternion))
@@ -318,7 +318,7 @@ def rotate_to_inertial(q: ArrayLike, v_body: ArrayLike) -> Floats:
     -----
     Ledger: quaternions.3.1.
     """
-    quaternion, vector = floats("q", q, 4), floats("v_body", v_body, 3)
+    quaternion, vector = reals("q", q, 4), reals("v_body", v_body, 3)
     shape = common_shape(("q", quaternion, 1), ("v_body", vector, 1))
     out = np.empty((*shape, 3))
     given = [*components(quaternion), *components(vector)]
@@ -351,7 +351,7 @@ def rotate_to_body(q: ArrayLike, v_inertial: ArrayLike) -> Floats:
     -----
     Ledger: quaternions.3.1, quaternions.3.4.
     """
-    quaternion, vector = floats("q", q, 4), floats("v_inertial", v_inertial, 3)
+    quaternion, vector = reals("q", q, 4), reals("v_inertial", v_inertial, 3)
     shape = common_shape(("q", quaternion, 1), ("v_inertial", vector, 1))
     out = np.empty((*shape, 3))
     given = [*components(quaternion), *components(vector)]

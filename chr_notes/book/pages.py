@@ -41,7 +41,6 @@ def generated() -> dict[str, str]:
     return {
         "conventions.md": conventions(),
         "ledger.md": "\n".join(_documents(ledger)),
-        "errata.md": "\n".join(_errata(ledger)),
         "verdicts.md": verdicts(ledger),
         "gimbal_lock.md": GimbalLockDemo(yaw=30.0, pitch=75.0, roll=20.0).to_html() + "\n",
     }
@@ -83,24 +82,3 @@ def _row(entry: Entry) -> Iterator[str]:
     else:
         yield f"What the derivation gives:\n\n$$\n{entry.derived_latex}\n$$\n"
     yield "::::\n:::::\n"
-
-
-def _errata(ledger: Iterable[Entry]) -> Iterator[str]:
-    """Yield what one would write into the margins: the wrong form, the right one, why."""
-    document = None
-    for entry in ledger:
-        if entry.verdict not in ("corrected", "qualified"):
-            continue
-        if entry.document != document:
-            document = entry.document
-            yield f"## {DOCUMENTS[document]}\n"
-        yield f"### {entry.id}\n"
-        yield f"{badge(entry.verdict)} {entry.says}\n"
-        yield f"$$\n{entry.printed_latex}\n$$\n"
-        if entry.correction_latex is not None:
-            yield f"should read\n\n$$\n{entry.correction_latex}\n$$\n"
-        if entry.condition is not None:
-            yield f"holds when\n\n$$\n{entry.condition}\n$$\n"
-        if entry.remark is not None:
-            yield f"{entry.remark}\n"
-        yield f"[The entry with its witness and derivation](#{entry.id})\n"

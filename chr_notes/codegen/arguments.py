@@ -1,19 +1,26 @@
 """Arguments of the generated functions: name, symbol in the derivation, meaning and unit."""
 
+from sympy import ImmutableMatrix, Symbol
+
 from chr_notes.codegen.target import Argument
+from chr_notes.derivations import calibration, dead_reckoning, estimation, validation
+from chr_notes.derivations.forms.dead_reckoning import NEXT as ACCELERATION_AFTER
 from chr_notes.derivations.forms.euler import ANGLE as WRAPPED
 from chr_notes.derivations.quaternions import MATRIX as ELEMENTS
 from chr_notes.symbols import (
+    ACCELEROMETER,
     AXIS,
     BODY_RATES,
     EULER,
     EULER_RATES,
     FIRST,
+    MAGNETOMETER,
     QUATERNION,
     SECOND,
     VECTOR,
     T,
     alpha,
+    g,
 )
 
 _ANGLES = (
@@ -32,15 +39,50 @@ ANGLE_RATES = tuple(
     Argument(f"{name}_rate", symbol, f"derivative of {name}, rad/s")
     for symbol, name in zip(EULER_RATES, ("roll", "pitch", "yaw"), strict=True)
 )
-MATRIX = tuple(
-    Argument(
-        f"r{row + 1}{column + 1}",
-        ELEMENTS[row, column],
-        f"row {row + 1}, column {column + 1} of the matrix from the inertial to the body frame",
+
+
+def matrix(letter: str, symbols: ImmutableMatrix, says: str) -> tuple[Argument, ...]:
+    """Elements of a matrix, row by row.
+
+    Parameters
+    ----------
+    letter
+        Start of their names, such as "r" for r11, r12 and so on.
+    symbols
+        The matrix in the derivation, 3 by 3.
+    says
+        What the matrix is.
+    """
+    return tuple(
+        Argument(
+            f"{letter}{row}{column}",
+            symbols[row - 1, column - 1],
+            f"row {row}, column {column} of {says}",
+        )
+        for row in (1, 2, 3)
+        for column in (1, 2, 3)
     )
-    for row in range(3)
-    for column in range(3)
-)
+
+
+def axes(pattern: str, symbols: tuple[Symbol, ...], says: str) -> tuple[Argument, ...]:
+    """One argument an axis: x, y, z, or north, east, down by the pattern of names.
+
+    Parameters
+    ----------
+    pattern
+        Format of the name, such as "accel_{}".
+    symbols
+        Three symbols in the derivation.
+    says
+        Format of the meaning and unit.
+    """
+    return tuple(
+        Argument(pattern.format(axis), symbol, says.format(axis))
+        for axis, symbol in zip("xyz", symbols, strict=True)
+    )
+
+
+MATRIX = matrix("r", ELEMENTS, "the matrix from the inertial to the body frame")
 _ELEMENTS = ("scalar part", "factor of i", "factor of j", "factor of k")
 QUATERNION_ARGUMENTS = tuple(
     Argument(name, symbol, f"{says} of the attitude quaternion")
@@ -51,24 +93,57 @@ PRODUCT = tuple(
     for number, which, symbols in ((1, "first", FIRST), (2, "second", SECOND))
     for symbol, name, says in zip(symbols, "abcd", _ELEMENTS, strict=True)
 )
-AXIS_ARGUMENTS = tuple(
-    Argument(name, symbol, f"{name} of the axis, any length")
-    for symbol, name in zip(AXIS, "xyz", strict=True)
-)
+AXIS_ARGUMENTS = axes("{}", AXIS, "{} of the axis, any length")
 TURN = Argument("angle", alpha, "angle of the turn about the axis, radians")
 ANGLE = Argument("angle", WRAPPED, "angle, radians")
-PERIOD = Argument("dt", T, "time, s")
+PERIOD = Argument("dt", T, "time that passes, s")
+GRAVITY = Argument("gravity", g, "magnitude of gravity, m/s²")
+BODY_VECTOR = axes("{}", VECTOR, "{} of a vector in the body frame")
+INERTIAL_VECTOR = axes("{}", VECTOR, "{} of a vector in the inertial frame")
 
-
-def vector(says: str) -> tuple[Argument, ...]:
-    """Components x, y, z of a vector.
-
-    Parameters
-    ----------
-    says
-        What it is and in which unit.
-    """
-    return tuple(
-        Argument(name, symbol, f"{name} of {says}")
-        for symbol, name in zip(VECTOR, "xyz", strict=True)
+ACCEL = axes("accel_{}", ACCELEROMETER, "reading of the accelerometer along {}, m/s²")
+MAG = axes("mag_{}", MAGNETOMETER, "reading of the magnetometer along {}, any unit")
+NORTH, EAST, DOWN = (
+    Argument(name, symbol, says)
+    for symbol, (name, says) in zip(
+        validation.REFERENCE,
+        (
+            ("north", "horizontal field at yaw 0 along x, any unit"),
+            ("east", "horizontal field at yaw 0 along y, any unit"),
+            ("reference_down", "part of the field that points down, the whole field being 1"),
+        ),
+        strict=True,
     )
+)
+GAIN = Argument("gain", estimation.L, "weight of the accelerometer, from 0 to 1")
+
+MISALIGNMENT = matrix("m", calibration.MISALIGNMENT, "the misalignment")
+REALIGNMENT = matrix("n", calibration.REALIGNMENT, "the inverse of the misalignment")
+SENSITIVITY = axes("sensitivity_{}", calibration.SENSITIVITY, "sensitivity along {}")
+BIAS = axes("bias_{}", calibration.BIAS, "bias along {}")
+COUPLING = matrix("c", calibration.COUPLING, "the coupling of acceleration into the reading")
+SOFT_IRON = matrix("d", calibration.SOFT_IRON, "the soft-iron matrix")
+DISTORTION = matrix("n", calibration.REALIGNMENT, "the inverse of the soft-iron matrix")
+HARD_IRON = axes("hard_{}", calibration.HARD_IRON, "hard-iron bias along {}")
+ACTUAL = axes("{}", VECTOR, "what is there along {}")
+READING = axes("{}", VECTOR, "what the sensor reads along {}")
+
+_DIRECTIONS = ("north", "east", "down")
+
+
+def inertial(pattern: str, symbols: ImmutableMatrix, says: str) -> tuple[Argument, ...]:
+    """Give a vector of the inertial frame one argument north, one east and one down."""
+    return tuple(
+        Argument(pattern.format(way), symbol, says.format(way))
+        for way, symbol in zip(_DIRECTIONS, symbols, strict=True)
+    )
+
+
+VELOCITY = inertial("velocity_{}", dead_reckoning.VELOCITY, "velocity {}, m/s")
+POSITION = inertial("position_{}", dead_reckoning.POSITION, "position {}, m")
+ACCELERATION = inertial("accel_{}", dead_reckoning.ACCELERATION, "acceleration {} now, m/s²")
+NEXT = inertial("next_{}", ACCELERATION_AFTER, "acceleration {} at the end of the step, m/s²")
+TILT_ERROR = Argument(
+    "angle_error", dead_reckoning.tilt_error, "angle between true and estimated vertical, radians"
+)
+TIME = Argument("time", dead_reckoning.t, "time that passes, s")

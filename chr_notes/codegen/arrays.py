@@ -4,7 +4,7 @@ import re
 
 from chr_notes.codegen.blocks import Call, calls, in_place
 from chr_notes.codegen.expressions import infix
-from chr_notes.codegen.header import FLAG, in_lines, ledger, made_how, returns
+from chr_notes.codegen.header import FLAG, WIDTH, folded, in_lines, ledger, made_how, returns
 from chr_notes.codegen.lowering import Program
 from chr_notes.codegen.python import PYTHON
 
@@ -129,7 +129,8 @@ def _statement(call: Call, storage: dict[str, str], *, alone: bool) -> list[str]
     operands = ", ".join(_operand(operand, storage) for operand in call.operands)
     lines = []
     if call.says is not None and not alone:
-        lines.append(f"# {call.says.name} = {infix(call.says.value, PYTHON)}")
+        formula = folded(f"{call.says.name} = {infix(call.says.value, PYTHON)}", WIDTH - 10)
+        lines += [f"# {line}" for line in formula]
     place = storage[call.result]
     is_local = call.result != place and not call.result.startswith("$")
     if call.function == "copyto":

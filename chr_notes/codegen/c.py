@@ -130,8 +130,9 @@ def _function(program: Program, precision: Precision) -> list[str]:
         lines += [part for line in _step(step, precision) for part in folded(f"    {line}")]
     values = [infix(value, language) for value in program.results]
     if not program.shape:
-        return [*lines, f"    return {values[0]};", "}"]
-    lines += [f"    out[{index}] = {value};" for index, value in enumerate(values)]
+        return [*lines, *folded(f"    return {values[0]};"), "}"]
+    for index, value in enumerate(values):
+        lines += folded(f"    out[{index}] = {value};")
     if program.flag is not None:
         lines.append(f"    return {program.flag.name};")
     return [*lines, "}"]

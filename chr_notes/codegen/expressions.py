@@ -122,6 +122,12 @@ def split_product(value: Expr) -> tuple[Expr, list[Expr], list[Expr]]:
     """Take a product apart into its number, what multiplies and what divides."""
     coefficient, factors = value.as_coeff_mul()
     above, below = [], []
+    constant = Mul(*(factor for factor in factors if factor.is_number))
+    if constant != 1:
+        # One number for all that is known, such as 2 pi; its sign stays apart.
+        sign = -1 if coefficient.could_extract_minus_sign() else 1
+        above, coefficient = [sign * coefficient * constant], Integer(sign)
+        factors = [factor for factor in factors if not factor.is_number]
     for factor in sorted(factors, key=lambda factor: factor.sort_key()):
         if isinstance(factor, Pow) and factor.exp.could_extract_minus_sign():
             below.append(factor.base**-factor.exp)

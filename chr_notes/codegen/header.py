@@ -51,15 +51,30 @@ def in_lines(start: str, parts: list[str], end: str, indent: str = "    ") -> li
     middle = f"{depth}{indent}{', '.join(parts)}"
     if len(middle) <= WIDTH:
         return [start, middle, f"{depth}{end}"]
-    return [start, *(f"{depth}{indent}{part}," for part in parts), f"{depth}{end}"]
+    rows = [line for part in parts for line in folded(f"{depth}{indent}{part},")]
+    return [start, *rows, f"{depth}{end}"]
 
 
-def folded(line: str) -> list[str]:
-    """Break a statement that is too long before the last plus or minus that fits."""
-    if len(line) <= WIDTH:
+def folded(line: str, width: int = WIDTH) -> list[str]:
+    """Break a statement that is too long at a plus or minus, within as few brackets as can be."""
+    if len(line) <= width:
         return [line]
-    place = max(line.rfind(sign, 0, WIDTH) for sign in (" + ", " - "))
-    if place < 0:
+    depth_there = 0
+    places = []
+    for place, letter in enumerate(line[:width]):
+        depth_there += (letter in "([{") - (letter in ")]}")
+        if line[place : place + 3] in (" + ", " - "):
+            places.append((-depth_there, place))
+    if not places:
         return [line]
-    depth = line[: len(line) - len(line.lstrip())]
-    return [line[:place], *folded(f"{depth}    {line[place + 1 :]}")]
+    _, place = max(places)
+    indent = line[: len(line) - len(line.lstrip())]
+    return [line[:place], *folded(f"{indent}    {line[place + 1 :]}", width)]
+
+
+def in_brackets(start: str, value: str) -> list[str]:
+    """Put a value after `start`, in brackets on lines of its own where it is too long."""
+    if len(start + value) <= WIDTH:
+        return [start + value]
+    depth = start[: len(start) - len(start.lstrip())]
+    return [f"{start}(", *folded(f"{depth}    {value}"), f"{depth})"]

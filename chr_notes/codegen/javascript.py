@@ -66,7 +66,7 @@ def _function(program: Program) -> str:
     values = [infix(value, JAVASCRIPT) for value in program.results]
     values += [camel(program.flag.name)] if program.flag is not None else []
     if not program.shape:
-        return "\n".join([*lines, f"  return {values[0]};", "}"])
+        return "\n".join([*lines, *folded(f"  return {values[0]};"), "}"])
     return "\n".join([*lines, *in_lines("  return [", values, "];", "  "), "}"])
 
 

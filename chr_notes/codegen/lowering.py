@@ -177,7 +177,7 @@ def _common(values: tuple[Basic, ...]) -> tuple[dict[Symbol, Expr], list[Basic]]
     for local, value in common:
         whole = value.xreplace(trivial)
         coefficient, rest = whole.as_coeff_Mul()
-        if whole.is_Boolean or (rest.is_Symbol and coefficient != 1):
+        if whole.is_Boolean or whole.is_number or (rest.is_Symbol and coefficient != 1):
             trivial[local] = whole
         else:
             kept[local] = whole

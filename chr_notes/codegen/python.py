@@ -3,7 +3,7 @@
 import re
 
 from chr_notes.codegen.expressions import Language, conditional, infix
-from chr_notes.codegen.header import FLAG, in_lines, ledger, made_how, needs, returns
+from chr_notes.codegen.header import FLAG, in_brackets, in_lines, ledger, made_how, needs, returns
 from chr_notes.codegen.lowering import Program
 from chr_notes.derivations.computation import Choice, Let
 
@@ -42,30 +42,28 @@ def _function(program: Program) -> str:
     lines = in_lines(f"def {target.name}(", arguments, f") -> {result}:")
     lines += _docstring(program)
     for step in program.steps:
-        lines += [f"    {line}" for line in _step(step)]
+        lines += _step(step)
     values = [infix(value, PYTHON) for value in program.results]
     values += [program.flag.name] if program.flag is not None else []
     if not program.shape:
-        return "\n".join([*lines, f"    return {values[0]}"])
+        return "\n".join([*lines, *in_brackets("    return ", values[0])])
     return "\n".join([*lines, *in_lines("    return (", values, ")")])
 
 
 def _step(step: Let | Choice) -> list[str]:
     if isinstance(step, Let):
-        return [f"{step.name} = {infix(step.value, PYTHON)}"]
+        return in_brackets(f"    {step.name} = ", infix(step.value, PYTHON))
     one = conditional(step, PYTHON)
     if one is not None:
-        return [f"{step.names[0]} = {one}"]
+        return [f"    {step.names[0]} = {one}"]
     lines = []
     for place, (condition, values) in enumerate(step.branches):
         if condition == True:  # noqa: E712 (SymPy's true, not Python's)
-            lines.append("else:")
+            lines.append("    else:")
         else:
-            lines.append(f"{'elif' if place else 'if'} {infix(condition, PYTHON)}:")
-        lines += [
-            f"    {name} = {infix(value, PYTHON)}"
-            for name, value in zip(step.names, values, strict=True)
-        ]
+            lines.append(f"    {'elif' if place else 'if'} {infix(condition, PYTHON)}:")
+        for name, value in zip(step.names, values, strict=True):
+            lines += in_brackets(f"        {name} = ", infix(value, PYTHON))
     return lines
 
 

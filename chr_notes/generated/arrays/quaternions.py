@@ -249,21 +249,25 @@ def quaternion_from_euler(
     cos_half_yaw = subtract(one_plus_cos_half_yaw, 1.0, out=work[5])
     cos_half_pitch_cos_half_yaw = multiply(cos_half_pitch, cos_half_yaw, out=work[6])
     sin_half_pitch_sin_half_yaw = multiply(sin_half_pitch, sin_half_yaw, out=work[7])
-    # a = cos_half_pitch_cos_half_yaw * cos_half_roll + sin_half_pitch_sin_half_yaw * sin_half_roll
+    # a = cos_half_pitch_cos_half_yaw * cos_half_roll
+    #     + sin_half_pitch_sin_half_yaw * sin_half_roll
     multiply(cos_half_pitch_cos_half_yaw, cos_half_roll, out=work[8])
     multiply(sin_half_pitch_sin_half_yaw, sin_half_roll, out=work[9])
     a = add(work[8], work[9], out=work[8])
-    # b = cos_half_pitch_cos_half_yaw * sin_half_roll - cos_half_roll * sin_half_pitch_sin_half_yaw
+    # b = cos_half_pitch_cos_half_yaw * sin_half_roll
+    #     - cos_half_roll * sin_half_pitch_sin_half_yaw
     multiply(cos_half_pitch_cos_half_yaw, sin_half_roll, out=work[6])
     multiply(cos_half_roll, sin_half_pitch_sin_half_yaw, out=work[7])
     b = subtract(work[6], work[7], out=work[6])
     cos_half_pitch_sin_half_yaw = multiply(cos_half_pitch, sin_half_yaw, out=work[1])
     cos_half_yaw_sin_half_pitch = multiply(cos_half_yaw, sin_half_pitch, out=work[0])
-    # c = cos_half_pitch_sin_half_yaw * sin_half_roll + cos_half_roll * cos_half_yaw_sin_half_pitch
+    # c = cos_half_pitch_sin_half_yaw * sin_half_roll
+    #     + cos_half_roll * cos_half_yaw_sin_half_pitch
     multiply(cos_half_pitch_sin_half_yaw, sin_half_roll, out=work[4])
     multiply(cos_half_roll, cos_half_yaw_sin_half_pitch, out=work[5])
     c = add(work[4], work[5], out=work[4])
-    # d = cos_half_pitch_sin_half_yaw * cos_half_roll - cos_half_yaw_sin_half_pitch * sin_half_roll
+    # d = cos_half_pitch_sin_half_yaw * cos_half_roll
+    #     - cos_half_yaw_sin_half_pitch * sin_half_roll
     multiply(cos_half_pitch_sin_half_yaw, cos_half_roll, out=work[1])
     multiply(cos_half_yaw_sin_half_pitch, sin_half_roll, out=work[0])
     d = subtract(work[1], work[0], out=work[0])
@@ -740,7 +744,7 @@ def quaternion_after_constant_rates(
     p: body rate about x, rad/s
     q: body rate about y, rad/s
     r: body rate about z, rad/s
-    dt: time, s
+    dt: time that passes, s
     out: 4 arrays for the elements
     work: 16 arrays for what is computed on the way
     """
@@ -808,3 +812,64 @@ def quaternion_after_constant_rates(
     subtract(work[1], work[2], out=work[1])
     multiply(d, turn_a, out=work[0])
     add(work[1], work[0], out=out[3])
+
+
+def quaternion_rates(
+    a: Block,
+    b: Block,
+    c: Block,
+    d: Block,
+    p: Block,
+    q: Block,
+    r: Block,
+    out: Sequence[Block],
+    work: Sequence[Block],
+) -> None:
+    """Derivatives of a, b, c and d, 1/s (4).
+
+    a: scalar part of the attitude quaternion
+    b: factor of i of the attitude quaternion
+    c: factor of j of the attitude quaternion
+    d: factor of k of the attitude quaternion
+    p: body rate about x, rad/s
+    q: body rate about y, rad/s
+    r: body rate about z, rad/s
+    out: 4 arrays for the elements
+    work: 16 arrays for what is computed on the way
+    """
+    # out[0] = -(0.5 * b * p) - 0.5 * c * q - 0.5 * d * r
+    multiply(b, p, out=work[0])
+    multiply(work[0], -0.5, out=work[0])
+    multiply(c, q, out=work[1])
+    multiply(work[1], 0.5, out=work[1])
+    subtract(work[0], work[1], out=work[0])
+    multiply(d, r, out=work[1])
+    multiply(work[1], 0.5, out=work[1])
+    subtract(work[0], work[1], out=out[0])
+    # out[1] = 0.5 * a * p + 0.5 * c * r - 0.5 * d * q
+    multiply(a, p, out=work[0])
+    multiply(work[0], 0.5, out=work[0])
+    multiply(c, r, out=work[1])
+    multiply(work[1], 0.5, out=work[1])
+    add(work[0], work[1], out=work[0])
+    multiply(d, q, out=work[1])
+    multiply(work[1], 0.5, out=work[1])
+    subtract(work[0], work[1], out=out[1])
+    # out[2] = 0.5 * a * q - 0.5 * b * r + 0.5 * d * p
+    multiply(a, q, out=work[0])
+    multiply(work[0], 0.5, out=work[0])
+    multiply(b, r, out=work[1])
+    multiply(work[1], 0.5, out=work[1])
+    subtract(work[0], work[1], out=work[0])
+    multiply(d, p, out=work[1])
+    multiply(work[1], 0.5, out=work[1])
+    add(work[0], work[1], out=out[2])
+    # out[3] = 0.5 * a * r + 0.5 * b * q - 0.5 * c * p
+    multiply(a, r, out=work[0])
+    multiply(work[0], 0.5, out=work[0])
+    multiply(b, q, out=work[1])
+    multiply(work[1], 0.5, out=work[1])
+    add(work[0], work[1], out=work[0])
+    multiply(c, p, out=work[1])
+    multiply(work[1], 0.5, out=work[1])
+    subtract(work[0], work[1], out=out[3])

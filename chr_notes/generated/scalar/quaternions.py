@@ -334,7 +334,7 @@ def quaternion_after_constant_rates(
     p: body rate about x, rad/s
     q: body rate about y, rad/s
     r: body rate about z, rad/s
-    dt: time, s
+    dt: time that passes, s
     """
     half_turn = 0.5 * dt * sqrt(p * p + q * q + r * r)
     sin_half_turn = sin(half_turn)
@@ -350,4 +350,25 @@ def quaternion_after_constant_rates(
         a * turn_b + b * turn_a + c * turn_d - d * turn_c,
         a * turn_c - b * turn_d + c * turn_a + d * turn_b,
         a * turn_d + b * turn_c - c * turn_b + d * turn_a,
+    )
+
+
+def quaternion_rates(
+    a: float, b: float, c: float, d: float, p: float, q: float, r: float
+) -> tuple[float, float, float, float]:
+    """Derivatives of a, b, c and d, 1/s (4).
+
+    a: scalar part of the attitude quaternion
+    b: factor of i of the attitude quaternion
+    c: factor of j of the attitude quaternion
+    d: factor of k of the attitude quaternion
+    p: body rate about x, rad/s
+    q: body rate about y, rad/s
+    r: body rate about z, rad/s
+    """
+    return (
+        -(0.5 * b * p) - 0.5 * c * q - 0.5 * d * r,
+        0.5 * a * p + 0.5 * c * r - 0.5 * d * q,
+        0.5 * a * q - 0.5 * b * r + 0.5 * d * p,
+        0.5 * a * r + 0.5 * b * q - 0.5 * c * p,
     )

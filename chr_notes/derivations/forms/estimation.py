@@ -1,0 +1,86 @@
+"""Forms of the steps of the filters, and of tilt, heading and the factor E."""
+
+from functools import cache
+
+from sympy import ImmutableMatrix, Symbol, atan2, expand, sqrt, symbols
+from sympy.codegen.cfunctions import hypot
+
+from chr_notes.derivations import estimation, validation
+from chr_notes.derivations.computation import Computation, Let
+from chr_notes.derivations.forms.euler import euler_rates
+from chr_notes.symbols import EULER, MAGNETOMETER, Angle
+
+MEASURED_SQUARED = Symbol("field_squared", real=True)
+
+
+@cache
+def tilt() -> Computation:
+    """Roll and pitch from an accelerometer at rest."""
+    roll, pitch = estimation.tilt()
+    sine, cosine = pitch.args
+    across, down = (square.base for square in cosine.base.as_ordered_terms())
+    return Computation((), ImmutableMatrix([roll, atan2(sine, hypot(across, down))]))
+
+
+@cache
+def gyro_step() -> Computation:
+    """Euler angles one period later, by Euler integration of the gyros' readings."""
+    rates = euler_rates()
+    return Computation(
+        rates.steps,
+        ImmutableMatrix(
+            [
+                estimation.euler_step(angle, rate)
+                for angle, rate in zip(EULER, rates.results, strict=True)
+            ]
+        ),
+    )
+
+
+@cache
+def observer_step() -> Computation:
+    """Euler angles one period later: the gyros predict, the accelerometer corrects roll and pitch.
+
+    The correction goes the shorter way round. Yaw comes from the gyros alone.
+    """
+    step = gyro_step()
+    predicted = symbols("predicted_roll predicted_pitch", real=True, cls=Angle)
+    turns = symbols("roll_to_measured pitch_to_measured", real=True, cls=Angle)
+    shortest = symbols("roll_off pitch_off", real=True, cls=Angle)
+    measured = zip(predicted, tilt().results, strict=True)
+    updated = [
+        guess + estimation.update(0, off) for guess, off in zip(predicted, shortest, strict=True)
+    ]
+    return Computation(
+        (
+            *step.steps,
+            *map(Let, predicted, step.results),
+            *map(Let, turns, (seen - guess for guess, seen in measured)),
+            *map(Let, shortest, map(estimation.shortest_turn, turns)),
+        ),
+        ImmutableMatrix([*updated, step.results[2]]),
+    )
+
+
+@cache
+def heading() -> Computation:
+    """Find yaw from the level parts of the magnetic field, which occur twice."""
+    along, across = symbols("level_x level_y", real=True)
+    level_x, level_y, _ = validation.level_field()
+    yaw = validation.heading().xreplace({level_x: along, level_y: across})
+    return Computation((Let(along, level_x), Let(across, level_y)), yaw)
+
+
+@cache
+def factor() -> Computation:
+    """Factor E; the field must not be zero."""
+    down = Symbol("level_z", real=True)
+    field = ImmutableMatrix(MAGNETOMETER)
+    squared = field.dot(field)
+    level_z = expand(validation.level_field()[2])
+    value = validation.factor().xreplace({1 / sqrt(squared): 1 / sqrt(MEASURED_SQUARED)})
+    return Computation(
+        (Let(MEASURED_SQUARED, squared), Let(down, level_z)),
+        value.subs(level_z, down),
+        guard=MEASURED_SQUARED,
+    )
