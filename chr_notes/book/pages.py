@@ -9,6 +9,7 @@ from chr_notes.conventions import CONVENTIONS
 from chr_notes.demos import GimbalLockDemo
 from chr_notes.ledger import Entry, Verdict, entries
 from chr_notes.ledger.show import badge, show
+from chr_notes.ledger.table import show_table
 
 __all__ = ["generated"]
 
@@ -82,3 +83,27 @@ def _row(entry: Entry) -> Iterator[str]:
     else:
         yield f"What the derivation gives:\n\n$$\n{entry.derived_latex}\n$$\n"
     yield "::::\n:::::\n"
+
+
+def _errata(ledger: Iterable[Entry]) -> Iterator[str]:
+    """Yield what one would write into the margins: the wrong form, the right one, why."""
+    document = None
+    for entry in ledger:
+        if entry.verdict not in ("corrected", "qualified") or entry.kind == "table cell":
+            continue
+        if entry.document != document:
+            document = entry.document
+            yield f"## {DOCUMENTS[document]}\n"
+        yield f"### {entry.id}\n"
+        yield f"{badge(entry.verdict)} {entry.says}\n"
+        yield f"$$\n{entry.printed_latex}\n$$\n"
+        if entry.correction_latex is not None:
+            yield f"should read\n\n$$\n{entry.correction_latex}\n$$\n"
+        if entry.condition is not None:
+            yield f"holds when\n\n$$\n{entry.condition}\n$$\n"
+        if entry.remark is not None:
+            yield f"{entry.remark}\n"
+        yield f"[The entry with its witness and derivation](#{entry.id})\n"
+    yield "## Table 1 of the dead-reckoning note\n"
+    yield "Wrong numbers are struck out, with the right ones beside them.\n"
+    yield show_table().markdown
