@@ -80,10 +80,8 @@ def _write_generated() -> None:
 
 
 def _write(path: Path, text: str) -> None:
-    """Write a file unless it is already so, because Jupyter Book rebuilds what has changed."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    if not path.is_file() or path.read_text(encoding="utf-8") != text:
-        path.write_text(text, encoding="utf-8")
+    path.write_text(text, encoding="utf-8")
 
 
 def _copy_mathjax(target: Path) -> None:
@@ -101,10 +99,11 @@ def _copy_mathjax(target: Path) -> None:
 
 
 def _run_jupyter_book(output: Path) -> None:
+    # All pages each time: what is unchanged would be left as it is, styles and warnings included.
     command = [
         sys.executable, "-c", _JUPYTER_BOOK, "build", ".",
         "--config", str(SOURCES / "_config.yml"), "--toc", str(SOURCES / "_toc.yml"),
-        "--path-output", str(output), "-W", "-n", "--keep-going",
+        "--path-output", str(output), "--all", "-W", "-n", "--keep-going",
     ]  # fmt: skip
     done = subprocess.run(command, cwd=ROOT, check=False)  # noqa: S603 - a fixed command
     if done.returncode != 0:

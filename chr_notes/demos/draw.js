@@ -35,10 +35,13 @@ export const sum = (a, b) => a.map((value, i) => value + b[i]);
 export const scaled = (a, factor) => a.map((value) => value * factor);
 const unit = (a) => scaled(a, 1 / (Math.hypot(...a) || 1));
 
-/** A camera that looks at the origin with attitude `matrix` from `distance` away. */
-export function camera(matrix, distance, { width, height, span, shift = 0 }) {
+/**
+ * A camera that looks at the origin with attitude `matrix` from `distance` away. It shows at
+ * least `wide` by `high` units round the origin; `shift` moves what it shows down by so many.
+ */
+export function camera(matrix, distance, { width, height }, { wide, high, shift }) {
   const eye = toParent(matrix, [-distance, 0, 0]);
-  const zoom = (Math.min(width, height) * distance) / span;
+  const zoom = Math.min(width / wide, height / high) * distance;
   const project = (point) => {
     const [depth, right, down] = toChild(matrix, point);
     const perspective = zoom / (distance + depth);

@@ -137,7 +137,7 @@ function compass(context, { project }, colours, width) {
 }
 
 function draw(context, size, state, colours) {
-  const view = camera(VIEW, 6, { ...size, span: 3.4, shift: -0.03 });
+  const view = camera(VIEW, 6, size, { wide: 3.3, high: 3.55, shift: -0.04 });
   const { eye, project } = view;
   const colour = (name) => parsed(colours(name));
   const frame = frames(state);
@@ -152,7 +152,7 @@ function draw(context, size, state, colours) {
       colour: colours(name), rim: colours("surface"), offset, width: size.width,
     });
   words("z yaw", scaled(DOWN, -YAW_ARROW), "z", [30, 0]);
-  words("y pitch", scaled(yAxis, PITCH_ARROW), "y", [0, 34]);
+  words("y pitch", scaled(yAxis, 1.3), "y", [0, 34]);
   words("x roll", scaled(xAxis, ROLL_ARROW), "x", [30, 0]);
 }
 

@@ -77,9 +77,9 @@ var cross = (a, b) => [
 var sum = (a, b) => a.map((value, i) => value + b[i]);
 var scaled = (a, factor) => a.map((value) => value * factor);
 var unit = (a) => scaled(a, 1 / (Math.hypot(...a) || 1));
-function camera(matrix, distance, { width, height, span, shift = 0 }) {
+function camera(matrix, distance, { width, height }, { wide, high, shift }) {
   const eye = toParent(matrix, [-distance, 0, 0]);
-  const zoom = Math.min(width, height) * distance / span;
+  const zoom = Math.min(width / wide, height / high) * distance;
   const project = (point) => {
     const [depth, right, down] = toChild(matrix, point);
     const perspective = zoom / (distance + depth);
@@ -538,7 +538,7 @@ function compass(context, { project }, colours, width) {
   );
 }
 function draw(context, size, state, colours) {
-  const view = camera(VIEW, 6, { ...size, span: 3.4, shift: -0.03 });
+  const view = camera(VIEW, 6, size, { wide: 3.3, high: 3.55, shift: -0.04 });
   const { eye, project } = view;
   const colour = (name) => parsed(colours(name));
   const frame = frames(state);
@@ -553,7 +553,7 @@ function draw(context, size, state, colours) {
     width: size.width
   });
   words("z yaw", scaled(DOWN, -YAW_ARROW), "z", [30, 0]);
-  words("y pitch", scaled(yAxis, PITCH_ARROW), "y", [0, 34]);
+  words("y pitch", scaled(yAxis, 1.3), "y", [0, 34]);
   words("x roll", scaled(xAxis, ROLL_ARROW), "x", [30, 0]);
 }
 function solids(frame, colour) {
