@@ -3,8 +3,33 @@
 Importing the package loads NumPy alone; SymPy is loaded when something is derived.
 """
 
+from chr_notes.calibration import (
+    fit_accelerometer,
+    fit_gyro_bias,
+    fit_magnetometer,
+    stillest_stretch,
+)
 from chr_notes.conventions import STANDARD_GRAVITY
+from chr_notes.dead_reckoning import (
+    accelerometer_from_acceleration,
+    dead_reckon,
+    drift_from_tilt_error,
+    inertial_acceleration,
+)
+from chr_notes.ellipsoid import (
+    Ellipsoid,
+    fit_ellipsoid,
+)
 from chr_notes.errors import GimbalLockError, GimbalLockWarning
+from chr_notes.estimation import (
+    Estimate,
+    accelerometer_at_rest,
+    fixed_gain_observer,
+    integrate_gyro,
+    observe,
+    observe_sample,
+    tilt_from_accelerometer,
+)
 from chr_notes.euler import (
     body_rates_from_euler_rates,
     euler_from_matrix,
@@ -12,6 +37,12 @@ from chr_notes.euler import (
     euler_rates_matrix,
     matrix_from_euler,
     wrap_angle,
+)
+from chr_notes.monitor import (
+    Monitor,
+    Monitored,
+    Watch,
+    monitored_observer,
 )
 from chr_notes.quaternions import (
     axis_angle_from_quaternion,
@@ -26,21 +57,53 @@ from chr_notes.quaternions import (
     rotate_to_body,
     rotate_to_inertial,
 )
+from chr_notes.sensors import (
+    MagnetometerCalibration,
+    RateGyroCalibration,
+    ThreeAxisCalibration,
+)
+from chr_notes.validation import (
+    heading_from_magnetometer,
+    validation_factor,
+)
 
 __version__ = "0.1.0"
 
 __all__ = [
     "STANDARD_GRAVITY",
+    "Ellipsoid",
+    "Estimate",
     "GimbalLockError",
     "GimbalLockWarning",
+    "MagnetometerCalibration",
+    "Monitor",
+    "Monitored",
+    "RateGyroCalibration",
+    "ThreeAxisCalibration",
+    "Watch",
+    "accelerometer_at_rest",
+    "accelerometer_from_acceleration",
     "axis_angle_from_quaternion",
     "body_rates_from_euler_rates",
+    "dead_reckon",
+    "drift_from_tilt_error",
     "euler_from_matrix",
     "euler_from_quaternion",
     "euler_rates_from_body_rates",
     "euler_rates_matrix",
+    "fit_accelerometer",
+    "fit_ellipsoid",
+    "fit_gyro_bias",
+    "fit_magnetometer",
+    "fixed_gain_observer",
+    "heading_from_magnetometer",
+    "inertial_acceleration",
+    "integrate_gyro",
     "matrix_from_euler",
     "matrix_from_quaternion",
+    "monitored_observer",
+    "observe",
+    "observe_sample",
     "quaternion_conjugate",
     "quaternion_from_axis_angle",
     "quaternion_from_euler",
@@ -49,5 +112,8 @@ __all__ = [
     "quaternion_multiply",
     "rotate_to_body",
     "rotate_to_inertial",
+    "stillest_stretch",
+    "tilt_from_accelerometer",
+    "validation_factor",
     "wrap_angle",
 ]

@@ -1,7 +1,7 @@
 """Checks that functions of recordings share: samples along the first axis, one after another."""
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from chr_notes._arrays import Floats, floats
 
@@ -14,7 +14,7 @@ def samples(name: str, value: ArrayLike) -> Floats:
     ValueError
         If the shape differs; it states the expected and the received shape.
     """
-    array = floats(name, value, 3)
+    array = np.asarray(floats(name, value, 3), dtype=np.float64)
     if array.ndim != 2:  # noqa: PLR2004 (samples by axes)
         msg = f"{name}: expected shape (N, 3), got {array.shape}"
         raise ValueError(msg)
@@ -24,7 +24,50 @@ def samples(name: str, value: ArrayLike) -> Floats:
 def whole_samples(name: str, value: ArrayLike) -> Floats:
     """Take a recording without the rows that hold NaN or infinity."""
     array = samples(name, value)
-    return array[np.isfinite(array).all(axis=1)]
+    return array[complete(array)]
+
+
+def complete(array: Floats) -> NDArray[np.bool_]:
+    """Say which rows hold no NaN and no infinity."""
+    return np.asarray(np.isfinite(array).all(axis=-1))
+
+
+def held_out(name: str, value: ArrayLike) -> tuple[Floats, NDArray[np.bool_]]:
+    """Take a recording with the rows that hold NaN or infinity made NaN all over, and say which."""
+    array = samples(name, value)
+    missing = ~complete(array)
+    return np.where(missing[:, np.newaxis], np.nan, array), missing
+
+
+def start(name: str, value: ArrayLike) -> list[float]:
+    """Take three numbers to start from.
+
+    Raises
+    ------
+    ValueError
+        If there are not three, or one is not finite.
+    """
+    array = np.asarray(floats(name, value, 3), dtype=np.float64)
+    if array.ndim != 1 or not np.isfinite(array).all():
+        msg = f"{name}: expected three finite numbers, got {array.tolist()}"
+        raise ValueError(msg)
+    return list(array.tolist())
+
+
+def same_length(*recordings: tuple[str, Floats]) -> int:
+    """Count the samples of recordings that belong together.
+
+    Raises
+    ------
+    ValueError
+        If one has more or fewer rows than another.
+    """
+    lengths = [len(array) for _, array in recordings]
+    if len(set(lengths)) > 1:
+        names = ", ".join(name for name, _ in recordings)
+        msg = f"expected as many rows in each of {names}, got {', '.join(map(str, lengths))}"
+        raise ValueError(msg)
+    return lengths[0]
 
 
 def times(value: ArrayLike) -> Floats:
@@ -35,7 +78,7 @@ def times(value: ArrayLike) -> Floats:
     ValueError
         If the shape differs, or the times do not rise.
     """
-    array = floats("time", value)
+    array = np.asarray(floats("time", value), dtype=np.float64)
     if array.ndim != 1:
         msg = f"time: expected shape (N,), got {array.shape}"
         raise ValueError(msg)
@@ -55,7 +98,7 @@ def periods(value: ArrayLike, count: int) -> Floats:
     ValueError
         If the shape is neither, or a step is negative or no number.
     """
-    array = floats("dt", value)
+    array = np.asarray(floats("dt", value), dtype=np.float64)
     if array.shape not in ((), (count,)):
         msg = f"dt: expected a number or shape ({count},), got {array.shape}"
         raise ValueError(msg)

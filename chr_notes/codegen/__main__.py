@@ -4,8 +4,9 @@ import argparse
 import sys
 from pathlib import Path
 
-from chr_notes.codegen import arrays, c, javascript, python
+from chr_notes.codegen import arrays, c, javascript, loops, python
 from chr_notes.codegen.header import COMMAND
+from chr_notes.codegen.loop_targets import LOOPS
 from chr_notes.codegen.lowering import Program, lower
 from chr_notes.codegen.rewriting import by_half_tangent, by_library
 from chr_notes.codegen.targets import TARGETS
@@ -28,6 +29,7 @@ def files() -> dict[str, str]:
         "__init__.py": '"""Generated code; `python -m chr_notes.codegen` writes it."""\n',
         "scalar/__init__.py": '"""Functions of floats, for one attitude at a time."""\n',
         "arrays/__init__.py": '"""Functions of arrays, for many attitudes at once."""\n',
+        "loops/__init__.py": '"""Functions of recordings, sample after sample."""\n',
         "javascript/attitude.mjs": javascript.module(programs),
         "c/attitude.h": c.header(programs),
         "c/attitude.c": c.source(programs),
@@ -35,6 +37,9 @@ def files() -> dict[str, str]:
     for topic in topics:
         made[f"scalar/{topic}.py"] = python.module(_of_topic(programs, topic))
         made[f"arrays/{topic}.py"] = arrays.module(_of_topic(blocks, topic))
+    for topic in dict.fromkeys(loop.topic for loop in LOOPS):
+        own = tuple(loop for loop in LOOPS if loop.topic == topic)
+        made[f"loops/{topic}.py"] = loops.module(own, programs)
     return made
 
 

@@ -5,6 +5,8 @@ from sympy import ImmutableMatrix, Symbol
 from chr_notes.codegen.target import Argument
 from chr_notes.derivations import calibration, dead_reckoning, estimation, validation
 from chr_notes.derivations.forms.dead_reckoning import NEXT as ACCELERATION_AFTER
+from chr_notes.derivations.forms.estimation import PITCH_ACCEL as PITCH_SEEN
+from chr_notes.derivations.forms.estimation import ROLL_ACCEL as ROLL_SEEN
 from chr_notes.derivations.forms.euler import ANGLE as WRAPPED
 from chr_notes.derivations.quaternions import MATRIX as ELEMENTS
 from chr_notes.symbols import (
@@ -115,6 +117,8 @@ NORTH, EAST, DOWN = (
         strict=True,
     )
 )
+ROLL_ACCEL = Argument("roll_accel", ROLL_SEEN, "roll that the accelerometer shows, radians")
+PITCH_ACCEL = Argument("pitch_accel", PITCH_SEEN, "pitch that the accelerometer shows, radians")
 GAIN = Argument("gain", estimation.L, "weight of the accelerometer, from 0 to 1")
 
 MISALIGNMENT = matrix("m", calibration.MISALIGNMENT, "the misalignment")

@@ -26,15 +26,20 @@ PYTHON = Language(
 
 def module(programs: tuple[Program, ...]) -> str:
     """Print a module of functions of floats that return a float or a flat tuple."""
-    body = "\n\n\n".join(_function(program) for program in programs)
+    body = "\n\n\n".join(function(program) for program in programs)
+    head = '"""' + "\n".join(made_how(programs)) + '\n"""\n\n'
+    return f"{head}{imports(body)}\n{body}\n"
+
+
+def imports(body: str) -> str:
+    """Import what the functions of a module call."""
     names = {*PYTHON.call.values(), "fmod"} - {"abs"}
     used = sorted(name for name in names if re.search(rf"\b{name}\(", body))
-    head = '"""' + "\n".join(made_how(programs)) + '\n"""\n\n'
-    imports = f"from math import {', '.join(used)}\n\n\n" if used else "\n"
-    return f"{head}{imports}{body}\n"
+    return f"from math import {', '.join(used)}\n\n" if used else ""
 
 
-def _function(program: Program) -> str:
+def function(program: Program) -> str:
+    """Print a function of floats that returns a float or a flat tuple."""
     target = program.target
     arguments = [f"{argument.name}: float" for argument in target.arguments]
     types = ["float"] * len(program.results) + ["bool"] * (program.flag is not None)
@@ -42,7 +47,7 @@ def _function(program: Program) -> str:
     lines = in_lines(f"def {target.name}(", arguments, f") -> {result}:")
     lines += _docstring(program)
     for step in program.steps:
-        lines += _step(step)
+        lines += step_lines(step)
     values = [infix(value, PYTHON) for value in program.results]
     values += [program.flag.name] if program.flag is not None else []
     if not program.shape:
@@ -50,7 +55,8 @@ def _function(program: Program) -> str:
     return "\n".join([*lines, *in_lines("    return (", values, ")")])
 
 
-def _step(step: Let | Choice) -> list[str]:
+def step_lines(step: Let | Choice) -> list[str]:
+    """Print a step of a program, indented once."""
     if isinstance(step, Let):
         return in_brackets(f"    {step.name} = ", infix(step.value, PYTHON))
     one = conditional(step, PYTHON)

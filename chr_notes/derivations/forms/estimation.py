@@ -2,14 +2,16 @@
 
 from functools import cache
 
-from sympy import ImmutableMatrix, Symbol, atan2, expand, sqrt, symbols
+from sympy import ImmutableMatrix, Or, Symbol, atan2, collect, expand, pi, sqrt, symbols
 from sympy.codegen.cfunctions import hypot
 
 from chr_notes.derivations import estimation, validation
-from chr_notes.derivations.computation import Computation, Let
+from chr_notes.derivations.computation import Choice, Computation, Let, otherwise
 from chr_notes.derivations.forms.euler import euler_rates
-from chr_notes.symbols import EULER, MAGNETOMETER, Angle
+from chr_notes.symbols import EULER, MAGNETOMETER, Angle, phi, theta
 
+# Roll and pitch that the accelerometer shows.
+ROLL_ACCEL, PITCH_ACCEL = symbols("phi_accel theta_accel", real=True, cls=Angle)
 MEASURED_SQUARED = Symbol("field_squared", real=True)
 
 
@@ -59,6 +61,21 @@ def observer_step() -> Computation:
             *map(Let, shortest, map(estimation.shortest_turn, turns)),
         ),
         ImmutableMatrix([*updated, step.results[2]]),
+    )
+
+
+@cache
+def correct_tilt() -> Computation:
+    """Roll and pitch once the accelerometer's have been heard; only a long way round is wrapped."""
+    turn, shortest = symbols("turn shortest_turn", real=True, cls=Angle)
+    beyond = Or(turn < -pi, turn > pi)
+    pitch = collect(estimation.update(theta, PITCH_ACCEL), estimation.L)
+    return Computation(
+        (
+            Let(turn, ROLL_ACCEL - phi),
+            Choice((shortest,), ((beyond, (estimation.shortest_turn(turn),)), otherwise(turn))),
+        ),
+        ImmutableMatrix([phi + estimation.update(0, shortest), pitch]),
     )
 
 

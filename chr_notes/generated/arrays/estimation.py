@@ -6,7 +6,22 @@ estimation.3.2, estimation.3.3, estimation.4.1, estimation.4.2, estimation.4.3, 
 from collections.abc import Sequence
 
 from numpy import (
-    add, arctan2, divide, float64, floor, multiply, negative, sqrt, square, subtract, tan
+    add,
+    arctan2,
+    copyto,
+    divide,
+    float64,
+    floor,
+    greater,
+    less,
+    logical_not,
+    logical_or,
+    multiply,
+    negative,
+    sqrt,
+    square,
+    subtract,
+    tan,
 )
 from numpy.typing import NDArray
 
@@ -201,3 +216,46 @@ def observer_step(
     multiply(dt, rate_across, out=work[0])
     multiply(work[0], sec_pitch, out=work[0])
     add(work[0], yaw, out=out[2])
+
+
+def correct_tilt(
+    roll: Block,
+    pitch: Block,
+    roll_accel: Block,
+    pitch_accel: Block,
+    gain: Block,
+    out: Sequence[Block],
+    work: Sequence[Block],
+) -> None:
+    """Roll and pitch, radians, moved by the gain towards those that the accelerometer shows (2).
+
+    roll: roll about the body x-axis, radians
+    pitch: pitch about the vehicle-1 y-axis, radians
+    roll_accel: roll that the accelerometer shows, radians
+    pitch_accel: pitch that the accelerometer shows, radians
+    gain: weight of the accelerometer, from 0 to 1
+    out: 2 arrays for the elements
+    work: 16 arrays for what is computed on the way
+
+    Ledger: estimation.4.3, estimation.4.4.
+    """
+    # turn = roll_accel - roll
+    turn = subtract(roll_accel, roll, out=work[0])
+    multiply(0.15915494309189535, turn, out=work[1])
+    add(work[1], 0.5, out=work[1])
+    floor(work[1], out=work[1])
+    multiply(6.283185307179586, work[1], out=work[1])
+    shortest_turn = subtract(turn, work[1], out=work[1])
+    condition_4 = greater(turn, 3.141592653589793)
+    condition_5 = less(turn, -3.141592653589793)
+    condition_6 = logical_or(condition_4, condition_5)
+    condition_7 = logical_not(condition_6)
+    if condition_7.any():
+        copyto(shortest_turn, turn, where=condition_7)
+    # out[0] = shortest_turn * gain + roll
+    multiply(shortest_turn, gain, out=work[0])
+    add(work[0], roll, out=out[0])
+    # out[1] = gain * (pitch_accel - pitch) + pitch
+    subtract(pitch_accel, pitch, out=work[0])
+    multiply(gain, work[0], out=work[0])
+    add(work[0], pitch, out=out[1])

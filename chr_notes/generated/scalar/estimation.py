@@ -96,3 +96,21 @@ def observer_step(
         pitch_off * gain + predicted_pitch,
         dt * rate_across * sec_pitch + yaw,
     )
+
+
+def correct_tilt(
+    roll: float, pitch: float, roll_accel: float, pitch_accel: float, gain: float
+) -> tuple[float, float]:
+    """Roll and pitch, radians, moved by the gain towards those that the accelerometer shows (2).
+
+    roll: roll about the body x-axis, radians
+    pitch: pitch about the vehicle-1 y-axis, radians
+    roll_accel: roll that the accelerometer shows, radians
+    pitch_accel: pitch that the accelerometer shows, radians
+    gain: weight of the accelerometer, from 0 to 1
+
+    Ledger: estimation.4.3, estimation.4.4.
+    """
+    turn = roll_accel - roll
+    shortest_turn = turn - 6.283185307179586 * floor(0.15915494309189535 * turn + 0.5) if turn > 3.141592653589793 or turn < -3.141592653589793 else turn
+    return (shortest_turn * gain + roll, gain * (pitch_accel - pitch) + pitch)

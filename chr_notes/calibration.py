@@ -1,0 +1,200 @@
+"""Calibration from data: what a sensor read, and what it should have read.
+
+The fits are least squares on NumPy's linear algebra. Samples that hold NaN are left out.
+"""
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from chr_notes._arrays import Floats, floats
+from chr_notes._samples import complete, whole_samples
+from chr_notes._samples import samples as recording
+from chr_notes.conventions import STANDARD_GRAVITY
+from chr_notes.ellipsoid import fit_ellipsoid
+from chr_notes.sensors import MagnetometerCalibration, ThreeAxisCalibration
+
+_POSITIONS = ("+x", "-x", "+y", "-y", "+z", "-z")
+_STILL_LIMIT = 0.02  # rad/s, about 1 deg/s: ten times the noise of a cheap gyro
+
+
+def fit_magnetometer(samples: ArrayLike) -> MagnetometerCalibration:
+    """Find the soft and hard iron from readings taken while the sensor was turned about.
+
+    Undisturbed readings lie on a sphere about zero; iron makes it an ellipsoid about another
+    centre. The calibration takes that ellipsoid back to a sphere whose radius is the geometric
+    mean of the semi-axes. A rotation of the sphere cannot be seen in such data, so the soft-iron
+    matrix comes out symmetric.
+    `fit_ellipsoid` gives the same ellipsoid and says how far to trust it.
+
+    Parameters
+    ----------
+    samples
+        Readings of the magnetometer in any unit, shape (N, 3), at least 10 without NaN.
+
+    Returns
+    -------
+    MagnetometerCalibration
+        In the unit of the samples.
+
+    Raises
+    ------
+    ValueError
+        If the samples are fewer than 10, all equal, in one plane, or cover too little of the
+        sphere for an ellipsoid to be found.
+
+    Notes
+    -----
+    Ledger: sensors.4.2, sensors.4.c.
+    """
+    ellipsoid = fit_ellipsoid(samples)
+    return MagnetometerCalibration(
+        soft_iron=ellipsoid.to_sphere, hard_iron=ellipsoid.to_sphere @ ellipsoid.centre
+    )
+
+
+def fit_accelerometer(
+    readings: ArrayLike, gravity: float = STANDARD_GRAVITY
+) -> ThreeAxisCalibration:
+    """Find misalignment, sensitivity and bias from six positions at rest.
+
+    Each axis points once up, where it reads plus one gravity, and once down. The difference of
+    the two readings is twice gravity times a column of misalignment and sensitivity, and the mean
+    of what the axis itself read in the two is what the bias adds.
+
+    Parameters
+    ----------
+    readings
+        Mean readings in any unit, shape (6, 3), in the order: x up, x down, y up, y down, z up,
+        z down.
+    gravity
+        Magnitude of gravity at the place, in the unit that corrected readings are to have.
+
+    Returns
+    -------
+    ThreeAxisCalibration
+        With a misalignment matrix whose diagonal is 1.
+
+    Raises
+    ------
+    ValueError
+        If the shape is not (6, 3), a reading is NaN, gravity is not positive, or the readings do
+        not tell the six positions apart.
+
+    Notes
+    -----
+    Ledger: sensors.2.3.
+    """
+    positions = floats("readings", readings, 6, 3)
+    if positions.ndim != 2:  # noqa: PLR2004 (positions by axes)
+        msg = f"readings: expected shape (6, 3), got {positions.shape}"
+        raise ValueError(msg)
+    missing = np.flatnonzero(~complete(positions))
+    if missing.size:
+        msg = (
+            f"readings: expected numbers, got NaN or infinity in position {_POSITIONS[missing[0]]}"
+        )
+        raise ValueError(msg)
+    if not gravity > 0:
+        msg = f"gravity: expected a positive number, got {gravity}"
+        raise ValueError(msg)
+    up, down = positions[0::2], positions[1::2]
+    columns = (up - down).T / (2 * gravity)
+    sensitivity = np.diagonal(columns)
+    for axis, name in enumerate("xyz"):
+        others = np.abs(np.delete(columns[axis], axis)).max()
+        if not abs(sensitivity[axis]) > others:
+            msg = (
+                f"readings: expected the {name}-axis to change most between {name} up and "
+                f"{name} down, got a change of {up[axis, axis] - down[axis, axis]:.4g} there and "
+                f"of {2 * gravity * others:.4g} elsewhere"
+            )
+            raise ValueError(msg)
+    misalignment = columns / sensitivity
+    # Of a position that is not quite upright the vertical axis notices least.
+    offset = np.diagonal(up + down) / 2
+    bias = -np.asarray(np.linalg.solve(misalignment, offset), dtype=np.float64)
+    return ThreeAxisCalibration(misalignment, sensitivity, bias)
+
+
+def fit_gyro_bias(body_rates: ArrayLike, *, still_limit: float = _STILL_LIMIT) -> Floats:
+    """Find what a gyro reads at rest.
+
+    Parameters
+    ----------
+    body_rates
+        Readings of a sensor that lies still, rad/s, shape (N, 3); rows with NaN are left out.
+    still_limit
+        Largest standard deviation, rad/s, that passes for still.
+
+    Returns
+    -------
+    ndarray
+        Mean reading, rad/s, shape (3,). The bias of `RateGyroCalibration`, which is added to a
+        measurement, is its negative.
+
+    Raises
+    ------
+    ValueError
+        If there is no sample without NaN, or the rates vary by more than `still_limit`.
+
+    Notes
+    -----
+    Ledger: sensors.3.2.
+    """
+    rates = whole_samples("body_rates", body_rates)
+    if not len(rates):
+        msg = "body_rates: expected at least one row without NaN, got none"
+        raise ValueError(msg)
+    spread = rates.std(axis=0)
+    if not spread.max() <= still_limit:
+        msg = (
+            f"body_rates: expected a sensor at rest, with a standard deviation of at most "
+            f"{still_limit} rad/s, got {spread.max():.3g} rad/s about the "
+            f"{'xyz'[int(spread.argmax())]}-axis"
+        )
+        raise ValueError(msg)
+    return np.asarray(rates.mean(axis=0))
+
+
+def stillest_stretch(body_rates: ArrayLike, length: int) -> slice:
+    """Find where a gyro's readings vary least.
+
+    Parameters
+    ----------
+    body_rates
+        Readings, rad/s, shape (N, 3); a stretch never holds a row with NaN.
+    length
+        Number of samples in the stretch, at least 2.
+
+    Returns
+    -------
+    slice
+        Of `length` samples, the first such where several vary as little.
+
+    Raises
+    ------
+    ValueError
+        If no stretch of that length is free of NaN.
+    """
+    rates = recording("body_rates", body_rates)
+    if not 2 <= length <= len(rates):  # noqa: PLR2004 (one sample does not vary)
+        msg = f"length: expected from 2 to the {len(rates)} samples there are, got {length}"
+        raise ValueError(msg)
+    known = complete(rates)
+    # Near zero the difference of the two sums below loses nothing.
+    centred = np.where(known[:, np.newaxis], rates - rates[known].mean(axis=0), 0.0)
+    total = _sums(centred, length)
+    variance = (_sums(centred**2, length) - total**2 / length).sum(axis=1)
+    variance[_sums(~known, length) > 0] = np.inf
+    start = int(np.argmin(variance))
+    if not np.isfinite(variance[start]):
+        msg = f"body_rates: expected {length} samples in a row without NaN, got none"
+        raise ValueError(msg)
+    return slice(start, start + length)
+
+
+def _sums(values: ArrayLike, length: int) -> Floats:
+    """Sum over each window along the first axis."""
+    sums = np.cumsum(np.asarray(values, dtype=np.float64), axis=0)
+    sums[length:] -= sums[:-length].copy()
+    return sums[length - 1 :]

@@ -1,0 +1,1 @@
+"""Functions of recordings, sample after sample."""
