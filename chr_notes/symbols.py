@@ -31,10 +31,6 @@ MAGNETOMETER = symbols("m_x m_y m_z", real=True)
 # Sample period, s.
 T = Symbol("T", positive=True)
 
-EULER = (phi, theta, psi)
-EULER_RATES = (roll_rate, pitch_rate, yaw_rate)
-BODY_RATES = (p, q, r)
-
 # Elements of the attitude quaternion, scalar first, and of two quaternions in a product.
 a, b, c, d = symbols("a b c d", real=True)
 FIRST = symbols("a_1 b_1 c_1 d_1", real=True)
@@ -42,10 +38,10 @@ SECOND = symbols("a_2 b_2 c_2 d_2", real=True)
 
 # Unit vector along the axis of a turn, the angle of the turn, and a vector that is turned.
 AXIS = symbols("v_x v_y v_z", real=True)
-alpha = Symbol("alpha", real=True)
+alpha = Angle("alpha", real=True)
 VECTOR = symbols("x y z", real=True)
 
-# Sample period, s.
-T = Symbol("T", positive=True)
-
+EULER = (phi, theta, psi)
+EULER_RATES = (roll_rate, pitch_rate, yaw_rate)
+BODY_RATES = (p, q, r)
 QUATERNION = (a, b, c, d)

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from sympy import And, Basic, Integer, MatrixBase, Symbol, atan2
+from sympy import And, Basic, Identity, Integer, MatrixBase, Or, Symbol, ZeroMatrix, atan2, fraction
 from sympy.core.function import AppliedUndef
 from sympy.matrices.expressions.matexpr import MatrixElement
 from sympy.printing.latex import LatexPrinter
@@ -19,6 +19,10 @@ _SETTINGS = {
 class _Printer(LatexPrinter):
     """LaTeX as a textbook has it: indices from one, statements joined by 'and'."""
 
+    def _needs_function_brackets(self, argument: Basic) -> bool:
+        # A symbol needs none, nor a fraction, whose line holds it together.
+        return not (argument.is_Symbol or fraction(argument)[1] != 1)
+
     def _print_MatrixElement(self, element: MatrixElement) -> str:  # noqa: N802 (SymPy's hook)
         row, column = (
             self._print(index + 1 if isinstance(index, Integer) else index)
@@ -33,6 +37,15 @@ class _Printer(LatexPrinter):
     def _print_AppliedUndef(self, call: AppliedUndef) -> str:  # noqa: N802 (SymPy's hook)
         arguments = ", ".join(self._print(argument) for argument in call.args)
         return rf"{self._print(Symbol(call.func.__name__))}\left({arguments}\right)"
+
+    def _print_Or(self, statement: Or) -> str:  # noqa: N802 (SymPy's hook)
+        return r" \quad\text{or}\quad ".join(self._print(part) for part in statement.args)
+
+    def _print_ZeroMatrix(self, _: ZeroMatrix) -> str:  # noqa: N802 (SymPy's hook)
+        return "0"
+
+    def _print_Identity(self, _: Identity) -> str:  # noqa: N802 (SymPy's hook)
+        return "I"
 
     def _print_atan2(self, angle: atan2) -> str:
         arguments = ", ".join(self._print(argument) for argument in angle.args)

@@ -12,17 +12,22 @@ from sympy import (
     I,
     ImmutableMatrix,
     Integer,
+    Interval,
     Matrix,
     Poly,
+    Set,
     Symbol,
+    Union,
     atan2,
     cos,
     exp,
     expand,
     eye,
     factor,
+    pi,
     sin,
     sinc,
+    singularities,
     solve,
     sqrt,
     symbols,
@@ -218,3 +223,11 @@ def rates() -> ImmutableMatrix:
     rate = sqrt(body_rates.dot(body_rates))
     turn = from_axis_angle(ImmutableMatrix(body_rates / rate), rate * T)
     return multiply(ATTITUDE, ImmutableMatrix(turn.diff(T).subs(T, 0)))
+
+
+@cache
+def pitches_without_rates() -> Set:
+    """Pitch angles from -90° to 90° at which the derivative of the quaternion is not finite."""
+    elements = dict(zip(QUATERNION, from_euler(), strict=True))
+    pitches = Interval(-pi / 2, pi / 2)
+    return Union(*(singularities(rate.subs(elements), theta, pitches) for rate in rates()))

@@ -35,6 +35,25 @@ class Condition:
 
 
 @dataclass(frozen=True)
+class Reading:
+    """One of several ways to read a document that contradicts itself.
+
+    Parameters
+    ----------
+    convention
+        What this way of reading presumes.
+    read
+        The meaning of the document's symbols then.
+    point
+        Values at which a statement that does not hold under this reading fails.
+    """
+
+    convention: Boolean
+    read: Read
+    point: Mapping[Basic, Basic]
+
+
+@dataclass(frozen=True)
 class Case:
     """A printed statement with all that is needed to judge it; the verdict is computed.
 
@@ -53,6 +72,8 @@ class Case:
         For a wrong statement: the right one, in the document's notation.
     witness
         Values at which the statement fails, angles in radians.
+    readings
+        For statements that contradict one another: the readings under which some of them hold.
     steps
         The derivation of the right form or of the condition.
     remark
@@ -65,6 +86,7 @@ class Case:
     condition: Condition | None = None
     correction: Boolean | None = None
     witness: Mapping[Basic, Basic] = field(default_factory=dict)
+    readings: tuple[Reading, ...] = ()
     steps: tuple[Step, ...] = ()
     remark: str | None = None
 

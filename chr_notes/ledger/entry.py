@@ -45,6 +45,9 @@ class Entry:
         Under which a `qualified` statement holds.
     witness
         Where a `qualified` or `corrected` statement fails.
+    readings
+        Where the document contradicts itself: each convention, and whether the statement holds
+        under it, with the condition if there is one.
     method
         How the verdict was reached.
     remark
@@ -64,6 +67,7 @@ class Entry:
     given: str | None
     condition: str | None
     witness: Witness | None
+    readings: tuple[tuple[str, bool], ...]
     method: str
     remark: str | None
     derivation: tuple[tuple[str, str], ...]

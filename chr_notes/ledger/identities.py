@@ -17,6 +17,7 @@ from sympy import (
     expand_trig,
     floor,
     fraction,
+    gcd,
     reduced,
     simplify,
     sin,
@@ -45,9 +46,8 @@ def sample(expression: Basic) -> Basic:
 def is_zero(expression: Basic) -> bool:
     """Whether an expression vanishes for all values of its symbols.
 
-    A value clearly off zero settles that it does not. Otherwise sine and cosine of each angle
-    are taken as unknowns of which the squares add up to one, and the numerator is reduced by
-    that. What is not seen to vanish then is left to SymPy's `simplify`.
+    A value clearly off zero settles that it does not. An expression that is rational in the
+    sines and cosines of angles is then decided exactly; any other is left to SymPy's `simplify`.
     """
     if expression.is_Rational:
         return bool(expression == 0)
@@ -58,27 +58,68 @@ def is_zero(expression: Basic) -> bool:
         return False
     if not expression.free_symbols:
         return bool(simplify(expression) == 0)
-    return _is_zero_on_circles(expression) or bool(simplify(expression) == 0)
+    on_circles = _is_zero_on_circles(expression)
+    return bool(simplify(expression) == 0) if on_circles is None else on_circles
 
 
-def _is_zero_on_circles(expression: Basic) -> bool:
-    """Whether the numerator vanishes as a polynomial in points (cosine, sine) of unit circles."""
+def _is_zero_on_circles(expression: Expr) -> bool | None:
+    """Whether an expression vanishes, or nothing if it is not rational in sines and cosines.
+
+    An angle is a sum of whole multiples of some parts, and each part a point (cosine, sine) of
+    the unit circle. Sines and cosines of all angles are polynomials in these; what is left of
+    the numerator when the squares of each point add up to one is zero for nothing but zero.
+    """
     angles = {call.args[0] for call in expression.atoms(sin, cos, tan)}
-    sine, cosine = ({angle: Dummy(name) for angle in angles} for name in ("s", "c"))
+    points, whole = _points_of(angles)
     algebraic = (
-        expression.replace(tan, lambda x: sine[x] / cosine[x])
-        .replace(sin, lambda x: sine[x])
-        .replace(cos, lambda x: cosine[x])
+        expression.replace(tan, lambda x: whole[x][1] / whole[x][0])
+        .replace(sin, lambda x: whole[x][1])
+        .replace(cos, lambda x: whole[x][0])
     )
     numerator = expand(fraction(together(algebraic))[0])
-    if numerator == 0 or not angles:
-        return bool(numerator == 0)
-    points = (*sine.values(), *cosine.values())
-    if not numerator.is_polynomial(*points):
-        return False
-    circles = [sine[angle] ** 2 + cosine[angle] ** 2 - 1 for angle in angles]
-    # Leading terms without a common symbol: the remainder is zero for nothing but zero.
-    return bool(reduced(numerator, circles, *points)[1] == 0)
+    if numerator == 0:
+        return True
+    if not numerator.is_polynomial(*numerator.free_symbols):
+        return None
+    circles = [cosine**2 + sine**2 - 1 for cosine, sine in points]
+    unknowns = [coordinate for point in points for coordinate in point]
+    return bool(reduced(numerator, circles, *unknowns)[1] == 0) if circles else False
+
+
+Point = tuple[Expr, Expr]
+
+
+def _points_of(angles: set[Expr]) -> tuple[list[Point], dict[Expr, Point]]:
+    """Give the points of the parts of angles, and those of the angles themselves in terms of them.
+
+    Numbers are parts as well; their points are numbers, which have nothing unknown.
+    """
+    sums = {angle: expand(angle).as_coefficients_dict() for angle in angles}
+    units: dict[Expr, Expr] = {}
+    for terms in sums.values():
+        for part, times in terms.items():
+            units[part] = gcd(units.get(part, Integer(0)), times)
+    points = {
+        part: (Dummy("c"), Dummy("s"))
+        if part.free_symbols
+        else (cos(unit * part), sin(unit * part))
+        for part, unit in units.items()
+    }
+    whole = {}
+    for angle, terms in sums.items():
+        at: Point = (Integer(1), Integer(0))
+        for part, times in terms.items():
+            cosine, sine = points[part]
+            turns = int(times / units[part])
+            for _ in range(abs(turns)):
+                at = _further(at, (cosine, sine if turns > 0 else -sine))
+        whole[angle] = at
+    return [point for part, point in points.items() if part.free_symbols], whole
+
+
+def _further(at: Point, by: Point) -> Point:
+    """Go on round the circle: cosine and sine of a sum of two angles."""
+    return at[0] * by[0] - at[1] * by[1], at[1] * by[0] + at[0] * by[1]
 
 
 def equal(left: Basic, right: Basic) -> bool:

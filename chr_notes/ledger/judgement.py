@@ -14,13 +14,25 @@ Anything else is an error: the ledger has no entry that was not decided.
 
 from collections.abc import Mapping
 
-from sympy import And, Basic, Eq, Limit, MatrixBase, N, S, Set, deg, log, sympify
-from sympy.logic.boolalg import BooleanFalse
+from sympy import (
+    And,
+    Basic,
+    Eq,
+    Limit,
+    MatrixBase,
+    MatrixExpr,
+    N,
+    S,
+    Set,
+    deg,
+    log,
+    sympify,
+)
 
-from chr_notes.ledger.case import CannotJudgeError, Case
+from chr_notes.ledger.case import CannotJudgeError, Case, Reading
 from chr_notes.ledger.entry import Entry, Verdict, Witness
 from chr_notes.ledger.identities import equal
-from chr_notes.ledger.proof import evaluate, fails, parts, proves, sides
+from chr_notes.ledger.proof import evaluate, excludes, fails, parts, proves, sides, work_out
 from chr_notes.printed.statement import Approximately
 from chr_notes.symbols import Angle, AngularRate
 from chr_notes.typeset import latex
@@ -63,6 +75,7 @@ def judge(case: Case) -> Entry:
         given=latex(And(*(g.holds for g in case.given), evaluate=False)) if case.given else None,
         condition=latex(case.condition.holds) if case.condition is not None else None,
         witness=_witness(case) if failing else None,
+        readings=tuple(_reading(case, each) for each in case.readings),
         method=method,
         remark=case.remark,
         derivation=tuple((step.says, latex(step.statement)) for step in case.steps),
@@ -78,14 +91,14 @@ def _verdict(case: Case) -> tuple[Verdict, str]:
             return "proved", "derived independently; the difference simplifies to zero"
         msg = f"{name}: not proved, and neither a condition nor a correction was brought"
         raise CannotJudgeError(msg)
-    if any(isinstance(given.holds.subs(case.witness), BooleanFalse) for given in case.given):
+    if any(excludes(given, case.witness) for given in case.given):
         msg = f"{name}: the witness {case.witness} lies outside what is given"
         raise CannotJudgeError(msg)
     if not fails(statement, read, case.witness):
         msg = f"{name}: the witness {case.witness} does not show that it fails as printed"
         raise CannotJudgeError(msg)
     if case.condition is not None and case.correction is None:
-        if not isinstance(case.condition.holds.subs(case.witness), BooleanFalse):
+        if not excludes(case.condition, case.witness):
             msg = f"{name}: the witness {case.witness} meets the condition {case.condition.holds}"
             raise CannotJudgeError(msg)
         if proves(statement, read, *case.given, case.condition):
@@ -123,7 +136,24 @@ def _derived(case: Case) -> str | None:
         return None
     if statement.lhs.has(Limit):  # it may depend on the range that is given
         return None
-    return latex(evaluate(statement.lhs, case.read, {}))
+    by = {
+        old: new
+        for given in case.given
+        for old, new in given.by[0].items()
+        if len(given.by) == 1 and sympify(new).is_number
+    }
+    return latex(work_out(statement.lhs, case.read, by))
+
+
+def _reading(case: Case, each: Reading) -> tuple[str, bool]:
+    """Say whether a statement holds under one reading of a document that contradicts itself."""
+    statement = case.printed.statement
+    conditions = (case.condition,) if case.condition is not None else ()
+    holds = proves(statement, each.read, *case.given, *conditions)
+    if not holds and not fails(statement, each.read, each.point):
+        msg = f"{case.printed.id}: neither proved nor shown to fail under {each.convention}"
+        raise CannotJudgeError(msg)
+    return latex(each.convention), holds
 
 
 def _witness(case: Case) -> Witness:
@@ -140,17 +170,17 @@ def _witness(case: Case) -> Witness:
         values = zip((failing.lhs, failing.rhs), (right, printed), strict=True)
         found = [Eq(side, value, evaluate=False) for side, value in values if side.free_symbols]
         return Witness(at, latex(failing), latex(And(*found, evaluate=False)))
+    if isinstance(right, MatrixBase) and right.cols == 1:
+        return Witness(at, _column(printed), _column(right))
     if isinstance(right, MatrixBase):
         where = max(
             (index for index in range(len(right)) if not equal(right[index], printed[index])),
             key=lambda index: abs(N(right[index] - printed[index])),
         )
         row, column = divmod(where, right.cols)
-        place = rf"_{{{row + 1}{column + 1}}}" if right.cols > 1 else f"_{row + 1}"
+        place = rf"(\ldots)_{{{row + 1}{column + 1}}}"
         return Witness(
-            at,
-            rf"(\ldots){place} = {_number(printed[where])}",
-            rf"(\ldots){place} = {_number(right[where])}",
+            at, f"{place} = {_number(printed[where])}", f"{place} = {_number(right[where])}"
         )
     return Witness(at, _number(printed, failing.lhs), _number(right, failing.lhs))
 
@@ -167,11 +197,18 @@ def _point(point: Mapping[Basic, Basic]) -> tuple[tuple[str, str], ...]:
     return (*at, (r"\text{all others}", "0")) if together else at
 
 
+def _column(values: MatrixBase) -> str:
+    """Typeset a column of numbers in a line."""
+    return r"\left(" + r",\ ".join(_number(value) for value in values) + r"\right)"
+
+
 def _number(value: Basic, of: Basic = S.One) -> str:
     """Typeset a number with four digits, an angle in degrees; names and sets as they are."""
     if value is S.NaN:
         return r"\text{undefined}"
-    if isinstance(value, Set) or not value.is_number or not value.is_finite:
+    if isinstance(value, MatrixBase):
+        return _column(value) if value.cols == 1 else latex(value)
+    if isinstance(value, Set | MatrixExpr) or not value.is_number or not value.is_finite:
         return latex(value)
     degrees = GIVEN_IN_DEGREES.get(type(of))
     if degrees is not None:

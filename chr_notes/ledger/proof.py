@@ -3,15 +3,33 @@
 from collections.abc import Iterator, Mapping
 from itertools import product
 
-from sympy import And, Basic, Eq, Expr, Ge, Gt, Le, Lt, MatrixBase, N, Ne, cancel, simplify
+from sympy import (
+    And,
+    Basic,
+    Eq,
+    Expr,
+    Ge,
+    Gt,
+    Le,
+    Lt,
+    MatrixBase,
+    N,
+    Ne,
+    Or,
+    Symbol,
+    cancel,
+    expand,
+    simplify,
+)
 from sympy.core.relational import Relational
 from sympy.logic.boolalg import BooleanFalse, BooleanTrue
-from sympy.matrices.expressions.matexpr import MatrixExpr
+from sympy.matrices.expressions.matexpr import MatrixElement, MatrixExpr
 
 from chr_notes.ledger.case import Condition, Read
 from chr_notes.ledger.identities import difference, equal, is_positive, is_zero, same_angle, settle
 from chr_notes.printed.statement import Approximately
 from chr_notes.symbols import Angle
+from chr_notes.typeset import latex
 
 
 def parts(statement: Basic) -> tuple[Basic, ...]:
@@ -19,12 +37,22 @@ def parts(statement: Basic) -> tuple[Basic, ...]:
     return statement.args if isinstance(statement, And) else (statement,)
 
 
-def evaluate(expression: Basic, read: Read, by: Mapping[Basic, Basic]) -> Basic:
-    """Put the derived quantities in place of the document's symbols and work the result out."""
+def work_out(expression: Basic, read: Read, by: Mapping[Basic, Basic]) -> Basic:
+    """Put the derived quantities in place of the document's symbols, matrices as a whole."""
     # A condition may speak of the document's symbols or of the derived ones: before and after.
     meaning = read(expression.subs(by)).subs(by).doit()
+    return expand(meaning).doit() if isinstance(meaning, MatrixExpr) else meaning
+
+
+def evaluate(expression: Basic, read: Read, by: Mapping[Basic, Basic]) -> Basic:
+    """Put the derived quantities in place of the document's symbols, element by element."""
+    meaning = work_out(expression, read, by)
     if isinstance(meaning, MatrixExpr):
         meaning = meaning.as_explicit()
+    # What is known of a matrix as a whole is used by now; its elements are numbers like others.
+    meaning = meaning.xreplace(
+        {element: Symbol(latex(element), real=True) for element in meaning.atoms(MatrixElement)}
+    )
     return meaning.applyfunc(settle) if isinstance(meaning, MatrixBase) else settle(meaning)
 
 
@@ -46,9 +74,14 @@ def proves(statement: Basic, read: Read, *conditions: Condition) -> bool:
     conditions
         Restrict the values, all of them together.
     """
-    return all(
-        _holds(part, read, by, conditions) for part in parts(statement) for by in _cases(conditions)
-    )
+    try:
+        return all(
+            _holds(part, read, by, conditions)
+            for part in parts(statement)
+            for by in _cases(conditions)
+        )
+    except NotImplementedError:  # a limit that SymPy cannot work out proves nothing
+        return False
 
 
 def _cases(conditions: tuple[Condition, ...]) -> Iterator[Mapping[Basic, Basic]]:
@@ -108,6 +141,20 @@ def _nonzero_multiple(component: Expr, excluded: Expr) -> bool:
     """Whether a component vanishes only where the excluded expression does."""
     factor = cancel(component / excluded)
     return bool(factor.is_nonzero and is_zero(component - factor * excluded))
+
+
+def excludes(condition: Condition, point: Mapping[Basic, Basic]) -> bool:
+    """Whether a point lies outside a condition."""
+    alternatives = condition.holds.args if isinstance(condition.holds, Or) else (condition.holds,)
+    return all(_fails_as_it_is(alternative, point) for alternative in alternatives)
+
+
+def _fails_as_it_is(statement: Basic, point: Mapping[Basic, Basic]) -> bool:
+    """Whether a statement in symbols that need no reading is false at a point."""
+    there = statement.subs(point)
+    if isinstance(there, BooleanFalse) or there.free_symbols:
+        return isinstance(there, BooleanFalse)
+    return fails(statement, lambda expression: expression, point)
 
 
 def fails(statement: Basic, read: Read, point: Mapping[Basic, Basic]) -> bool:

@@ -2,12 +2,15 @@
 
 from collections.abc import Callable, Iterable, Mapping
 from functools import cache
+from types import MappingProxyType
 
 from sympy import Basic, MatrixBase, preorder_traversal
 
 from chr_notes.derivations.euler import FRAMES, TURNS, rotation
 from chr_notes.ledger.case import Read
 from chr_notes.printed.statement import Rotation
+
+Notation = Mapping[type[Basic], Callable[[Basic], Basic]]
 
 
 def read_rotation(symbol: Rotation) -> Basic:
@@ -35,15 +38,22 @@ def elements(
     return {name: element(row) for row, name in enumerate(names)}
 
 
-def reading(meaning: Mapping[Basic, Basic | Callable[[], Basic]]) -> Read:
+EULER_NOTATION: Notation = MappingProxyType({Rotation: read_rotation})
+
+
+def reading(
+    meaning: Mapping[Basic, Basic | Callable[[], Basic]], notation: Notation = EULER_NOTATION
+) -> Read:
     """Make the function that reads a document.
 
     Parameters
     ----------
     meaning
         From each of the document's symbols to the derived quantity that it names, or to the
-        derivation itself, which then runs when the symbol is first met. Rotation symbols are
-        read by their frames and need no mention.
+        derivation itself, which then runs when the symbol is first met.
+    notation
+        From a class of the document's notation to the function that works it out, once all that
+        stands within is worked out. Rotations by Euler angles, if nothing else is said.
     """
 
     @cache
@@ -51,10 +61,14 @@ def reading(meaning: Mapping[Basic, Basic | Callable[[], Basic]]) -> Read:
         quantity = meaning[symbol]
         return quantity if isinstance(quantity, Basic) else quantity()
 
+    def work_out(node: Basic) -> Basic:
+        if not node.has(*notation):
+            return node
+        whole = node.func(*(work_out(part) for part in node.args))
+        return notation[type(node)](whole) if type(node) in notation else whole
+
     def read(expression: Basic) -> Basic:
         met = meaning.keys() & set(preorder_traversal(expression))
-        understood = expression.xreplace({symbol: named(symbol) for symbol in met})
-        rotations = understood.atoms(Rotation)
-        return understood.xreplace({symbol: read_rotation(symbol) for symbol in rotations})
+        return work_out(expression.xreplace({symbol: named(symbol) for symbol in met}))
 
     return read

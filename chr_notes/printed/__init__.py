@@ -3,11 +3,12 @@
 Nothing here is derived and nothing here is true because it is here: the ledger judges it.
 """
 
-from chr_notes.printed import dead_reckoning, estimation, euler
+from chr_notes.printed import dead_reckoning, estimation, euler, quaternions
 from chr_notes.printed.statement import Printed, Rotation
 
 DOCUMENTS: dict[str, tuple[Printed, ...]] = {
     "euler": euler.PRINTED,
+    "quaternions": quaternions.PRINTED,
     "estimation": estimation.PRINTED,
     "dead_reckoning": dead_reckoning.PRINTED,
 }

@@ -6,14 +6,21 @@ from sympy import (
     Add,
     Basic,
     Eq,
+    Expr,
+    FiniteSet,
     Function,
     ImmutableMatrix,
+    Inverse,
     MatAdd,
     MatMul,
     MatrixBase,
     MatrixSymbol,
     Mul,
+    Rational,
+    Set,
     Symbol,
+    Transpose,
+    Union,
     atan2,
     cos,
     sin,
@@ -21,6 +28,7 @@ from sympy import (
 from sympy.core.relational import Relational
 from sympy.logic.boolalg import And
 
+from chr_notes.printed.hamilton import Conjugate, Product, Reciprocal
 from chr_notes.printed.statement import Approximately, Rotation
 
 SWAPPED_FUNCTION: dict[type[Function], type[Function]] = {sin: cos, cos: sin}
@@ -41,9 +49,32 @@ def misprints(statement: Basic) -> Iterator[tuple[str, Basic]]:
     if not isinstance(statement, Eq):
         yield "turned round", statement.negated
         return
-    for name, wrong in wrong_expressions(statement.rhs):
-        if wrong != statement.rhs:
-            yield name, Eq(statement.lhs, wrong, evaluate=False)
+    for name, wrong in wrong_sides(statement):
+        if rebuilt(wrong) != rebuilt(statement):
+            yield name, wrong
+
+
+def rebuilt(expression: Basic) -> Basic:
+    """Let SymPy order what was left as it is printed, so that a swap of equals is seen as none."""
+    if not expression.args:
+        return expression
+    parts = map(rebuilt, expression.args)
+    as_printed = {"evaluate": False} if isinstance(expression, Eq) else {}
+    return expression.func(*parts, **as_printed)
+
+
+def wrong_sides(statement: Eq) -> Iterator[tuple[str, Basic]]:
+    """Misprint what stands on the right, or on the left if the right side is zero."""
+    left, right = statement.lhs, statement.rhs
+    if right == 0:
+        for name, wrong in wrong_signs(left):  # a factor would be nothing to a zero
+            yield name, Eq(wrong, 0, evaluate=False)
+    elif isinstance(right, Set):
+        one_more = Union(right, FiniteSet(Rational(1, 7)))
+        yield "one element more", Eq(left, one_more, evaluate=False)
+    else:
+        for name, wrong in wrong_expressions(right):
+            yield name, Eq(left, wrong, evaluate=False)
 
 
 def wrong_numbers(statement: Approximately) -> Iterator[tuple[str, Basic]]:
@@ -65,14 +96,10 @@ def wrong_expressions(expression: Basic) -> Iterator[tuple[str, Basic]]:
     yield from swapped_symbols(expression)
     if isinstance(expression, MatrixBase):
         yield from wrong_matrices(expression)
-    elif isinstance(expression, MatMul):
-        if expression.rows == expression.cols:
-            yield "factors in reverse order", MatMul(*reversed(expression.args))
-        yield from wrong_parts(expression, wrong_factors)
     elif isinstance(expression, MatAdd):
         yield from wrong_parts(expression, wrong_expressions)
     elif getattr(expression, "is_Matrix", False):
-        yield from wrong_factors(expression)
+        yield from wrong_products(expression)
     else:
         yield from wrong_scalars(expression)
 
@@ -99,16 +126,27 @@ def wrong_parts(
             yield f"part {index} {name}", whole.func(*args)
 
 
-def wrong_factors(factor: Basic) -> Iterator[tuple[str, Basic]]:
-    """Misprint one factor of a product of matrices."""
-    yield "negated", -factor
-    if isinstance(factor, Rotation):
-        source, target = factor.frames
-        yield "in the other direction", Rotation(target, source, *factor.angles)
-        for index, angle in enumerate(factor.angles):
-            angles = list(factor.angles)
-            angles[index] = -angle
-            yield f"with angle {index} negated", Rotation(source, target, *angles)
+def wrong_products(expression: Basic) -> Iterator[tuple[str, Basic]]:
+    """Misprint a product or sum of matrices or quaternions."""
+    yield "negated", -expression
+    yield from wrong_signs(expression)
+    for path, node in nodes(expression):
+        if isinstance(node, Product) or (isinstance(node, MatMul) and node.rows == node.cols):
+            turned = node.func(*reversed(node.args))
+            yield f"factors in reverse order at {path}", put(expression, path, turned)
+        if isinstance(node, Reciprocal | Conjugate | Inverse | Transpose):
+            bare = put(expression, path, node.args[0])
+            yield f"{type(node).__name__} lost at {path}", bare
+        if isinstance(node, MatrixBase) and node.rows == node.cols:
+            yield f"transposed at {path}", put(expression, path, ImmutableMatrix(node.T))
+        if isinstance(node, Rotation):
+            source, target = node.frames
+            other_way = Rotation(target, source, *node.angles)
+            yield f"{node.frames} in the other direction", put(expression, path, other_way)
+            for index, angle in enumerate(node.angles):
+                if isinstance(angle, Expr) and not angle.is_Matrix:
+                    negated = put(expression, (*path, 2 + index), -angle)
+                    yield f"{node.frames} with angle {index} negated", negated
 
 
 def wrong_scalars(expression: Basic) -> Iterator[tuple[str, Basic]]:
@@ -118,19 +156,24 @@ def wrong_scalars(expression: Basic) -> Iterator[tuple[str, Basic]]:
     yield "negated", -expression
     yield "twice as large", 2 * expression
     yield "half as large", expression / 2
+    yield from wrong_signs(expression)
     for path, node in nodes(expression):
         if type(node) in SWAPPED_FUNCTION:
             swapped = SWAPPED_FUNCTION[type(node)](*node.args)
             yield f"{swapped} for {node} at {path}", put(expression, path, swapped)
-        if isinstance(node, Add):
-            for index, term in enumerate(node.args):
-                wrong = put(expression, (*path, index), -term)
-                yield f"sign of {term} at {path}", wrong
         if isinstance(node, atan2):
             turned = atan2(*reversed(node.args))
             yield f"arguments swapped at {path}", put(expression, path, turned)
         if isinstance(node, Mul) and node.args[0] == 2:
             yield f"factor of two lost at {path}", put(expression, path, node / 2)
+
+
+def wrong_signs(expression: Basic) -> Iterator[tuple[str, Basic]]:
+    """Misprint the sign of one term."""
+    for path, node in nodes(expression):
+        if isinstance(node, Add | MatAdd):
+            for index, term in enumerate(node.args):
+                yield f"sign of {term} at {path}", put(expression, (*path, index), -term)
 
 
 def swapped_symbols(expression: Basic) -> Iterator[tuple[str, Basic]]:

@@ -4,12 +4,11 @@ import csv
 from pathlib import Path
 
 import pytest
-from sympy.logic.boolalg import BooleanFalse
 
 from chr_notes import ledger
 from chr_notes.ledger.case import Case
 from chr_notes.ledger.judgement import introduces_name
-from chr_notes.ledger.proof import fails, proves
+from chr_notes.ledger.proof import excludes, fails, proves
 
 from .equivalents import EQUIVALENT
 from .misprints import misprints
@@ -53,9 +52,9 @@ def test_witness_shows_the_difference(name: str, case: Case) -> None:
     if case.correction is not None:
         assert not fails(case.correction, case.read, case.witness)
     if case.condition is not None:
-        assert isinstance(case.condition.holds.subs(case.witness), BooleanFalse)
+        assert excludes(case.condition, case.witness)
     for given in case.given:
-        assert not isinstance(given.holds.subs(case.witness), BooleanFalse)
+        assert not excludes(given, case.witness)
     witness = ledger.entry(name).witness
     assert witness is not None
     assert witness.printed != witness.right
@@ -66,10 +65,10 @@ def test_witness_shows_the_difference(name: str, case: Case) -> None:
 )
 def test_each_step_of_a_derivation_holds(name: str, step: ledger.Step) -> None:
     case = CASES[name]
+    under = (*case.given, *((case.condition,) if case.condition else ()))
     # What leads to a condition holds without it, what follows from it under it.
-    under = (case.condition,) if case.condition else ()
-    assert proves(step.statement, case.read, *case.given) or proves(
-        step.statement, case.read, *case.given, *under
+    assert any(
+        proves(step.statement, case.read, *conditions) for conditions in ((), case.given, under)
     )
 
 

@@ -5,16 +5,27 @@ from sympy import (
     Abs,
     Basic,
     Eq,
+    Expr,
+    Function,
     Gt,
+    Identity,
+    ImmutableMatrix,
+    Inverse,
+    Limit,
     Lt,
+    MatMul,
+    MatrixSymbol,
     Ne,
+    Or,
     Symbol,
+    ZeroMatrix,
     asin,
     atan,
     atan2,
     cos,
     floor,
     nan,
+    oo,
     pi,
     sin,
     symbols,
@@ -23,7 +34,7 @@ from sympy import (
 
 from chr_notes.ledger.case import Condition
 from chr_notes.ledger.identities import equal, is_positive, is_zero, same_angle, settle
-from chr_notes.ledger.proof import fails, proves
+from chr_notes.ledger.proof import excludes, fails, proves
 from chr_notes.printed.statement import Approximately
 from chr_notes.symbols import phi, psi, theta
 from chr_notes.typeset import latex
@@ -133,3 +144,42 @@ def test_a_number_holds_within_half_its_last_digit(printed: str, right: str) -> 
 def test_a_number_is_typeset_as_printed() -> None:
     assert latex(Approximately(Symbol("r"), "220 e 3")) == r"r \approx 220 \times 10^{3}"
     assert latex(Approximately(Symbol("r"), "2.0")) == r"r \approx 2.0"
+
+
+@pytest.mark.parametrize(
+    "identity",
+    [
+        sin(x) - 2 * sin(x / 2) * cos(x / 2),
+        cos(3 * x) - 4 * cos(x) ** 3 + 3 * cos(x),
+        sin(x - s) - sin(x) * cos(s) + cos(x) * sin(s),
+        tan(2 * x) * (1 - tan(x) ** 2) - 2 * tan(x),
+        cos(x + pi / 5) - cos(x) * cos(pi / 5) + sin(x) * sin(pi / 5),
+        cos(-x / 3 + 2 * s) ** 2 + sin(x / 3 - 2 * s) ** 2 - 1,
+    ],
+)
+def test_sums_and_parts_of_angles_are_related(identity: Expr) -> None:
+    assert is_zero(identity)
+    assert not is_zero(identity + sin(x) / 10**12)
+
+
+def test_elements_of_a_matrix_count_once_the_matrix_as_a_whole_is_used() -> None:
+    whole, vector = MatrixSymbol("M", 3, 3), MatrixSymbol("v", 3, 1)
+    back = MatMul(Inverse(whole), whole, vector)
+    assert proves(Eq(back, vector), same)
+    assert not proves(Eq(MatMul(whole, whole, vector), vector), same)
+    assert proves(Eq(MatMul(whole, vector + back), MatMul(2, whole, vector)), same)
+    assert fails(Eq(MatMul(whole, vector), vector), same, {whole: 2 * Identity(3)})
+
+
+def test_a_point_lies_outside_a_condition() -> None:
+    vector, number = MatrixSymbol("v", 2, 1), Symbol("n", real=True)
+    either = Condition(Or(Eq(vector, ZeroMatrix(2, 1)), Gt(number, 3)))
+    assert excludes(either, {vector: ImmutableMatrix([0, 1]), number: 3})
+    assert not excludes(either, {vector: ImmutableMatrix([0, 1]), number: 4})
+    assert not excludes(either, {vector: ImmutableMatrix([0, 0]), number: 3})
+    assert not excludes(either, {vector: ImmutableMatrix([0, 1])}), "the number is open"
+
+
+def test_a_limit_that_is_not_worked_out_proves_nothing() -> None:
+    unknown = Function("f")
+    assert not proves(Eq(Limit(unknown(x) ** unknown(x), x, oo), 0), same)
