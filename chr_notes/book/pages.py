@@ -42,6 +42,7 @@ def generated() -> dict[str, str]:
     return {
         "conventions.md": conventions(),
         "ledger.md": "\n".join(_documents(ledger)),
+        "errata.md": "\n".join(_errata(ledger)),
         "verdicts.md": verdicts(ledger),
         "gimbal_lock.md": GimbalLockDemo(yaw=30.0, pitch=75.0, roll=20.0).to_html() + "\n",
     }
