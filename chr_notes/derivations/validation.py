@@ -10,22 +10,35 @@ from sympy import (
     Abs,
     Expr,
     ImmutableMatrix,
+    S,
     atan2,
+    cancel,
     cos,
     expand,
-    fraction,
+    factor_terms,
+    pi,
     sin,
-    solve,
     sqrt,
     symbols,
-    together,
 )
 
 from chr_notes.derivations.euler import rotation
-from chr_notes.symbols import MAGNETOMETER, psi
+from chr_notes.derivations.quaternions import turned
+from chr_notes.symbols import MAGNETOMETER, Angle, psi
 
 # The field in the inertial frame: horizontal parts north and east, and the part down.
 REFERENCE = ImmutableMatrix(symbols("m_N m_E m_D", real=True))
+
+# An error of attitude: unit axis in the inertial frame, angle.
+ERROR_AXIS = symbols("n_N n_E n_D", real=True)
+error_angle = Angle("epsilon", real=True)
+
+# The Earth's field: magnitude, inclination, declination; a dipole's field at a latitude and a
+# distance from the centre.
+magnitude, radius, dipole_strength = symbols("M_e r K", positive=True)
+inclination, declination, latitude = (
+    Angle(name, real=True) for name in ("alpha", "delta", "lambda")
+)
 
 
 @cache
@@ -35,17 +48,51 @@ def level_field() -> ImmutableMatrix:
 
 
 @cache
+def yaw_equations() -> tuple[ImmutableMatrix, ImmutableMatrix]:
+    """State that the level reading, turned by yaw, is the horizontal field of the inertial frame.
+
+    Returns
+    -------
+    ImmutableMatrix
+        2 by 2, what stands before the sine and the cosine of yaw.
+    ImmutableMatrix
+        2 by 1, what their sums make.
+    """
+    cosine, sine, x, y = symbols("cosine sine x_level y_level", real=True)
+    turn = rotation("v1", "I").xreplace({cos(psi): cosine, sin(psi): sine})
+    horizontal = (turn * ImmutableMatrix([x, y, 0]))[:2, :]
+    before = horizontal.jacobian([sine, cosine])
+    level = dict(zip((x, y), level_field(), strict=False))
+    return ImmutableMatrix(before.xreplace(level)), ImmutableMatrix(REFERENCE[:2, :])
+
+
+@cache
+def determinant() -> Expr:
+    """Take the determinant of `yaw_equations`: minus the squared horizontal field as measured."""
+    before, _ = yaw_equations()
+    return before.det()
+
+
+@cache
+def sine_and_cosine_of_yaw() -> ImmutableMatrix:
+    """Solve `yaw_equations` by Cramer's rule; both have the determinant as divisor."""
+    before, sums = yaw_equations()
+    return ImmutableMatrix(before.adjugate() * sums / determinant())
+
+
+@cache
 def heading() -> Expr:
     """Find yaw from the level field and the horizontal field (m_N, m_E) of the inertial frame.
 
-    `rotation("I", "v1")` takes one to the other; its two level rows are linear in the cosine and
-    the sine of yaw. Both have the squared horizontal field as divisor, which drops out of atan2.
+    Sine and cosine of yaw have the same divisor, the `determinant`, which is negative: it drops
+    out of atan2, its sign apart.
     """
-    cosine, sine, x, y = symbols("cosine sine x_level y_level", real=True)
-    turned = rotation("I", "v1").xreplace({cos(psi): cosine, sin(psi): sine}) * REFERENCE
-    found = solve([turned[0] - x, turned[1] - y], [cosine, sine])
-    level = dict(zip((x, y), level_field(), strict=False))
-    return atan2(*(fraction(together(found[part]))[0].xreplace(level) for part in (sine, cosine)))
+    return atan2(*(expand(-part * determinant()) for part in sine_and_cosine_of_yaw()))
+
+
+def downward_gap(length: Expr = S.One) -> Expr:
+    """Field down as it should be, less what a reading of some length says in units of it."""
+    return REFERENCE[2] - expand(level_field()[2]) / length
 
 
 @cache
@@ -55,5 +102,52 @@ def factor() -> Expr:
     Both count in units of the whole field: the reading is divided by its magnitude, and m_D is
     the part that points down of a field of magnitude one. Yaw does not matter to it.
     """
-    magnitude = sqrt(ImmutableMatrix(MAGNETOMETER).dot(ImmutableMatrix(MAGNETOMETER)))
-    return Abs(REFERENCE[2] - expand(level_field()[2]) / magnitude)
+    return Abs(downward_gap(sqrt(ImmutableMatrix(MAGNETOMETER).dot(ImmutableMatrix(MAGNETOMETER)))))
+
+
+def factor_after_error() -> Expr:
+    """Factor E for a faultless magnetometer whose attitude is off by a turn about an axis."""
+    seen = turned(ImmutableMatrix(ERROR_AXIS), error_angle, REFERENCE)
+    return Abs(REFERENCE[2] - seen[2])
+
+
+@cache
+def sensitivity() -> Expr:
+    """Change of the signed E with a small error of attitude about an axis, per radian."""
+    gap = factor_after_error().args[0]
+    return expand(gap.diff(error_angle).subs(error_angle, 0))
+
+
+@cache
+def field_with_x_south() -> ImmutableMatrix:
+    """Field of the Earth with x towards geographic south and z down, so that y points west.
+
+    In north-east-down, inclination is the angle below the horizon and declination the angle of
+    the horizontal part from north towards east.
+    """
+    level = cos(inclination)
+    north_east_down = ImmutableMatrix(
+        [level * cos(declination), level * sin(declination), sin(inclination)]
+    )
+    return ImmutableMatrix(magnitude * rotation("I", "v1").subs(psi, pi) * north_east_down)
+
+
+@cache
+def dipole_field() -> ImmutableMatrix:
+    """Field of a dipole at the centre of the Earth, north, east and down: minus a gradient."""
+    potential = -dipole_strength * sin(latitude) / radius**2
+    north, up = -potential.diff(latitude) / radius, -potential.diff(radius)
+    return ImmutableMatrix([north, 0, -up])
+
+
+@cache
+def dipole_magnitude() -> Expr:
+    """Magnitude of `dipole_field`."""
+    squared = dipole_field().dot(dipole_field()).subs(cos(latitude) ** 2, 1 - sin(latitude) ** 2)
+    return sqrt(factor_terms(squared * radius**6)) / radius**3
+
+
+@cache
+def dipole_direction() -> ImmutableMatrix:
+    """`dipole_field`, normalised: the distance drops out."""
+    return ImmutableMatrix((dipole_field() / dipole_magnitude()).applyfunc(cancel))

@@ -19,6 +19,7 @@ from sympy import (
     fraction,
     gcd,
     reduced,
+    sec,
     simplify,
     sin,
     tan,
@@ -140,6 +141,9 @@ def equal(left: Basic, right: Basic) -> bool:
 def same_angle(left: Expr, right: Expr) -> bool:
     """Whether two angles are the same up to whole turns: their difference has sine 0, cosine 1."""
     turn = left - right
+    value = sample(turn)
+    if value.is_Float and abs(sin(value / 2)) > CLEARLY_NOT_ZERO:
+        return False
     return is_zero(expand_trig(sin(turn))) and is_zero(expand_trig(cos(turn)) - 1)
 
 
@@ -154,8 +158,8 @@ def is_positive(expression: Expr) -> bool:
 
 
 def settle(expression: Basic) -> Basic:
-    """Work out what SymPy leaves standing: floors of what lies in one unit, divisions by zero."""
-    expression = expression.replace(floor, _floor)
+    """Work out what SymPy leaves standing: secants, floors, divisions by zero."""
+    expression = expression.replace(sec, lambda x: 1 / cos(x)).replace(floor, _floor)
     divisors = (power.base for power in expression.atoms(Pow) if power.exp.is_negative)
     if not expression.free_symbols and any(is_zero(divisor) for divisor in divisors):
         return S.NaN

@@ -21,24 +21,28 @@ from sympy import (
     Limit,
     MatrixBase,
     MatrixExpr,
+    MatrixSymbol,
     N,
     S,
     Set,
+    Symbol,
     deg,
     log,
     sympify,
 )
+from sympy.core.function import AppliedUndef
 
 from chr_notes.ledger.case import CannotJudgeError, Case, Reading
 from chr_notes.ledger.entry import Entry, Verdict, Witness
 from chr_notes.ledger.identities import equal
 from chr_notes.ledger.proof import evaluate, excludes, fails, parts, proves, sides, work_out
 from chr_notes.printed.statement import Approximately
-from chr_notes.symbols import Angle, AngularRate
+from chr_notes.symbols import BODY_RATES, EULER, EULER_RATES, Angle, AngularRate, g, m
 from chr_notes.typeset import latex
 
 GIVEN_IN_DEGREES = {Angle: r"^\circ", AngularRate: r"^\circ/\mathrm{s}"}
 MANY = 3
+DERIVED_NAMES = frozenset((*EULER, *EULER_RATES, *BODY_RATES, g, m))
 
 
 def judge(case: Case) -> Entry:
@@ -118,12 +122,13 @@ def introduces_name(case: Case) -> bool:
     statement = case.printed.statement
     if not isinstance(statement, Eq):
         return False
-    name = statement.lhs
-    known = case.read(name) != name
-    return (
-        not known
-        and bool(name.free_symbols)
-        and not (name.free_symbols & statement.rhs.free_symbols)
+    names = tuple(statement.lhs) if isinstance(statement.lhs, MatrixBase) else (statement.lhs,)
+    return all(
+        isinstance(name, Symbol | MatrixSymbol | AppliedUndef)
+        and name not in DERIVED_NAMES
+        and case.read(name) == name
+        and not name.free_symbols & statement.rhs.free_symbols
+        for name in names
     )
 
 
@@ -182,7 +187,8 @@ def _witness(case: Case) -> Witness:
         return Witness(
             at, f"{place} = {_number(printed[where])}", f"{place} = {_number(right[where])}"
         )
-    return Witness(at, _number(printed, failing.lhs), _number(right, failing.lhs))
+    of = failing.rhs if isinstance(failing.rhs, Angle) else failing.lhs
+    return Witness(at, _number(printed, of), _number(right, of))
 
 
 def _point(point: Mapping[Basic, Basic]) -> tuple[tuple[str, str], ...]:

@@ -16,6 +16,8 @@ from sympy import (
     N,
     Ne,
     Or,
+    Pow,
+    S,
     Symbol,
     cancel,
     expand,
@@ -46,6 +48,9 @@ def work_out(expression: Basic, read: Read, by: Mapping[Basic, Basic]) -> Basic:
 
 def evaluate(expression: Basic, read: Read, by: Mapping[Basic, Basic]) -> Basic:
     """Put the derived quantities in place of the document's symbols, element by element."""
+    divisors = (power.base for power in expression.atoms(Pow) if power.exp.is_negative)
+    if not expression.is_Matrix and any(is_zero(work_out(part, read, by)) for part in divisors):
+        return S.NaN
     meaning = work_out(expression, read, by)
     if isinstance(meaning, MatrixExpr):
         meaning = meaning.as_explicit()

@@ -22,7 +22,7 @@ def up_to_right_angle(angle: Symbol) -> Condition:
     return Condition(Le(Abs(angle), pi / 2), ({angle: asin(Dummy("s", real=True))},))
 
 
-def short_turn(start: Symbol, end: Symbol) -> Condition:
+def short_turn(start: Expr, end: Symbol) -> Condition:
     """Let two angles be at most half a turn apart as numbers: `-pi <= end - start < pi`."""
     s = Dummy("s", nonnegative=True)
     turn = end - start

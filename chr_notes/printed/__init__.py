@@ -3,7 +3,7 @@
 Nothing here is derived and nothing here is true because it is here: the ledger judges it.
 """
 
-from chr_notes.printed import dead_reckoning, estimation, euler, quaternions
+from chr_notes.printed import dead_reckoning, estimation, euler, quaternions, validation
 from chr_notes.printed.statement import Printed, Rotation
 
 DOCUMENTS: dict[str, tuple[Printed, ...]] = {
@@ -11,6 +11,7 @@ DOCUMENTS: dict[str, tuple[Printed, ...]] = {
     "quaternions": quaternions.PRINTED,
     "estimation": estimation.PRINTED,
     "dead_reckoning": dead_reckoning.PRINTED,
+    "validation": validation.PRINTED,
 }
 
 __all__ = ["DOCUMENTS", "Printed", "Rotation"]
