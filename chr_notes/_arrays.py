@@ -94,16 +94,18 @@ def blocks(
     given
         Arrays to read, of any real type.
     out
-        Arrays to write, whose shape is what the others broadcast to.
+        Arrays to write, whose shape is what the others broadcast to, and whose type is the one to
+        compute in; float64 where there are none.
 
     Yields
     ------
     tuple
-        Index of the block's first element in C order, the blocks to read and to write as float64,
-        and storage for what is computed on the way.
+        Index of the block's first element in C order, the blocks to read and to write, and
+        storage for what is computed on the way.
     """
+    number = out[0].dtype if out else np.dtype(np.float64)
     size = min(BLOCK, max(1, (*given, *out)[-1].size))
-    work = np.empty((_WORK, size))
+    work = np.empty((_WORK, size), dtype=number)
     read: list[Literal["readonly", "writeonly"]] = ["readonly"]
     write: list[Literal["readonly", "writeonly"]] = ["writeonly"]
     access = [*(read for _ in given), *(write for _ in out)]
@@ -112,7 +114,7 @@ def blocks(
         [*given, *out],
         flags=["external_loop", "buffered", "zerosize_ok"],
         op_flags=access,
-        op_dtypes=[np.float64] * len(access),
+        op_dtypes=[number] * len(access),
         order="C",
         casting="same_kind",
         buffersize=size,

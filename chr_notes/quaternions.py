@@ -231,9 +231,19 @@ def quaternion_multiply(p: ArrayLike, q: ArrayLike) -> Floats:
     """
     first, second = reals("p", p, 4), reals("q", q, 4)
     out = np.empty((*common_shape(("p", first, 1), ("q", second, 1)), 4))
-    given = [*components(first), *components(second)]
-    evaluate(generated.quaternion_multiply, given, components(out))
+    if _in_pairs(first) and _in_pairs(second):
+        pairs = [*components(first.view(np.complex128)), *components(second.view(np.complex128))]
+        halves = components(out.view(np.complex128))
+        evaluate(generated.quaternion_multiply_pairs, pairs, halves)
+    else:
+        given = [*components(first), *components(second)]
+        evaluate(generated.quaternion_multiply, given, components(out))
     return out
+
+
+def _in_pairs(quaternion: Floats) -> bool:
+    """Whether two neighbouring elements lie in memory as a complex number does."""
+    return quaternion.dtype == np.float64 and quaternion.strides[-1] == quaternion.itemsize
 
 
 def quaternion_conjugate(q: ArrayLike) -> Floats:

@@ -22,7 +22,7 @@ def files() -> dict[str, str]:
     dict
         From the path below `generated/` to the text of the file.
     """
-    programs = tuple(lower(target, by_library) for target in TARGETS)
+    programs = tuple(lower(target, by_library) for target in TARGETS if not target.complex)
     blocks = tuple(lower(target, by_half_tangent, guarded=True) for target in TARGETS)
     topics = list(dict.fromkeys(target.topic for target in TARGETS))
     made = {

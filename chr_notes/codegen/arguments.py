@@ -8,6 +8,7 @@ from chr_notes.derivations.forms.dead_reckoning import NEXT as ACCELERATION_AFTE
 from chr_notes.derivations.forms.estimation import PITCH_ACCEL as PITCH_SEEN
 from chr_notes.derivations.forms.estimation import ROLL_ACCEL as ROLL_SEEN
 from chr_notes.derivations.forms.euler import ANGLE as WRAPPED
+from chr_notes.derivations.forms.quaternions import FACTORS_IN_PAIRS
 from chr_notes.derivations.quaternions import MATRIX as ELEMENTS
 from chr_notes.symbols import (
     ACCELEROMETER,
@@ -94,6 +95,19 @@ PRODUCT = tuple(
     Argument(f"{name}{number}", symbol, f"{says} of the {which} factor")
     for number, which, symbols in ((1, "first", FIRST), (2, "second", SECOND))
     for symbol, name, says in zip(symbols, "abcd", _ELEMENTS, strict=True)
+)
+PAIRS = tuple(
+    Argument(name, symbol, f"{elements} of the {which} factor as one complex number")
+    for symbol, (name, elements, which) in zip(
+        FACTORS_IN_PAIRS,
+        (
+            ("ab1", "a + i b", "first"),
+            ("cd1", "c + i d", "first"),
+            ("ab2", "a + i b", "second"),
+            ("cd2", "c + i d", "second"),
+        ),
+        strict=True,
+    )
 )
 AXIS_ARGUMENTS = axes("{}", AXIS, "{} of the axis, any length")
 TURN = Argument("angle", alpha, "angle of the turn about the axis, radians")

@@ -1,12 +1,16 @@
 """Printer of NumPy functions that work on blocks of rows and allocate nothing of their size."""
 
 import re
+from dataclasses import replace
 
 from chr_notes.codegen.blocks import Call, calls, in_place
 from chr_notes.codegen.expressions import infix
 from chr_notes.codegen.header import FLAG, WIDTH, folded, in_lines, ledger, made_how, returns
 from chr_notes.codegen.lowering import Program
 from chr_notes.codegen.python import PYTHON
+
+# How the comments write formulas.
+COMMENTS = replace(PYTHON, call={**PYTHON.call, "conjugate": "conjugate"})
 
 _BOOLEAN = re.compile("less|greater|logical")
 WORK = 16
@@ -16,7 +20,12 @@ WORK = 16
 def module(programs: tuple[Program, ...]) -> str:
     """Print a module of functions of arrays of one shape, which write to `out`."""
     body = "\n\n\n".join(_function(program) for program in programs)
-    types = ["float64"] + ["bool_"] * any(program.flag is not None for program in programs)
+    pairs = any(program.target.complex for program in programs)
+    types = (
+        ["float64"]
+        + ["complex128"] * pairs
+        + ["bool_"] * any(program.flag is not None for program in programs)
+    )
     used = sorted({call.function for program in programs for call in calls(program)})
     head = '"""' + "\n".join(made_how(programs)) + '\n"""\n\n'
     imports = "\n".join(
@@ -27,6 +36,7 @@ def module(programs: tuple[Program, ...]) -> str:
             "from numpy.typing import NDArray",
             "",
             "Block = NDArray[float64]",
+            *(["Pairs = NDArray[complex128]"] if pairs else []),
         ]
     )
     return f"{head}{imports}\n\n\n{body}\n"
@@ -34,8 +44,9 @@ def module(programs: tuple[Program, ...]) -> str:
 
 def _function(program: Program) -> str:
     target = program.target
-    arguments = [f"{argument.name}: Block" for argument in target.arguments]
-    arguments += ["out: Sequence[Block]", "work: Sequence[Block]"]
+    block = "Pairs" if target.complex else "Block"
+    arguments = [f"{argument.name}: {block}" for argument in target.arguments]
+    arguments += [f"out: Sequence[{block}]", f"work: Sequence[{block}]"]
     told = (program.guard, program.flag)
     reports = [symbol.name for symbol in told if symbol is not None]
     types = [
@@ -129,7 +140,7 @@ def _statement(call: Call, storage: dict[str, str], *, alone: bool) -> list[str]
     operands = ", ".join(_operand(operand, storage) for operand in call.operands)
     lines = []
     if call.says is not None and not alone:
-        formula = folded(f"{call.says.name} = {infix(call.says.value, PYTHON)}", WIDTH - 10)
+        formula = folded(f"{call.says.name} = {infix(call.says.value, COMMENTS)}", WIDTH - 10)
         lines += [f"# {line}" for line in formula]
     place = storage[call.result]
     is_local = call.result != place and not call.result.startswith("$")

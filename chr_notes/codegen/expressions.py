@@ -18,6 +18,7 @@ from sympy import (
     asin,
     atan,
     atan2,
+    conjugate,
     cos,
     floor,
     sin,
@@ -29,7 +30,7 @@ from sympy.logic.boolalg import And, Not, Or
 
 from chr_notes.derivations.computation import EPSILON, Choice, Remainder
 
-FUNCTIONS = (Abs, acos, asin, atan, atan2, cos, floor, hypot, sin, tan)
+FUNCTIONS = (Abs, acos, asin, atan, atan2, conjugate, cos, floor, hypot, sin, tan)
 HALF = Rational(1, 2)
 # How tightly an operator binds: what binds less than its surroundings is put in brackets.
 OR, AND, COMPARE, SUM, PRODUCT, UNARY, ATOM = range(7)

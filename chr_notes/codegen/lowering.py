@@ -57,7 +57,8 @@ def lower(target: Target, rewriting: Rewriting, *, guarded: bool = False) -> Pro
     formula = target.formula()
     computation = formula if isinstance(formula, Computation) else Computation((), formula)
     _check_symbols(target, computation)
-    names = {argument.symbol: Symbol(argument.name, real=True) for argument in target.arguments}
+    real = {} if target.complex else {"real": True}
+    names = {argument.symbol: Symbol(argument.name, **real) for argument in target.arguments}
     is_matrix = isinstance(computation.results, MatrixBase)
     results = tuple(
         element.xreplace(names)
@@ -67,7 +68,7 @@ def lower(target: Target, rewriting: Rewriting, *, guarded: bool = False) -> Pro
     angles, replaced = rewriting(expressions(steps, results))
     steps = tuple(map_step(step, lambda value: value.xreplace(replaced)) for step in steps)
     results = tuple(result.xreplace(replaced) for result in results)
-    known = {Symbol(argument.name, real=True) for argument in target.arguments}
+    known = set(names.values())
     steps, results = _schedule(known, angles, steps, results)
     reports = {computation.flag} | ({computation.guard} if guarded else set())
     steps = _needed(steps, results, reports - {None})

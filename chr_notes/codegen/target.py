@@ -46,6 +46,8 @@ class Target:
         of these.
     entries
         Ids of the ledger entries that state it; empty where the documents do not have it.
+    complex
+        Whether the arguments are complex numbers; such a function is made for NumPy alone.
     """
 
     name: str
@@ -54,3 +56,4 @@ class Target:
     arguments: tuple[Argument, ...]
     formula: Callable[[], Expr | ImmutableMatrix | Computation]
     entries: tuple[str, ...] = ()
+    complex: bool = False

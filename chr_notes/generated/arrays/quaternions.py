@@ -11,6 +11,8 @@ from numpy import (
     add,
     arctan2,
     bool_,
+    complex128,
+    conjugate,
     copyto,
     divide,
     float64,
@@ -29,6 +31,7 @@ from numpy import (
 from numpy.typing import NDArray
 
 Block = NDArray[float64]
+Pairs = NDArray[complex128]
 
 
 def matrix_from_quaternion(
@@ -315,26 +318,26 @@ def euler_from_quaternion(
     product_2 = multiply(a_minus_c, d_minus_b, out=work[7])
     product_3 = multiply(a_minus_c, a_plus_c, out=work[0])
     product_4 = multiply(b_plus_d, d_minus_b, out=work[1])
-    sum_of_squares = add(above, below, out=work[2])
-    # pitch = atan2(2.0 * a * c - 2.0 * b * d, sqrt(above) * sqrt(below))
-    multiply(a, c, out=work[3])
-    multiply(work[3], 2.0, out=work[3])
-    multiply(b, d, out=work[8])
-    multiply(work[8], 2.0, out=work[8])
-    subtract(work[3], work[8], out=work[3])
+    # half_sine = a * c - b * d
+    multiply(a, c, out=work[2])
+    multiply(b, d, out=work[3])
+    half_sine = subtract(work[2], work[3], out=work[2])
+    sum_of_squares = add(above, below, out=work[3])
+    # pitch = atan2(2.0 * half_sine, sqrt(above) * sqrt(below))
+    multiply(half_sine, 2.0, out=work[2])
     sqrt(above, out=work[5])
     sqrt(below, out=work[4])
     multiply(work[5], work[4], out=work[4])
-    pitch = arctan2(work[3], work[4], out=out[1])
+    pitch = arctan2(work[2], work[4], out=out[1])
     # locked = abs(pitch) > 1.5707963267948948
-    absolute(pitch, out=work[3])
-    locked = greater(work[3], 1.5707963267948948)
-    subtract(product_1, product_2, out=work[3])
+    absolute(pitch, out=work[2])
+    locked = greater(work[2], 1.5707963267948948)
+    subtract(product_1, product_2, out=work[2])
     add(product_3, product_4, out=work[4])
-    roll = arctan2(work[3], work[4], out=out[0])
-    add(product_1, product_2, out=work[3])
+    roll = arctan2(work[2], work[4], out=out[0])
+    add(product_1, product_2, out=work[2])
     subtract(product_3, product_4, out=work[0])
-    yaw = arctan2(work[3], work[0], out=out[2])
+    yaw = arctan2(work[2], work[0], out=out[2])
     if locked.any():
         copyto(roll, 0.0, where=locked)
         multiply(a, d, out=work[0])
@@ -343,12 +346,12 @@ def euler_from_quaternion(
         multiply(work[1], 2.0, out=work[1])
         subtract(work[0], work[1], out=work[0])
         square(a, out=work[1])
-        square(b, out=work[3])
-        subtract(work[1], work[3], out=work[1])
-        square(c, out=work[3])
-        add(work[1], work[3], out=work[1])
-        square(d, out=work[3])
-        subtract(work[1], work[3], out=work[1])
+        square(b, out=work[2])
+        subtract(work[1], work[2], out=work[1])
+        square(c, out=work[2])
+        add(work[1], work[2], out=work[1])
+        square(d, out=work[2])
+        subtract(work[1], work[2], out=work[1])
         arctan2(work[0], work[1], out=work[0])
         copyto(yaw, work[0], where=locked)
     return sum_of_squares, locked
@@ -513,6 +516,32 @@ def quaternion_multiply(
     add(work[0], work[1], out=work[0])
     multiply(b2, c1, out=work[1])
     subtract(work[0], work[1], out=out[3])
+
+
+def quaternion_multiply_pairs(
+    ab1: Pairs, cd1: Pairs, ab2: Pairs, cd2: Pairs, out: Sequence[Pairs], work: Sequence[Pairs]
+) -> None:
+    """Product of two quaternions as pairs of complex numbers (2).
+
+    ab1: a + i b of the first factor as one complex number
+    cd1: c + i d of the first factor as one complex number
+    ab2: a + i b of the second factor as one complex number
+    cd2: c + i d of the second factor as one complex number
+    out: 2 arrays for the elements
+    work: 16 arrays for what is computed on the way
+
+    Ledger: quaternions.3.2.
+    """
+    # out[0] = ab1 * ab2 - cd1 * conjugate(cd2)
+    multiply(ab1, ab2, out=work[0])
+    conjugate(cd2, out=work[1])
+    multiply(cd1, work[1], out=work[1])
+    subtract(work[0], work[1], out=out[0])
+    # out[1] = ab1 * cd2 + cd1 * conjugate(ab2)
+    multiply(ab1, cd2, out=work[0])
+    conjugate(ab2, out=work[1])
+    multiply(cd1, work[1], out=work[1])
+    add(work[0], work[1], out=out[1])
 
 
 def quaternion_conjugate(

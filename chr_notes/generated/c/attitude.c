@@ -430,7 +430,8 @@ int attitude_euler_from_quaternion(double a, double b, double c, double d, doubl
     const double product_2 = a_minus_c * d_minus_b;
     const double product_3 = a_minus_c * a_plus_c;
     const double product_4 = b_plus_d * d_minus_b;
-    const double pitch = atan2(2.0 * a * c - 2.0 * b * d, sqrt(above) * sqrt(below));
+    const double half_sine = a * c - b * d;
+    const double pitch = atan2(2.0 * half_sine, sqrt(above) * sqrt(below));
     const int locked = fabs(pitch) > 1.5707963267948948;
     double roll, yaw;
     if (!locked) {
@@ -458,7 +459,8 @@ int attitude_euler_from_quaternion_f(float a, float b, float c, float d, float o
     const float product_2 = a_minus_c * d_minus_b;
     const float product_3 = a_minus_c * a_plus_c;
     const float product_4 = b_plus_d * d_minus_b;
-    const float pitch = atan2f(2.0f * a * c - 2.0f * b * d, sqrtf(above) * sqrtf(below));
+    const float half_sine = a * c - b * d;
+    const float pitch = atan2f(2.0f * half_sine, sqrtf(above) * sqrtf(below));
     const int locked = fabsf(pitch) > 1.5707953731205802f;
     float roll, yaw;
     if (!locked) {

@@ -304,7 +304,8 @@ export function eulerFromQuaternion(a, b, c, d) {
   const product2 = aMinusC * dMinusB;
   const product3 = aMinusC * aPlusC;
   const product4 = bPlusD * dMinusB;
-  const pitch = Math.atan2(2 * a * c - 2 * b * d, Math.sqrt(above) * Math.sqrt(below));
+  const halfSine = a * c - b * d;
+  const pitch = Math.atan2(2 * halfSine, Math.sqrt(above) * Math.sqrt(below));
   const locked = Math.abs(pitch) > 1.5707963267948948;
   let roll, yaw;
   if (!locked) {

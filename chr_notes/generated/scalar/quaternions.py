@@ -147,7 +147,8 @@ def euler_from_quaternion(
     product_2 = a_minus_c * d_minus_b
     product_3 = a_minus_c * a_plus_c
     product_4 = b_plus_d * d_minus_b
-    pitch = atan2(2.0 * a * c - 2.0 * b * d, sqrt(above) * sqrt(below))
+    half_sine = a * c - b * d
+    pitch = atan2(2.0 * half_sine, sqrt(above) * sqrt(below))
     locked = abs(pitch) > 1.5707963267948948
     if not locked:
         roll = atan2(product_1 - product_2, product_3 + product_4)

@@ -1,0 +1,180 @@
+"""The table of generated functions, part two: sensors, filters, heading, dead reckoning.
+
+No formula stands here: each target names the derivation that it comes from.
+"""
+
+from chr_notes.codegen import arguments as given
+from chr_notes.codegen.target import Target
+from chr_notes.derivations import calibration, dead_reckoning, estimation
+from chr_notes.derivations.forms import dead_reckoning as reckoning_forms
+from chr_notes.derivations.forms import estimation as filter_forms
+from chr_notes.derivations.forms import sensors as sensor_forms
+
+TARGETS = (
+    Target(
+        "accelerometer_at_rest",
+        "sensors",
+        "Reading of an accelerometer at rest, m/s²",
+        (given.ROLL, given.PITCH, given.GRAVITY),
+        estimation.accelerometer_at_rest,
+        ("estimation.2.4", "sensors.2.2", "sensors.2.c"),
+    ),
+    Target(
+        "sensor_measures",
+        "sensors",
+        "Reading of a three-axis sensor, by its model",
+        (*given.MISALIGNMENT, *given.SENSITIVITY, *given.BIAS, *given.ACTUAL),
+        sensor_forms.measured,
+        ("sensors.2.3", "sensors.2.4"),
+    ),
+    Target(
+        "sensor_corrected",
+        "sensors",
+        "What is there, from the reading of a three-axis sensor",
+        (*given.REALIGNMENT, *given.SENSITIVITY, *given.BIAS, *given.READING),
+        calibration.corrected,
+        ("sensors.2.5", "sensors.2.e", "sensors.4.1"),
+    ),
+    Target(
+        "gyro_measures",
+        "sensors",
+        "Reading of a rate gyro on which acceleration acts, by its model",
+        (
+            *given.MISALIGNMENT,
+            *given.SENSITIVITY,
+            *given.BIAS,
+            *given.COUPLING,
+            *given.ACCEL,
+            *given.ACTUAL,
+        ),
+        lambda: sensor_forms.measured(calibration.coupled()),
+        ("sensors.3.2",),
+    ),
+    Target(
+        "gyro_corrected",
+        "sensors",
+        "Body rates, from the reading of a rate gyro on which acceleration acts",
+        (
+            *given.REALIGNMENT,
+            *given.SENSITIVITY,
+            *given.BIAS,
+            *given.COUPLING,
+            *given.ACCEL,
+            *given.READING,
+        ),
+        lambda: calibration.corrected(calibration.coupled()),
+        ("sensors.3.2",),
+    ),
+    Target(
+        "iron_removed",
+        "sensors",
+        "The magnetic field without what soft and hard iron do to it",
+        (*given.SOFT_IRON, *given.HARD_IRON, *given.READING),
+        calibration.without_iron,
+        ("sensors.4.2",),
+    ),
+    Target(
+        "iron_added",
+        "sensors",
+        "The magnetic field as soft and hard iron distort it",
+        (*given.DISTORTION, *given.HARD_IRON, *given.ACTUAL),
+        calibration.with_iron,
+        ("sensors.4.2",),
+    ),
+    Target(
+        "tilt_from_accelerometer",
+        "estimation",
+        "Roll and pitch of a body at rest, radians",
+        given.ACCEL,
+        filter_forms.tilt,
+        ("estimation.2.5", "estimation.2.6"),
+    ),
+    Target(
+        "gyro_step",
+        "estimation",
+        "Roll, pitch and yaw one period later by Euler integration, radians",
+        (*given.ANGLES, *given.RATES, given.PERIOD),
+        filter_forms.gyro_step,
+        ("estimation.3.1", "estimation.3.2", "estimation.3.3"),
+    ),
+    Target(
+        "observer_step",
+        "estimation",
+        "Roll, pitch and yaw one period later, yaw from the gyros alone, radians",
+        (*given.ANGLES, *given.RATES, *given.ACCEL, given.PERIOD, given.GAIN),
+        filter_forms.observer_step,
+        ("estimation.4.1", "estimation.4.2", "estimation.4.3", "estimation.4.4"),
+    ),
+    Target(
+        "correct_tilt",
+        "estimation",
+        "Roll and pitch, radians, moved by the gain towards those that the accelerometer shows",
+        (given.ROLL, given.PITCH, given.ROLL_ACCEL, given.PITCH_ACCEL, given.GAIN),
+        filter_forms.correct_tilt,
+        ("estimation.4.3", "estimation.4.4"),
+    ),
+    Target(
+        "heading_from_magnetometer",
+        "validation",
+        "Yaw, radians",
+        (*given.MAG, given.ROLL, given.PITCH, given.NORTH, given.EAST),
+        filter_forms.heading,
+        ("validation.12", "validation.16"),
+    ),
+    Target(
+        "validation_factor",
+        "validation",
+        "The factor E: by how much the field down is off, the whole field being 1",
+        (*given.MAG, given.ROLL, given.PITCH, given.DOWN),
+        filter_forms.factor,
+        ("validation.17",),
+    ),
+    Target(
+        "inertial_acceleration",
+        "dead_reckoning",
+        "Acceleration of the body in the inertial frame, m/s²",
+        (*given.ACCEL, *given.ANGLES, given.GRAVITY),
+        dead_reckoning.inertial_acceleration,
+        ("dead_reckoning.2.3",),
+    ),
+    Target(
+        "accelerometer_from_acceleration",
+        "dead_reckoning",
+        "Reading of an accelerometer on a body that accelerates, m/s²",
+        (*given.ACCELERATION, *given.ANGLES, given.GRAVITY),
+        dead_reckoning.accelerometer_reading,
+        ("dead_reckoning.2.1",),
+    ),
+    Target(
+        "velocity_step",
+        "dead_reckoning",
+        "Velocity north, east, down one period later by the notes' step, m/s",
+        (*given.VELOCITY, *given.ACCELERATION, given.PERIOD),
+        reckoning_forms.velocity_step,
+        ("dead_reckoning.3.3",),
+    ),
+    Target(
+        "position_step",
+        "dead_reckoning",
+        "Position north, east, down one period later by the notes' step, m",
+        (*given.POSITION, *given.VELOCITY, given.PERIOD),
+        reckoning_forms.position_step,
+        ("dead_reckoning.3.4",),
+    ),
+    Target(
+        "dead_reckoning_step",
+        "dead_reckoning",
+        "Velocity north, east, down (m/s), then position (m), one period later",
+        (*given.VELOCITY, *given.POSITION, *given.ACCELERATION, *given.NEXT, given.PERIOD),
+        reckoning_forms.step,
+        ("dead_reckoning.3.1", "dead_reckoning.3.2"),
+    ),
+    Target(
+        "drift_from_tilt_error",
+        "dead_reckoning",
+        "Error of acceleration (m/s²), of velocity (m/s) and of position (m), along the ground",
+        (given.TILT_ERROR, given.TIME, given.GRAVITY),
+        dead_reckoning.drift,
+        ("dead_reckoning.4.g",),
+    ),
+)
