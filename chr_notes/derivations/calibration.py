@@ -5,7 +5,7 @@ away, and the misalignment M mixes the axes. Its inverse N is used as a matrix o
 any invertible M has one. What is there comes first in each model, what is measured second.
 """
 
-from sympy import Expr, ImmutableMatrix, Symbol, diag, solve, symbols
+from sympy import Expr, ImmutableMatrix, Symbol, cos, diag, pi, sin, solve, sqrt, symbols
 
 from chr_notes.symbols import ACCELEROMETER, VECTOR
 
@@ -59,3 +59,20 @@ def with_iron() -> ImmutableMatrix:
 def _solved(zero: ImmutableMatrix, unknowns: ImmutableMatrix) -> ImmutableMatrix:
     found: dict[Symbol, Expr] = solve(list(zero), list(unknowns))
     return ImmutableMatrix([found[unknown] for unknown in unknowns])
+
+
+def readings_centre() -> ImmutableMatrix:
+    """Find the centre of the readings: it lies halfway between those of opposite fields."""
+    distorted = with_iron()
+    opposite = distorted.subs({part: -part for part in VECTOR}, simultaneous=True)
+    return ImmutableMatrix((distorted + opposite) / 2)
+
+
+def readings_mean() -> ImmutableMatrix:
+    """Average the readings over all directions of a field of unit strength."""
+    height, turn = symbols("z_0 lambda", real=True)
+    ring = sqrt(1 - height**2)
+    towards = dict(zip(VECTOR, (ring * cos(turn), ring * sin(turn), height), strict=True))
+    # equal areas of a sphere have equal heights
+    around = with_iron().xreplace(towards).applyfunc(lambda part: part.integrate((turn, 0, 2 * pi)))
+    return ImmutableMatrix(around.applyfunc(lambda part: part.integrate((height, -1, 1))) / (4 * pi))

@@ -3,12 +3,12 @@
 from functools import cache
 
 from chr_notes.derivations.steps import Step
-from chr_notes.ledger import dead_reckoning, estimation, euler, quaternions, validation
+from chr_notes.ledger import dead_reckoning, estimation, euler, quaternions, sensors, validation
 from chr_notes.ledger.case import CannotJudgeError, Case
 from chr_notes.ledger.entry import Entry, Verdict, Witness
 from chr_notes.ledger.judgement import judge
 
-TOPICS = (euler, quaternions, estimation, dead_reckoning, validation)
+TOPICS = (euler, quaternions, sensors, estimation, dead_reckoning, validation)
 CASES: dict[str, Case] = {case.printed.id: case for topic in TOPICS for case in topic.CASES}
 
 
