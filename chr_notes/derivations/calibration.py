@@ -75,4 +75,6 @@ def readings_mean() -> ImmutableMatrix:
     towards = dict(zip(VECTOR, (ring * cos(turn), ring * sin(turn), height), strict=True))
     # equal areas of a sphere have equal heights
     around = with_iron().xreplace(towards).applyfunc(lambda part: part.integrate((turn, 0, 2 * pi)))
-    return ImmutableMatrix(around.applyfunc(lambda part: part.integrate((height, -1, 1))) / (4 * pi))
+    return ImmutableMatrix(
+        around.applyfunc(lambda part: part.integrate((height, -1, 1))) / (4 * pi)
+    )

@@ -11,6 +11,7 @@ from sympy import (
     Ge,
     Gt,
     Le,
+    Limit,
     Lt,
     MatrixBase,
     N,
@@ -18,11 +19,14 @@ from sympy import (
     Or,
     Pow,
     S,
+    Subs,
     Symbol,
     cancel,
     expand,
     simplify,
+    sympify,
 )
+from sympy.concrete.expr_with_limits import ExprWithLimits
 from sympy.core.relational import Relational
 from sympy.logic.boolalg import BooleanFalse, BooleanTrue
 from sympy.matrices.expressions.matexpr import MatrixElement, MatrixExpr
@@ -39,10 +43,18 @@ def parts(statement: Basic) -> tuple[Basic, ...]:
     return statement.args if isinstance(statement, And) else (statement,)
 
 
+def put(expression: Basic, by: Mapping[Basic, Basic]) -> Basic:
+    """Substitute; a point of many numbers at once, where no symbol is bound."""
+    numbers = all(isinstance(old, Symbol) and sympify(new).is_number for old, new in by.items())
+    if numbers and not expression.has(Limit, ExprWithLimits, Subs):
+        return expression.xreplace({old: sympify(new) for old, new in by.items()})
+    return expression.subs(by)
+
+
 def work_out(expression: Basic, read: Read, by: Mapping[Basic, Basic]) -> Basic:
     """Put the derived quantities in place of the document's symbols, matrices as a whole."""
     # A condition may speak of the document's symbols or of the derived ones: before and after.
-    meaning = read(expression.subs(by)).subs(by).doit()
+    meaning = put(read(put(expression, by)), by).doit()
     return expand(meaning).doit() if isinstance(meaning, MatrixExpr) else meaning
 
 

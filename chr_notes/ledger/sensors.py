@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from sympy import Basic, Eq, Identity, ImmutableMatrix, MatAdd, MatMul, S, Symbol, diag, symbols
+from sympy import Basic, Eq, Identity, ImmutableMatrix, MatAdd, MatMul, Symbol, diag, symbols
 
 from chr_notes.derivations import calibration as derived
 from chr_notes.derivations.estimation import accelerometer_at_rest, tilt, weight
@@ -12,7 +12,7 @@ from chr_notes.derivations.steps import Step
 from chr_notes.ledger.case import Case, Condition, complete
 from chr_notes.ledger.reading import elements, reading
 from chr_notes.printed import sensors as printed
-from chr_notes.symbols import ACCELEROMETER, BODY_RATES, VECTOR, g, m, phi, theta
+from chr_notes.symbols import ACCELEROMETER, VECTOR, g, m, phi, theta
 
 FORCE = ImmutableMatrix(symbols("F_x F_y F_z", real=True))
 NORMAL = ImmutableMatrix(symbols("N_x N_y N_z", real=True))
@@ -46,15 +46,6 @@ def _parameters(sensor: str, *names: Basic) -> dict[Basic, Basic | Callable[[], 
         sensitivity: own(sensor, ImmutableMatrix(diag(*derived.SENSITIVITY))),
         bias: own(sensor, ImmutableMatrix(derived.BIAS)),
     }
-
-
-def _measured_from_force() -> ImmutableMatrix:
-    """Correct what the model says that a specific force is measured as."""
-    mixed = derived.REALIGNMENT.inv() * (
-        diag(*derived.SENSITIVITY) * specific_force(FORCE, weight(), m)
-        - ImmutableMatrix(derived.BIAS)
-    )
-    return ImmutableMatrix(derived.corrected().xreplace(dict(zip(VECTOR, mixed, strict=True))))
 
 
 def _field_without_iron() -> ImmutableMatrix:
@@ -104,9 +95,18 @@ READ_CORRECTED = reading(
 )
 READ_SOLVED = reading(
     {
-        printed.A_MC: _measured_from_force,
-        printed.F: FORCE,
-        printed.F_G: weight,
+        # The correction, with the model in place of the measurement; both as matrices.
+        printed.A_MC: MatMul(
+            printed.S_A.I,
+            MatAdd(
+                MatMul(
+                    printed.M_A.I,
+                    printed.M_A,
+                    MatAdd(MatMul(printed.S_A, printed.F - printed.F_G) / m, -printed.BETA_A),
+                ),
+                printed.BETA_A,
+            ),
+        ),
     }
 )
 READ_GYRO = reading(
@@ -131,21 +131,13 @@ READ_FIELD = reading(
         **_parameters("b", printed.M_B.I, printed.S_B, printed.BETA_B),
     }
 )
-READ_TURNED = reading(
-    {printed.B: lambda: rotation("I", "B") * FIELD, printed.FIELD: FIELD}
-)
-# D is the inverse of N here, so that the distorted readings are polynomials.
+READ_TURNED = reading({printed.B: lambda: rotation("I", "B") * FIELD, printed.FIELD: FIELD})
+# Soft iron alone; hard iron alone; both.
 READ_IRON = reading(
     {
-        printed.SOFTENED: lambda: ImmutableMatrix(
-            derived.with_iron()
-            .xreplace(dict.fromkeys(derived.HARD_IRON, S.Zero))
-            .xreplace(dict(zip(VECTOR, FIELD, strict=True)))
-        ),
+        printed.SOFTENED: MatMul(printed.D_S.I, printed.FIELD),
         printed.MEAN: lambda: _without_soft_iron(derived.readings_mean()),
         printed.CENTRE: derived.readings_centre,
-        printed.FIELD: FIELD,
-        printed.D_S: lambda: ImmutableMatrix(derived.REALIGNMENT.inv()),
         printed.D_S.I: derived.REALIGNMENT,
         printed.BETA_H: ImmutableMatrix(derived.HARD_IRON),
     }
@@ -292,7 +284,10 @@ SETTLED = (
                 "A field and the opposite field give readings on either side of the centre. The "
                 "hard iron is taken away after the soft iron, so it reaches the readings through "
                 "the inverse of the soft-iron matrix.",
-                Eq(derived.readings_centre(), derived.REALIGNMENT * ImmutableMatrix(derived.HARD_IRON)),
+                Eq(
+                    derived.readings_centre(),
+                    derived.REALIGNMENT * ImmutableMatrix(derived.HARD_IRON),
+                ),
             ),
             Step(
                 "Turned by any rotation, the corrected field has the same length. So the shape of "

@@ -1,9 +1,9 @@
 """What "Sensors for Orientation Estimation" prints."""
 
-from sympy import And, Eq, ImmutableMatrix, MatAdd, MatMul, MatrixSymbol, Symbol, ZeroMatrix, diag
-from sympy import symbols
+from sympy import And, Eq, ImmutableMatrix, MatAdd, MatMul, MatrixSymbol, ZeroMatrix, diag, symbols
+from sympy.matrices.expressions.dotproduct import DotProduct
 
-from chr_notes.printed.statement import Printed, Rotation, words
+from chr_notes.printed.statement import Printed, Rotation
 from chr_notes.symbols import BODY_RATES, Angle, g, m, phi, psi, theta
 
 A_M = MatrixSymbol(r"\mathbf{a}_m", 3, 1)
@@ -19,9 +19,9 @@ B_C = MatrixSymbol(r"\mathbf{b}_c", 3, 1)
 # Misalignment, sensitivity and bias of the three sensors; the accelerometer's model has its bias
 # without an index, the correction that follows has it with one.
 M_A, M_G, M_B = (MatrixSymbol(f"M_{sensor}", 3, 3) for sensor in "agb")
-S_A, S_G, S_B = (MatrixSymbol(rf"S_{sensor}\left(T\right)", 3, 3) for sensor in "agb")
+S_A, S_G, S_B = (MatrixSymbol(rf"{{S_{sensor}}}\left(T\right)", 3, 3) for sensor in "agb")
 BETA_A, BETA_G, BETA_B = (
-    MatrixSymbol(rf"\beta_{sensor}\left(T\right)", 3, 1) for sensor in "agb"
+    MatrixSymbol(rf"{{\beta_{sensor}}}\left(T\right)", 3, 1) for sensor in "agb"
 )
 BETA = MatrixSymbol(r"\beta\left(T\right)", 3, 1)
 C_GA = MatrixSymbol(r"C_{g,a}", 3, 3)
@@ -136,14 +136,14 @@ PRINTED = (
         "sensors.4.a",
         "claim",
         "Without distortion the outputs lie on a sphere about zero.",
-        Eq(MatMul(B.T, B), MatMul(FIELD.T, FIELD)),
+        Eq(DotProduct(B, B), DotProduct(FIELD, FIELD)),
     ),
     Printed(
         "sensors.4.b",
         "claim",
         "Soft iron makes the sphere an ellipsoid; hard iron shifts the mean of the outputs.",
         And(
-            Eq(MatMul(SOFTENED.T, D_S.T, D_S, SOFTENED), MatMul(FIELD.T, FIELD)),
+            Eq(DotProduct(D_S * SOFTENED, D_S * SOFTENED), DotProduct(FIELD, FIELD)),
             Eq(MEAN, BETA_H),
         ),
     ),

@@ -131,7 +131,10 @@ def wrong_products(expression: Basic) -> Iterator[tuple[str, Basic]]:
     yield "negated", -expression
     yield from wrong_signs(expression)
     for path, node in nodes(expression):
-        if isinstance(node, Product) or (isinstance(node, MatMul) and node.rows == node.cols):
+        squares = isinstance(node, MatMul) and all(
+            not factor.is_Matrix or factor.is_square for factor in node.args
+        )
+        if isinstance(node, Product) or squares:
             turned = node.func(*reversed(node.args))
             yield f"factors in reverse order at {path}", put(expression, path, turned)
         if isinstance(node, Reciprocal | Conjugate | Inverse | Transpose):
