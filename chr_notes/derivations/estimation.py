@@ -16,6 +16,7 @@ from sympy import (
     Symbol,
     atan2,
     cancel,
+    collect,
     conjugate,
     cos,
     expand,
@@ -87,7 +88,7 @@ def update(prediction: Expr = predicted, measurement: Expr = measured) -> Expr:
     """Angle that fits prediction and measurement best, by squares weighted 1 - L and L."""
     best = Dummy("x")
     misfit = (1 - L) * (best - prediction) ** 2 + L * (best - measurement) ** 2
-    return solve(misfit.diff(best), best)[0]
+    return collect(expand(solve(misfit.diff(best), best)[0]), L)
 
 
 def shortest_turn(turn: Expr) -> Expr:
@@ -151,7 +152,7 @@ def steady_bias_error(gain: Expr = L) -> Expr:
     new, errors = error_step()
     before = errors["before"]
     step = new.subs({errors["gyro"]: bias, errors["accel"]: 0})
-    return factor(solve(step - before, before)[0]).subs(L, gain)
+    return _by_what_is_kept(solve(step - before, before)[0]).subs(L, gain)
 
 
 def _variance_step(variance: Expr) -> Expr:
@@ -193,7 +194,13 @@ def accel_share(gain: Expr = L) -> Expr:
 def _share(source: Symbol, gain: Expr) -> Expr:
     other = {gyro_noise, accel_noise} - {source}
     only = steady_variance().subs(dict.fromkeys(other, 0))
-    return factor(only / source**2).subs(L, gain)
+    return _by_what_is_kept(only / source**2).subs(L, gain)
+
+
+def _by_what_is_kept(expression: Expr) -> Expr:
+    """Write with 1 - L, the part of the prediction that is kept, not with L - 1."""
+    kept = Dummy("kept")
+    return factor(expression.subs(L, 1 - kept)).subs(kept, 1 - L)
 
 
 def vibration_share(gain: Expr = L) -> Expr:

@@ -283,8 +283,9 @@ SETTLED = (
                 ),
             ),
         ),
-        remark="True of bias, noise and vibration. But a force that stays (ω = 0), as in a long "
-        "turn, comes through whole with every gain above zero: a small L only delays it.",
+        remark="True of bias, noise and vibration. But a force that stays (ω = 0), as while a "
+        "vehicle gathers speed, comes through whole with every gain above zero: a small L only "
+        "delays it.",
     ),
 )
 

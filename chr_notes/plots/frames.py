@@ -115,6 +115,36 @@ def draw_arc(
     return axes
 
 
+def draw_vector(
+    axes: Any,  # noqa: ANN401
+    vector: ArrayLike,
+    label: str,
+    *,
+    colour: str = "ink",
+    align: str = "center",
+) -> Any:  # noqa: ANN401
+    """Draw a vector from the origin, with its label beyond its tip.
+
+    Parameters
+    ----------
+    axes
+        From `world`.
+    vector
+        In inertial components, of about the length of a unit vector, shape (3,).
+    label
+        Written at the tip.
+    colour
+        Name in the palette.
+    align
+        Where the label is fixed to the tip: "left", "center" or "right".
+    """
+    tip = np.asarray(vector, dtype=np.float64) @ _DRAWN_FROM_NED
+    shade = PALETTE[colour].light
+    axes.quiver(0, 0, 0, *tip, color=shade, linewidth=2.8, arrow_length_ratio=0.12)
+    axes.text(*(1.12 * tip), label, color=shade, ha=align, va="center")
+    return axes
+
+
 def draw_aircraft(axes: Any, matrix: ArrayLike) -> Any:  # noqa: ANN401
     """Draw a small aircraft.
 

@@ -75,5 +75,7 @@ def draw_angles(
 def _degrees(euler: ArrayLike, place: int) -> NDArray[np.float64]:
     """One angle in degrees, with NaN where it jumps, so that the line breaks."""
     degrees = np.degrees(np.asarray(euler, dtype=np.float64)[:, place])
+    # Rounded far below what can be seen, so that a last bit does not make another figure.
+    degrees = degrees.round(4)
     degrees[1:][np.abs(np.diff(degrees)) > 180] = np.nan  # noqa: PLR2004 (half a turn)
     return degrees

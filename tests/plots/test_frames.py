@@ -37,3 +37,14 @@ def test_an_arc_runs_from_one_axis_to_the_other() -> None:
     np.testing.assert_allclose(radius, radius[0])
     np.testing.assert_allclose(line[[0, -1]] / radius[0], [start, end], atol=1e-12)
     plt.close(axes.figure)
+
+
+def test_the_label_of_a_vector_stands_beyond_its_tip() -> None:
+    vector = np.array([0.3, -0.2, -0.9])
+    axes = plots.draw_vector(plots.world(), vector, "reading", align="left")
+    (text,) = axes.texts
+    placed = np.array(text.get_position_3d()) * [1, -1, -1]
+    np.testing.assert_allclose(placed / vector, placed[0] / vector[0])
+    assert placed[0] / vector[0] > 1
+    assert text.get_horizontalalignment() == "left"
+    plt.close(axes.figure)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from matplotlib import pyplot as plt
-from numpy.testing import assert_allclose
+from numpy.testing import assert_allclose, assert_array_equal
 
 from chr_notes import plots
 from chr_notes.palette import PALETTE
@@ -29,6 +29,14 @@ def test_a_line_breaks_where_yaw_jumps() -> None:
     (panel,) = plots.draw_angles(TIME, {"gyro": EULER}, shown=["yaw"])
     assert np.isnan(panel.lines[0].get_ydata()).tolist() == [False, False, True, False]
     plt.close(panel.figure)
+
+
+def test_a_last_bit_makes_no_other_line() -> None:
+    panels = plots.draw_angles(TIME, {"one": EULER, "other": EULER * (1 + 1e-13)})
+    for panel in panels:
+        one, other = panel.lines
+        assert_array_equal(one.get_ydata(), other.get_ydata())
+    plt.close(panels[0].figure)
 
 
 def test_estimates_differ_by_more_than_colour() -> None:
