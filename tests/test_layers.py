@@ -25,7 +25,8 @@ ALLOWED = {
     "generated": set(),
     "_arrays": set(),
     "numeric": NUMERIC,
-    "demos": {"demos", "palette", "generated"},
+    # Of what is printed, Table 1 goes into the bundles.
+    "demos": {"demos", "palette", "generated", "conventions", "printed"},
     "book": {"ledger", "conventions", "palette", "demos"},
     "__init__": NUMERIC,
     "__main__": {"book", "ledger"},

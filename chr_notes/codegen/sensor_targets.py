@@ -177,4 +177,11 @@ TARGETS = (
         dead_reckoning.drift,
         ("dead_reckoning.4.g",),
     ),
+    Target(
+        "position_at_last_velocity",
+        "dead_reckoning",
+        "Error of position (m), had its last error of velocity been there all along",
+        (given.TILT_ERROR, given.TIME, given.GRAVITY),
+        dead_reckoning.position_at_last_velocity,
+    ),
 )

@@ -1,5 +1,7 @@
 """Demos: widgets in a notebook, and the same modules on a page without a kernel."""
 
+from chr_notes.demos.drift import DriftDemo
 from chr_notes.demos.gimbal_lock import GimbalLockDemo
+from chr_notes.demos.tilt import TiltDemo
 
-__all__ = ["GimbalLockDemo"]
+__all__ = ["DriftDemo", "GimbalLockDemo", "TiltDemo"]

@@ -15,7 +15,7 @@ import traitlets
 
 from chr_notes import palette
 
-__all__ = ["BUILT", "SOURCES", "Demo", "formatted", "styles"]
+__all__ = ["BUILT", "SOURCES", "Demo", "formatted", "rounded", "styles"]
 
 SOURCES = Path(__file__).parent
 BUILT = SOURCES / "built"
@@ -32,6 +32,11 @@ def formatted(value: float) -> str:
     if not abs(value) < _BEYOND:
         return "−∞" if value < 0 else "∞"
     return f"{float(f'{value:.4g}'):.15g}".replace("-", "−")
+
+
+def rounded(value: float) -> str:
+    """Return two decimals at most, as the demos show an angle."""
+    return f"{float(f'{value:.2f}') + 0.0:.15g}".replace("-", "−")
 
 
 class Demo(anywidget.AnyWidget):

@@ -8,19 +8,30 @@ folder and compares whole folders with what is committed.
 
 import argparse
 import filecmp
+import json
 import shutil
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
+from chr_notes.conventions import STANDARD_GRAVITY
 from chr_notes.demos.base import BUILT, SOURCES
+from chr_notes.demos.drift import GRAVITY
+from chr_notes.printed.table_1 import ROWS
 
 ESBUILD = "esbuild@0.28.2"
 """The exact bundler: the same version writes the same bytes."""
 
-WIDGETS = ("gimbal_lock",)
+WIDGETS = ("drift", "gimbal_lock", "tilt")
 PAGES = "pages"
+CONSTANTS = {
+    "STANDARD_GRAVITY": STANDARD_GRAVITY,
+    "NOTE_GRAVITY": GRAVITY,
+    "TABLE_1": dict(ROWS),
+}
+"""What the modules have from Python, by the name that stands for it in them."""
+
 _BANNER = f"""\
 // Bundled by `python -m chr_notes.demos.build` with {ESBUILD}. Do not edit.
 // From chr_notes/demos/*.js and chr_notes/generated/javascript."""
@@ -40,6 +51,7 @@ def bundle(folder: Path) -> None:
         raise RuntimeError(msg)
     common = [npx, "--yes", ESBUILD, "--bundle", "--charset=utf8", "--target=es2022"]
     common += ["--log-level=warning", f"--banner:js={_BANNER}"]
+    common += [f"--define:{name}={json.dumps(value)}" for name, value in CONSTANTS.items()]
     jobs = [["--format=esm", f"--outfile={folder / name}.mjs", f"{name}.js"] for name in WIDGETS]
     jobs += [["--format=iife", f"--outfile={folder / PAGES}.js", f"{PAGES}.js"]]
     for job in jobs:

@@ -1,27 +1,23 @@
 /**
- * What every demo has in common: a picture, sliders, readouts, and a way to mount it all.
+ * What every demo has in common: a picture, sliders, readouts, a story, and a way to mount it all.
  *
  * A demo is a definition, a plain object:
  *   title     what the picture shows, for those who do not see it
- *   controls  [{ name, label, symbol, axis, min, max, step, unit, digits }]: one slider each
- *   outputs   [{ name, label, wide }]: one readout each
+ *   aspect    height of the picture by its width
+ *   legend    [{ colour, dash, width, text }]: the lines that need explaining
+ *   controls  one slider each, see `slider` in parts.js
+ *   outputs   one readout each, see `readout` in parts.js
  *   start     the state, { control name: number }, that Reset returns to
+ *   story     [{ says, state, seconds }]: what Play shows, see story.js
  *   readouts  (state) => { output name: text }
  *   summary   (state) => the sentence to be announced once the reader stops moving a slider
  *   draw      (context, { width, height }, state, colours)
  */
+import { legend, node, readout, slider } from "./parts.js";
+import { glide, player } from "./story.js";
 
 const ANNOUNCE_AFTER = 600; // milliseconds without a change
-const GLIDE = 450; // milliseconds from a state back to the start
-
-/** Four significant digits, or the sign of infinity where doubles can no longer tell. */
-export function formatted(value) {
-  if (!(Math.abs(value) < 1e12)) return value < 0 ? "−∞" : "∞";
-  return String(Number(value.toPrecision(4))).replace("-", "−");
-}
-
-/** True where the reader's system asks for less motion. */
-export const prefersStillness = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
+const RESET = 0.45; // seconds from a state back to the start
 
 /**
  * Build the demo in `element`. `onChange(state)` is called for each change by the reader.
@@ -30,30 +26,12 @@ export const prefersStillness = () => matchMedia("(prefers-reduced-motion: reduc
 export function mountDemo(element, definition, initial, onChange = () => {}) {
   const state = { ...definition.start, ...initial };
   const cleanup = new AbortController();
-  const canvas = node("canvas", { role: "img", "aria-label": definition.title });
-  const live = node("p", { class: "chr-live", "aria-live": "polite" });
-  const sliders = definition.controls.map((control) => slider(control, changed));
-  const outputs = definition.outputs.map(readout);
-  const reset = node("button", { type: "button", name: "reset" }, "Reset");
-  const panel = node(
-    "div",
-    { class: "chr-panel" },
-    ...sliders.map((each) => each.element),
-    node("div", { class: "chr-readouts" }, ...outputs.map((each) => each.element)),
-    node("div", { class: "chr-buttons" }, reset),
-  );
-  const root = node(
-    "div",
-    // JupyterLab listens for shortcuts before the page does; this attribute tells it not to.
-    { class: "chr-demo", role: "group", "aria-label": definition.title, "data-lm-suppress-shortcuts": "true" },
-    node("div", { class: "chr-body" }, node("div", { class: "chr-stage" }, canvas), panel),
-    live,
-  );
-  for (const type of ["keydown", "keyup", "keypress"])
-    root.addEventListener(type, (event) => event.stopPropagation());
+  const parts = build(definition, touched);
+  const { root, canvas, live, sliders, outputs, said, play, reset } = parts;
 
   let frame = 0;
   let timer = 0;
+  let rest = () => {};
 
   function paint() {
     frame = 0;
@@ -73,9 +51,14 @@ export function mountDemo(element, definition, initial, onChange = () => {}) {
 
   function show() {
     const texts = definition.readouts(state);
+    root.dataset.state = JSON.stringify(state);
     sliders.forEach((each) => each.show(state));
     outputs.forEach((each) => each.show(texts));
     redraw();
+  }
+
+  function announce() {
+    live.textContent = `${said.textContent} ${definition.summary(state)}`.trim();
   }
 
   function changed(part) {
@@ -83,10 +66,35 @@ export function mountDemo(element, definition, initial, onChange = () => {}) {
     show();
     onChange({ ...state });
     clearTimeout(timer);
-    timer = setTimeout(() => (live.textContent = definition.summary(state)), ANNOUNCE_AFTER);
+    timer = setTimeout(announce, ANNOUNCE_AFTER);
   }
 
-  reset.addEventListener("click", () => glide(state, definition.start, changed, cleanup.signal));
+  const between = betweenOf(definition.controls);
+  const tour = player(definition.story, {
+    between,
+    changed,
+    current: () => ({ ...state }),
+    say: (text) => (said.textContent = text),
+    name: (text) => (play.textContent = text),
+  });
+
+  /** A change by the reader's own hand, which ends whatever moves by itself. */
+  function touched(part) {
+    rest();
+    tour.stop();
+    said.textContent = "";
+    changed(part);
+  }
+
+  play.addEventListener("click", () => {
+    rest();
+    tour.press();
+  });
+  reset.addEventListener("click", () => {
+    rest();
+    tour.rewind();
+    rest = glide({ ...state }, definition.start, RESET, { between, changed });
+  });
   watch(root, canvas, redraw, cleanup.signal);
   element.replaceChildren(root);
   show();
@@ -97,6 +105,8 @@ export function mountDemo(element, definition, initial, onChange = () => {}) {
       show();
     },
     destroy() {
+      rest();
+      tour.stop();
       cleanup.abort();
       clearTimeout(timer);
       cancelAnimationFrame(frame);
@@ -105,41 +115,46 @@ export function mountDemo(element, definition, initial, onChange = () => {}) {
   };
 }
 
-/** An element with attributes and children. */
-export function node(tag, attributes = {}, ...children) {
-  const element = document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
-  element.append(...children);
-  return element;
+/** The elements of a demo. */
+function build(definition, touched) {
+  const canvas = node("canvas", {
+    role: "img", "aria-label": definition.title, style: `aspect-ratio: 1 / ${definition.aspect}`,
+  });
+  const live = node("p", { class: "chr-live", "aria-live": "polite" });
+  const said = node("p", { class: "chr-said" });
+  const sliders = definition.controls.map((control) => slider(control, touched));
+  const outputs = definition.outputs.map(readout);
+  const play = node("button", { type: "button", name: "play" });
+  const reset = node("button", { type: "button", name: "reset" }, "Reset");
+  const stage = node("div", { class: "chr-stage" }, canvas, ...legend(definition.legend ?? []));
+  const panel = node(
+    "div",
+    { class: "chr-panel" },
+    ...sliders.map((each) => each.element),
+    node("div", { class: "chr-buttons" }, play, reset),
+    said,
+    node("div", { class: "chr-readouts" }, ...outputs.map((each) => each.element)),
+  );
+  const root = node(
+    "div",
+    // JupyterLab listens for shortcuts before the page does; this attribute tells it not to.
+    { class: "chr-demo", role: "group", "aria-label": definition.title, "data-lm-suppress-shortcuts": "true" },
+    node("div", { class: "chr-body" }, stage, panel),
+    live,
+  );
+  for (const type of ["keydown", "keyup", "keypress"])
+    root.addEventListener(type, (event) => event.stopPropagation());
+  return { root, canvas, live, said, sliders, outputs, play, reset };
 }
 
-function slider({ name, label, symbol, axis, min, max, step, unit, digits = 0 }, changed) {
-  const input = node("input", { type: "range", name, min, max, step });
-  const value = node("span", { class: "chr-value", "aria-hidden": "true" });
-  const symbols = node("span", { class: "chr-symbol", "aria-hidden": "true" }, symbol);
-  const caption = node("span", { class: "chr-caption" }, label, " ", symbols, value);
-  input.addEventListener("input", () => changed({ [name]: input.valueAsNumber }));
-  return {
-    element: node("label", { class: "chr-slider", "data-axis": axis }, caption, input),
-    show(state) {
-      const text = `${Number(state[name].toFixed(digits + 2))}${unit.short}`.replace("-", "−");
-      input.value = state[name];
-      input.setAttribute("aria-valuetext", `${Number(state[name].toFixed(2))} ${unit.long}`);
-      value.textContent = text;
-    },
-  };
-}
-
-function readout({ name, label, wide }) {
-  // An output is a live region by itself; the demo has one of its own that waits for a pause.
-  const output = node("output", { name, "aria-live": "off" });
-  return {
-    element: node("div", { class: wide ? "chr-readout chr-wide" : "chr-readout" }, node("span", {}, label), output),
-    show(texts) {
-      output.textContent = texts[name];
-    },
-  };
-}
+/** States on the way from one to another, in equal steps of the sliders' positions. */
+const betweenOf = (controls) => (from, to, t) =>
+  Object.fromEntries(
+    controls.map(({ name, toPosition = Number, toValue = Number }) => {
+      const [start, end] = [toPosition(from[name]), toPosition(to[name])];
+      return [name, start === end ? to[name] : toValue(start + t * (end - start))];
+    }),
+  );
 
 function coloursOf(element) {
   const style = getComputedStyle(element);
@@ -158,20 +173,4 @@ function watch(root, canvas, redraw, signal) {
     sizes.disconnect();
     themes.disconnect();
   });
-}
-
-/** Go from one state to another in a moment, or at once where motion is not wanted. */
-function glide(state, goal, changed, signal) {
-  if (prefersStillness()) return changed(goal);
-  const from = { ...state };
-  const began = performance.now();
-  const step = (now) => {
-    if (signal.aborted) return;
-    const t = Math.min(1, Math.max(0, (now - began) / GLIDE));
-    const eased = t * t * (3 - 2 * t);
-    const between = ([name, end]) => [name, t === 1 ? end : from[name] + eased * (end - from[name])];
-    changed(Object.fromEntries(Object.entries(goal).map(between)));
-    if (t < 1) requestAnimationFrame(step);
-  };
-  requestAnimationFrame(step);
 }

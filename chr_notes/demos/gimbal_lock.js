@@ -7,13 +7,15 @@ import {
   eulerRatesDeterminant,
   eulerRatesMatrix,
   matrixFromEuler,
+  quaternionFromEuler,
 } from "../generated/javascript/attitude.mjs";
 import { aircraft } from "./aircraft.js";
-import { formatted, mountDemo } from "./controls.js";
+import { mountDemo } from "./controls.js";
 import {
   arrowhead, camera, cross, label, loft, mixed, paint, parsed, placed, ring, scaled, strip,
   sum, toParent,
 } from "./draw.js";
+import { formatted } from "./parts.js";
 import { widget } from "./widget.js";
 
 const DEGREE = Math.PI / 180;
@@ -49,7 +51,7 @@ function axesOf(state) {
   return { apart, locked: Math.hypot(north, east) < LOCKED, opposite: down < 0 };
 }
 
-const LOST = "About the dotted line no ring can turn it.";
+const LOST = "About the dashed line no ring can turn it.";
 
 function rings(state) {
   const { apart, locked, opposite } = axesOf(state);
@@ -63,11 +65,19 @@ function rings(state) {
   return `The roll axis is ${short}° from the line of the yaw axis. To follow the aircraft, the yaw ring turns at up to ${fastest} × its speed.`;
 }
 
-const readouts = (state) => ({
-  determinant: formatted(eulerRatesDeterminant(state.pitch * DEGREE)),
-  condition: formatted(eulerRatesCondition(state.pitch * DEGREE)),
-  rings: rings(state),
-});
+const entry = (value) => (Number(value.toFixed(3)) || 0).toFixed(3).replace("-", "−").padStart(6);
+
+function readouts(state) {
+  const angles = [state.roll * DEGREE, state.pitch * DEGREE, state.yaw * DEGREE];
+  const matrix = matrixFromEuler(...angles).map(entry);
+  return {
+    determinant: formatted(eulerRatesDeterminant(state.pitch * DEGREE)),
+    condition: formatted(eulerRatesCondition(state.pitch * DEGREE)),
+    rings: rings(state),
+    matrix: [0, 3, 6].map((start) => matrix.slice(start, start + 3).join(" ")).join("\n"),
+    quaternion: quaternionFromEuler(...angles).map(entry).join("\n"),
+  };
+}
 
 function summary(state) {
   const { determinant, condition, rings: sentence } = readouts(state);
@@ -152,7 +162,9 @@ function draw(context, size, state, colours) {
       colour: colours(name), rim: colours("surface"), offset, width: size.width,
     });
   words("z yaw", scaled(DOWN, -YAW_ARROW), "z", [30, 0]);
-  words("y pitch", scaled(yAxis, 1.3), "y", [0, 34]);
+  const pitchEnd = scaled(yAxis, 1.3);
+  const outwards = project(pitchEnd)[0] < size.width / 2 ? -6 : 6;
+  words("y pitch", pitchEnd, "y", [outwards, 34]);
   words("x roll", scaled(xAxis, ROLL_ARROW), "x", [30, 0]);
 }
 
@@ -199,6 +211,7 @@ function arrows(frame, colour, eye, locked) {
 
 const definition = {
   title: "An aircraft in three rings: yaw outside, pitch in the middle, roll inside",
+  aspect: 1.08,
   start: { yaw: 0, pitch: 0, roll: 0 },
   controls: [
     { name: "yaw", label: "Yaw", symbol: "ψ", axis: "z", min: -180, max: 180 },
@@ -209,6 +222,16 @@ const definition = {
     { name: "determinant", label: "Determinant of D" },
     { name: "condition", label: "Condition number" },
     { name: "rings", label: "The rings", wide: true },
+    { name: "matrix", label: "Matrix R", grid: true },
+    { name: "quaternion", label: "Quaternion", grid: true },
+  ],
+  story: [
+    { state: { yaw: 0, pitch: 0, roll: 0 }, says: "Three rings, three axes at right angles. Each ring turns the aircraft in a way that no other can." },
+    { state: { yaw: 40, pitch: 0, roll: 0 }, says: "Yaw carries the whole arrangement round." },
+    { state: { yaw: 40, pitch: 60, roll: 0 }, says: "Pitch tilts the roll axis towards the yaw axis. At 60° the yaw ring must already turn at up to twice the aircraft's speed." },
+    { state: { yaw: 40, pitch: 90, roll: 0 }, says: "At 90° the roll axis lies along the yaw axis." },
+    { state: { yaw: -20, pitch: 90, roll: -60 }, seconds: 3.5, says: "Yaw and roll turn together by the same amount, and the aircraft stays where it is: one turn is lost." },
+    { state: { yaw: -20, pitch: 60, roll: -60 }, says: "Away from 90° all three turns are back." },
   ],
   readouts,
   summary,

@@ -160,3 +160,11 @@ def drift() -> ImmutableMatrix:
     return ImmutableMatrix(
         [acceleration, *(part.subs(a, acceleration) for part in constant_acceleration())]
     )
+
+
+def position_at_last_velocity() -> Expr:
+    """Error of position from a tilt error, had its last error of velocity been there all along.
+
+    That is twice the position of `drift`, in which the velocity grows from zero.
+    """
+    return drift()[1] * t

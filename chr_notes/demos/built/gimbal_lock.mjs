@@ -53,6 +53,24 @@ function eulerRatesCondition(pitch) {
   const secPitch = 1 / cosPitch;
   return (Math.abs(sinPitch) + 1) * Math.abs(secPitch);
 }
+function quaternionFromEuler(roll, pitch, yaw) {
+  const sinHalfPitch = Math.sin(0.5 * pitch);
+  const cosHalfPitch = Math.cos(0.5 * pitch);
+  const sinHalfRoll = Math.sin(0.5 * roll);
+  const cosHalfRoll = Math.cos(0.5 * roll);
+  const sinHalfYaw = Math.sin(0.5 * yaw);
+  const cosHalfYaw = Math.cos(0.5 * yaw);
+  const cosHalfPitchCosHalfYaw = cosHalfPitch * cosHalfYaw;
+  const sinHalfPitchSinHalfYaw = sinHalfPitch * sinHalfYaw;
+  const a = cosHalfPitchCosHalfYaw * cosHalfRoll + sinHalfPitchSinHalfYaw * sinHalfRoll;
+  const b = cosHalfPitchCosHalfYaw * sinHalfRoll - cosHalfRoll * sinHalfPitchSinHalfYaw;
+  const cosHalfPitchSinHalfYaw = cosHalfPitch * sinHalfYaw;
+  const cosHalfYawSinHalfPitch = cosHalfYaw * sinHalfPitch;
+  const c = cosHalfPitchSinHalfYaw * sinHalfRoll + cosHalfRoll * cosHalfYawSinHalfPitch;
+  const d = cosHalfPitchSinHalfYaw * cosHalfRoll - cosHalfYawSinHalfPitch * sinHalfRoll;
+  const sign = a >= 0 ? 1 : -1;
+  return [a * sign, b * sign, c * sign, d * sign];
+}
 
 // draw.js
 var NEAR_PLANE = 1e-7;
@@ -278,41 +296,173 @@ function aircraft({ body, glass, x, y, z }) {
   ];
 }
 
-// controls.js
-var ANNOUNCE_AFTER = 600;
-var GLIDE = 450;
+// parts.js
+var SVG = "http://www.w3.org/2000/svg";
 function formatted(value) {
   if (!(Math.abs(value) < 1e12)) return value < 0 ? "−∞" : "∞";
   return String(Number(value.toPrecision(4))).replace("-", "−");
 }
+var rounded = (value) => String(Number(value.toFixed(2)) || 0).replace("-", "−");
+function node(tag, attributes = {}, ...children) {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+  element.append(...children);
+  return element;
+}
+function slider(control, touched) {
+  const { name, label: label2, symbol, axis, min, max, step } = control;
+  const { unit: unit2, toPosition = Number, toValue = Number } = control;
+  const words = control.words ?? ((value2) => ({
+    short: rounded(value2) + unit2.short,
+    long: `${Number(value2.toFixed(2))} ${unit2.long}`
+  }));
+  const input = node("input", { type: "range", name, min, max, step });
+  const value = node("span", { class: "chr-value", "aria-hidden": "true" });
+  const symbols = node("span", { class: "chr-symbol", "aria-hidden": "true" }, symbol);
+  const caption = node("span", { class: "chr-caption" }, label2, " ", symbols, value);
+  input.addEventListener("input", () => touched({ [name]: toValue(input.valueAsNumber) }));
+  return {
+    element: node("label", { class: "chr-slider", "data-axis": axis }, caption, input),
+    show(state) {
+      const { short, long } = words(state[name]);
+      input.value = toPosition(state[name]);
+      input.setAttribute("aria-valuetext", long);
+      value.textContent = short;
+    }
+  };
+}
+function readout(output) {
+  return output.table ? tableOf(output) : textOf(output);
+}
+function textOf({ name, label: label2, unit: unit2, wide, grid }) {
+  const output = node("output", { name, "aria-live": "off" });
+  const kind = wide ? " chr-wide" : grid ? " chr-grid" : "";
+  const units = unit2 ? [node("span", { class: unit2 === "°" ? "chr-unit chr-degree" : "chr-unit" }, unit2)] : [];
+  return {
+    element: node(
+      "div",
+      { class: `chr-readout${kind}` },
+      node("span", { class: "chr-name" }, label2),
+      node("div", {}, output, ...units)
+    ),
+    show(texts) {
+      output.textContent = texts[name];
+    }
+  };
+}
+function tableOf({ name }) {
+  const table = node("table", { class: "chr-table chr-wide" });
+  const cell = (head) => (text, column) => head || column === 0 ? node("th", { scope: head ? "col" : "row" }, text) : node("td", {}, text);
+  return {
+    element: table,
+    show(texts) {
+      const [head, ...rows] = texts[name];
+      table.replaceChildren(
+        node("thead", {}, node("tr", {}, ...head.map(cell(true)))),
+        node("tbody", {}, ...rows.map((row) => node("tr", {}, ...row.map(cell(false)))))
+      );
+    }
+  };
+}
+function legend(entries) {
+  if (entries.length === 0) return [];
+  return [node("ul", { class: "chr-legend" }, ...entries.map((entry2) => node("li", {}, sample(entry2), entry2.text)))];
+}
+function sample({ colour, dash = [], width = 2.5, mark }) {
+  const part = (tag, attributes) => {
+    const element = document.createElementNS(SVG, tag);
+    for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+    return element;
+  };
+  const svg = part("svg", { viewBox: "0 0 30 12", width: 30, height: 12, "aria-hidden": "true" });
+  const style = `stroke: var(--chr-${colour}); stroke-width: ${width}px`;
+  svg.append(part("line", { x1: 1, y1: 6, x2: 29, y2: 6, style, "stroke-dasharray": dash.join(" ") }));
+  if (mark) svg.append(part("path", { d: mark, style: `fill: var(--chr-${colour})` }));
+  return svg;
+}
+
+// story.js
+var WAIT = 3500;
+var MOVE = 2;
 var prefersStillness = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
+function glide(from, goal, seconds, { between: between2, changed, done = () => {
+} }) {
+  if (prefersStillness()) {
+    changed(goal);
+    done();
+    return () => {
+    };
+  }
+  const began = performance.now();
+  let frame = requestAnimationFrame(function step(now) {
+    const t = Math.min(1, Math.max(0, (now - began) / (1e3 * seconds)));
+    changed(t === 1 ? goal : between2(from, goal, t * t * (3 - 2 * t)));
+    if (t < 1) frame = requestAnimationFrame(step);
+    else done();
+  });
+  return () => cancelAnimationFrame(frame);
+}
+function player(story, { current, between: between2, changed, say, name }) {
+  let next = 0;
+  let running = false;
+  let end = () => {
+  };
+  function rename() {
+    if (running) name("Pause");
+    else if (prefersStillness()) name(next === 0 ? "Show me, step by step" : "Next step");
+    else name(next === 0 ? "Play" : "Go on");
+  }
+  function stop() {
+    end();
+    end = () => {
+    };
+    running = false;
+    rename();
+  }
+  function step() {
+    const index = next;
+    const { says, state, seconds = MOVE } = story[index];
+    say(says);
+    const done = () => {
+      next = (index + 1) % story.length;
+      if (!running || next === 0) return stop();
+      const timer = setTimeout(step, WAIT);
+      end = () => clearTimeout(timer);
+      return void 0;
+    };
+    end = glide(current(), state, seconds, { between: between2, changed, done });
+  }
+  rename();
+  return {
+    stop,
+    press() {
+      if (running) return stop();
+      running = !prefersStillness();
+      step();
+      rename();
+      return void 0;
+    },
+    rewind() {
+      next = 0;
+      say("");
+      stop();
+    }
+  };
+}
+
+// controls.js
+var ANNOUNCE_AFTER = 600;
+var RESET = 0.45;
 function mountDemo(element, definition2, initial, onChange = () => {
 }) {
   const state = { ...definition2.start, ...initial };
   const cleanup = new AbortController();
-  const canvas = node("canvas", { role: "img", "aria-label": definition2.title });
-  const live = node("p", { class: "chr-live", "aria-live": "polite" });
-  const sliders = definition2.controls.map((control) => slider(control, changed));
-  const outputs = definition2.outputs.map(readout);
-  const reset = node("button", { type: "button", name: "reset" }, "Reset");
-  const panel = node(
-    "div",
-    { class: "chr-panel" },
-    ...sliders.map((each) => each.element),
-    node("div", { class: "chr-readouts" }, ...outputs.map((each) => each.element)),
-    node("div", { class: "chr-buttons" }, reset)
-  );
-  const root = node(
-    "div",
-    // JupyterLab listens for shortcuts before the page does; this attribute tells it not to.
-    { class: "chr-demo", role: "group", "aria-label": definition2.title, "data-lm-suppress-shortcuts": "true" },
-    node("div", { class: "chr-body" }, node("div", { class: "chr-stage" }, canvas), panel),
-    live
-  );
-  for (const type of ["keydown", "keyup", "keypress"])
-    root.addEventListener(type, (event) => event.stopPropagation());
+  const parts = build(definition2, touched);
+  const { root, canvas, live, sliders, outputs, said, play, reset } = parts;
   let frame = 0;
   let timer = 0;
+  let rest = () => {
+  };
   function paint2() {
     frame = 0;
     const ratio = devicePixelRatio || 1;
@@ -329,18 +479,44 @@ function mountDemo(element, definition2, initial, onChange = () => {
   }
   function show() {
     const texts = definition2.readouts(state);
+    root.dataset.state = JSON.stringify(state);
     sliders.forEach((each) => each.show(state));
     outputs.forEach((each) => each.show(texts));
     redraw();
+  }
+  function announce() {
+    live.textContent = `${said.textContent} ${definition2.summary(state)}`.trim();
   }
   function changed(part) {
     Object.assign(state, part);
     show();
     onChange({ ...state });
     clearTimeout(timer);
-    timer = setTimeout(() => live.textContent = definition2.summary(state), ANNOUNCE_AFTER);
+    timer = setTimeout(announce, ANNOUNCE_AFTER);
   }
-  reset.addEventListener("click", () => glide(state, definition2.start, changed, cleanup.signal));
+  const between2 = betweenOf(definition2.controls);
+  const tour = player(definition2.story, {
+    between: between2,
+    changed,
+    current: () => ({ ...state }),
+    say: (text) => said.textContent = text,
+    name: (text) => play.textContent = text
+  });
+  function touched(part) {
+    rest();
+    tour.stop();
+    said.textContent = "";
+    changed(part);
+  }
+  play.addEventListener("click", () => {
+    rest();
+    tour.press();
+  });
+  reset.addEventListener("click", () => {
+    rest();
+    tour.rewind();
+    rest = glide({ ...state }, definition2.start, RESET, { between: between2, changed });
+  });
   watch(root, canvas, redraw, cleanup.signal);
   element.replaceChildren(root);
   show();
@@ -350,6 +526,8 @@ function mountDemo(element, definition2, initial, onChange = () => {
       show();
     },
     destroy() {
+      rest();
+      tour.stop();
       cleanup.abort();
       clearTimeout(timer);
       cancelAnimationFrame(frame);
@@ -357,37 +535,44 @@ function mountDemo(element, definition2, initial, onChange = () => {
     }
   };
 }
-function node(tag, attributes = {}, ...children) {
-  const element = document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
-  element.append(...children);
-  return element;
+function build(definition2, touched) {
+  const canvas = node("canvas", {
+    role: "img",
+    "aria-label": definition2.title,
+    style: `aspect-ratio: 1 / ${definition2.aspect}`
+  });
+  const live = node("p", { class: "chr-live", "aria-live": "polite" });
+  const said = node("p", { class: "chr-said" });
+  const sliders = definition2.controls.map((control) => slider(control, touched));
+  const outputs = definition2.outputs.map(readout);
+  const play = node("button", { type: "button", name: "play" });
+  const reset = node("button", { type: "button", name: "reset" }, "Reset");
+  const stage = node("div", { class: "chr-stage" }, canvas, ...legend(definition2.legend ?? []));
+  const panel = node(
+    "div",
+    { class: "chr-panel" },
+    ...sliders.map((each) => each.element),
+    node("div", { class: "chr-buttons" }, play, reset),
+    said,
+    node("div", { class: "chr-readouts" }, ...outputs.map((each) => each.element))
+  );
+  const root = node(
+    "div",
+    // JupyterLab listens for shortcuts before the page does; this attribute tells it not to.
+    { class: "chr-demo", role: "group", "aria-label": definition2.title, "data-lm-suppress-shortcuts": "true" },
+    node("div", { class: "chr-body" }, stage, panel),
+    live
+  );
+  for (const type of ["keydown", "keyup", "keypress"])
+    root.addEventListener(type, (event) => event.stopPropagation());
+  return { root, canvas, live, said, sliders, outputs, play, reset };
 }
-function slider({ name, label: label2, symbol, axis, min, max, step, unit: unit2, digits = 0 }, changed) {
-  const input = node("input", { type: "range", name, min, max, step });
-  const value = node("span", { class: "chr-value", "aria-hidden": "true" });
-  const symbols = node("span", { class: "chr-symbol", "aria-hidden": "true" }, symbol);
-  const caption = node("span", { class: "chr-caption" }, label2, " ", symbols, value);
-  input.addEventListener("input", () => changed({ [name]: input.valueAsNumber }));
-  return {
-    element: node("label", { class: "chr-slider", "data-axis": axis }, caption, input),
-    show(state) {
-      const text = `${Number(state[name].toFixed(digits + 2))}${unit2.short}`.replace("-", "−");
-      input.value = state[name];
-      input.setAttribute("aria-valuetext", `${Number(state[name].toFixed(2))} ${unit2.long}`);
-      value.textContent = text;
-    }
-  };
-}
-function readout({ name, label: label2, wide }) {
-  const output = node("output", { name, "aria-live": "off" });
-  return {
-    element: node("div", { class: wide ? "chr-readout chr-wide" : "chr-readout" }, node("span", {}, label2), output),
-    show(texts) {
-      output.textContent = texts[name];
-    }
-  };
-}
+var betweenOf = (controls) => (from, to, t) => Object.fromEntries(
+  controls.map(({ name, toPosition = Number, toValue = Number }) => {
+    const [start, end] = [toPosition(from[name]), toPosition(to[name])];
+    return [name, start === end ? to[name] : toValue(start + t * (end - start))];
+  })
+);
 function coloursOf(element) {
   const style = getComputedStyle(element);
   return (name) => style.getPropertyValue(`--chr-${name}`).trim();
@@ -403,20 +588,6 @@ function watch(root, canvas, redraw, signal) {
     sizes.disconnect();
     themes.disconnect();
   });
-}
-function glide(state, goal, changed, signal) {
-  if (prefersStillness()) return changed(goal);
-  const from = { ...state };
-  const began = performance.now();
-  const step = (now) => {
-    if (signal.aborted) return;
-    const t = Math.min(1, Math.max(0, (now - began) / GLIDE));
-    const eased = t * t * (3 - 2 * t);
-    const between2 = ([name, end]) => [name, t === 1 ? end : from[name] + eased * (end - from[name])];
-    changed(Object.fromEntries(Object.entries(goal).map(between2)));
-    if (t < 1) requestAnimationFrame(step);
-  };
-  requestAnimationFrame(step);
 }
 
 // widget.js
@@ -463,7 +634,7 @@ function axesOf(state) {
   const apart = Math.atan2(Math.hypot(north, east), down) / DEGREE;
   return { apart, locked: Math.hypot(north, east) < LOCKED, opposite: down < 0 };
 }
-var LOST = "About the dotted line no ring can turn it.";
+var LOST = "About the dashed line no ring can turn it.";
 function rings(state) {
   const { apart, locked, opposite } = axesOf(state);
   if (locked && opposite)
@@ -475,11 +646,18 @@ function rings(state) {
   const short = formatted(Math.min(apart, 180 - apart));
   return `The roll axis is ${short}° from the line of the yaw axis. To follow the aircraft, the yaw ring turns at up to ${fastest} × its speed.`;
 }
-var readouts = (state) => ({
-  determinant: formatted(eulerRatesDeterminant(state.pitch * DEGREE)),
-  condition: formatted(eulerRatesCondition(state.pitch * DEGREE)),
-  rings: rings(state)
-});
+var entry = (value) => (Number(value.toFixed(3)) || 0).toFixed(3).replace("-", "−").padStart(6);
+function readouts(state) {
+  const angles = [state.roll * DEGREE, state.pitch * DEGREE, state.yaw * DEGREE];
+  const matrix = matrixFromEuler(...angles).map(entry);
+  return {
+    determinant: formatted(eulerRatesDeterminant(state.pitch * DEGREE)),
+    condition: formatted(eulerRatesCondition(state.pitch * DEGREE)),
+    rings: rings(state),
+    matrix: [0, 3, 6].map((start) => matrix.slice(start, start + 3).join(" ")).join("\n"),
+    quaternion: quaternionFromEuler(...angles).map(entry).join("\n")
+  };
+}
 function summary(state) {
   const { determinant, condition, rings: sentence } = readouts(state);
   return `Determinant ${determinant}, condition number ${condition}. ${sentence}`;
@@ -553,7 +731,9 @@ function draw(context, size, state, colours) {
     width: size.width
   });
   words("z yaw", scaled(DOWN, -YAW_ARROW), "z", [30, 0]);
-  words("y pitch", scaled(yAxis, 1.3), "y", [0, 34]);
+  const pitchEnd = scaled(yAxis, 1.3);
+  const outwards = project(pitchEnd)[0] < size.width / 2 ? -6 : 6;
+  words("y pitch", pitchEnd, "y", [outwards, 34]);
   words("x roll", scaled(xAxis, ROLL_ARROW), "x", [30, 0]);
 }
 function solids(frame, colour) {
@@ -595,6 +775,7 @@ function arrows(frame, colour, eye, locked) {
 }
 var definition = {
   title: "An aircraft in three rings: yaw outside, pitch in the middle, roll inside",
+  aspect: 1.08,
   start: { yaw: 0, pitch: 0, roll: 0 },
   controls: [
     { name: "yaw", label: "Yaw", symbol: "ψ", axis: "z", min: -180, max: 180 },
@@ -604,7 +785,17 @@ var definition = {
   outputs: [
     { name: "determinant", label: "Determinant of D" },
     { name: "condition", label: "Condition number" },
-    { name: "rings", label: "The rings", wide: true }
+    { name: "rings", label: "The rings", wide: true },
+    { name: "matrix", label: "Matrix R", grid: true },
+    { name: "quaternion", label: "Quaternion", grid: true }
+  ],
+  story: [
+    { state: { yaw: 0, pitch: 0, roll: 0 }, says: "Three rings, three axes at right angles. Each ring turns the aircraft in a way that no other can." },
+    { state: { yaw: 40, pitch: 0, roll: 0 }, says: "Yaw carries the whole arrangement round." },
+    { state: { yaw: 40, pitch: 60, roll: 0 }, says: "Pitch tilts the roll axis towards the yaw axis. At 60° the yaw ring must already turn at up to twice the aircraft's speed." },
+    { state: { yaw: 40, pitch: 90, roll: 0 }, says: "At 90° the roll axis lies along the yaw axis." },
+    { state: { yaw: -20, pitch: 90, roll: -60 }, seconds: 3.5, says: "Yaw and roll turn together by the same amount, and the aircraft stays where it is: one turn is lost." },
+    { state: { yaw: -20, pitch: 60, roll: -60 }, says: "Away from 90° all three turns are back." }
   ],
   readouts,
   summary,

@@ -1,6 +1,9 @@
 // Bundled by `python -m chr_notes.demos.build` with esbuild@0.28.2. Do not edit.
 // From chr_notes/demos/*.js and chr_notes/generated/javascript.
 (() => {
+  // <define:TABLE_1>
+  var define_TABLE_1_default = { "0.1": ["0.017", "0.17", "1.7", "61.2", "6120", "220 e 3"], "0.5": ["0.086", "0.86", "8.6", "309.6", "30960", "1.1 e 6"], "1.0": ["0.17", "1.7", "17", "612", "61200", "2.2 e 6"], "1.5": ["0.256", "2.56", "25.6", "921.6", "92160", "3.3 e 6"], "2.0": ["0.342", "3.42", "34.2", "1231.2", "123120", "4.4 e 6"], "3.0": ["0.513", "5.13", "51.3", "1846.8", "184680", "6.6 e 6"], "5.0": ["0.854", "8.54", "85.4", "3074.4", "307440", "11 e 6"] };
+
   // ../generated/javascript/attitude.mjs
   function matrixFromEuler(roll, pitch, yaw) {
     const sinPitch = Math.sin(pitch);
@@ -53,6 +56,436 @@
     const secPitch = 1 / cosPitch;
     return (Math.abs(sinPitch) + 1) * Math.abs(secPitch);
   }
+  function wrapAngle(angle) {
+    const rest = angle % 6.283185307179586;
+    let wrapped;
+    if (rest >= 3.141592653589793) {
+      wrapped = rest - 6.283185307179586;
+    } else if (rest < -3.141592653589793) {
+      wrapped = rest + 6.283185307179586;
+    } else {
+      wrapped = rest;
+    }
+    return wrapped;
+  }
+  function quaternionFromEuler(roll, pitch, yaw) {
+    const sinHalfPitch = Math.sin(0.5 * pitch);
+    const cosHalfPitch = Math.cos(0.5 * pitch);
+    const sinHalfRoll = Math.sin(0.5 * roll);
+    const cosHalfRoll = Math.cos(0.5 * roll);
+    const sinHalfYaw = Math.sin(0.5 * yaw);
+    const cosHalfYaw = Math.cos(0.5 * yaw);
+    const cosHalfPitchCosHalfYaw = cosHalfPitch * cosHalfYaw;
+    const sinHalfPitchSinHalfYaw = sinHalfPitch * sinHalfYaw;
+    const a = cosHalfPitchCosHalfYaw * cosHalfRoll + sinHalfPitchSinHalfYaw * sinHalfRoll;
+    const b = cosHalfPitchCosHalfYaw * sinHalfRoll - cosHalfRoll * sinHalfPitchSinHalfYaw;
+    const cosHalfPitchSinHalfYaw = cosHalfPitch * sinHalfYaw;
+    const cosHalfYawSinHalfPitch = cosHalfYaw * sinHalfPitch;
+    const c = cosHalfPitchSinHalfYaw * sinHalfRoll + cosHalfRoll * cosHalfYawSinHalfPitch;
+    const d = cosHalfPitchSinHalfYaw * cosHalfRoll - cosHalfYawSinHalfPitch * sinHalfRoll;
+    const sign = a >= 0 ? 1 : -1;
+    return [a * sign, b * sign, c * sign, d * sign];
+  }
+  function accelerometerAtRest(roll, pitch, gravity) {
+    const sinPitch = Math.sin(pitch);
+    const cosPitch = Math.cos(pitch);
+    const sinRoll = Math.sin(roll);
+    const cosRoll = Math.cos(roll);
+    const cosPitchGravity = cosPitch * gravity;
+    return [gravity * sinPitch, -cosPitchGravity * sinRoll, -cosPitchGravity * cosRoll];
+  }
+  function tiltFromAccelerometer(accelX, accelY, accelZ) {
+    return [Math.atan2(-accelY, -accelZ), Math.atan2(accelX, Math.hypot(accelY, accelZ))];
+  }
+  function accelerometerFromAcceleration(accelNorth, accelEast, accelDown, roll, pitch, yaw, gravity) {
+    const sinPitch = Math.sin(pitch);
+    const cosPitch = Math.cos(pitch);
+    const sinRoll = Math.sin(roll);
+    const cosRoll = Math.cos(roll);
+    const sinYaw = Math.sin(yaw);
+    const cosYaw = Math.cos(yaw);
+    const accelEastSinYaw = accelEast * sinYaw;
+    const accelNorthCosYaw = accelNorth * cosYaw;
+    const cosPitchSinRoll = cosPitch * sinRoll;
+    const accelEastCosYaw = accelEast * cosYaw;
+    const accelNorthSinYaw = accelNorth * sinYaw;
+    const sinPitchSinRoll = sinPitch * sinRoll;
+    const cosPitchCosRoll = cosPitch * cosRoll;
+    const cosRollSinPitch = cosRoll * sinPitch;
+    return [
+      accelEastSinYaw * cosPitch - accelDown * sinPitch + accelNorthCosYaw * cosPitch + gravity * sinPitch,
+      accelDown * cosPitchSinRoll + accelEastCosYaw * cosRoll + accelEastSinYaw * sinPitchSinRoll + accelNorthCosYaw * sinPitchSinRoll - accelNorthSinYaw * cosRoll - cosPitchSinRoll * gravity,
+      accelDown * cosPitchCosRoll - accelEastCosYaw * sinRoll + accelEastSinYaw * cosRollSinPitch + accelNorthCosYaw * cosRollSinPitch + accelNorthSinYaw * sinRoll - cosPitchCosRoll * gravity
+    ];
+  }
+  function driftFromTiltError(angleError, time, gravity) {
+    const sinAngleError = Math.sin(angleError);
+    const gravitySinAngleError = gravity * sinAngleError;
+    return [
+      gravitySinAngleError,
+      gravitySinAngleError * time,
+      0.5 * gravitySinAngleError * (time * time)
+    ];
+  }
+  function positionAtLastVelocity(angleError, time, gravity) {
+    const sinAngleError = Math.sin(angleError);
+    return gravity * sinAngleError * (time * time);
+  }
+
+  // chart.js
+  var ARROWHEAD = 9;
+  function line(context, points, { colour, width = 2, dash = [] }) {
+    context.save();
+    context.beginPath();
+    points.forEach(([x, y]) => context.lineTo(x, y));
+    context.strokeStyle = colour;
+    context.lineWidth = width;
+    context.lineJoin = "round";
+    context.setLineDash(dash);
+    context.stroke();
+    context.restore();
+  }
+  function arrow(context, [x0, y0], [x1, y1], { colour, width = 2.5, dash = [] }) {
+    const length = Math.hypot(x1 - x0, y1 - y0);
+    if (length < 1) return;
+    const head = Math.min(ARROWHEAD + width, length);
+    const [along, across] = [[(x1 - x0) / length, (y1 - y0) / length], 0.42 * head];
+    const neck = [x1 - head * along[0], y1 - head * along[1]];
+    line(context, [[x0, y0], neck], { colour, width, dash });
+    context.beginPath();
+    context.moveTo(x1, y1);
+    context.lineTo(neck[0] - across * along[1], neck[1] + across * along[0]);
+    context.lineTo(neck[0] + across * along[1], neck[1] - across * along[0]);
+    context.closePath();
+    context.fillStyle = colour;
+    context.fill();
+  }
+  var SHAPES = {
+    circle: (context, x, y, r) => context.arc(x, y, r, 0, 2 * Math.PI),
+    square: (context, x, y, r) => context.rect(x - 0.9 * r, y - 0.9 * r, 1.8 * r, 1.8 * r),
+    triangle: (context, x, y, r) => {
+      context.moveTo(x, y - 1.2 * r);
+      context.lineTo(x + 1.1 * r, y + 0.8 * r);
+      context.lineTo(x - 1.1 * r, y + 0.8 * r);
+      context.closePath();
+    }
+  };
+  function mark(context, shape, [x, y], { colour, rim, radius = 5 }) {
+    context.beginPath();
+    SHAPES[shape](context, x, y, radius);
+    context.fillStyle = colour;
+    context.fill();
+    if (!rim) return;
+    context.strokeStyle = rim;
+    context.lineWidth = 1.5;
+    context.stroke();
+  }
+  function words(context, text, [x, y], { colour, size = 12, align = "left", weight = 400 }) {
+    context.font = `${weight} ${size}px system-ui, sans-serif`;
+    context.textAlign = align;
+    context.textBaseline = "middle";
+    context.fillStyle = colour;
+    context.fillText(text, x, y);
+  }
+  var linear = (low, high, start, end) => (value) => start + (value - low) / (high - low) * (end - start);
+  var logarithmic = (low, high, start, end) => {
+    const scale = linear(Math.log10(low), Math.log10(high), start, end);
+    return (value) => scale(Math.log10(value));
+  };
+
+  // parts.js
+  var SVG = "http://www.w3.org/2000/svg";
+  function formatted(value) {
+    if (!(Math.abs(value) < 1e12)) return value < 0 ? "−∞" : "∞";
+    return String(Number(value.toPrecision(4))).replace("-", "−");
+  }
+  var rounded = (value) => String(Number(value.toFixed(2)) || 0).replace("-", "−");
+  function node(tag, attributes = {}, ...children) {
+    const element = document.createElement(tag);
+    for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+    element.append(...children);
+    return element;
+  }
+  function slider(control, touched) {
+    const { name, label: label2, symbol, axis, min, max, step } = control;
+    const { unit: unit2, toPosition = Number, toValue = Number } = control;
+    const words2 = control.words ?? ((value2) => ({
+      short: rounded(value2) + unit2.short,
+      long: `${Number(value2.toFixed(2))} ${unit2.long}`
+    }));
+    const input = node("input", { type: "range", name, min, max, step });
+    const value = node("span", { class: "chr-value", "aria-hidden": "true" });
+    const symbols = node("span", { class: "chr-symbol", "aria-hidden": "true" }, symbol);
+    const caption = node("span", { class: "chr-caption" }, label2, " ", symbols, value);
+    input.addEventListener("input", () => touched({ [name]: toValue(input.valueAsNumber) }));
+    return {
+      element: node("label", { class: "chr-slider", "data-axis": axis }, caption, input),
+      show(state) {
+        const { short, long } = words2(state[name]);
+        input.value = toPosition(state[name]);
+        input.setAttribute("aria-valuetext", long);
+        value.textContent = short;
+      }
+    };
+  }
+  function readout(output) {
+    return output.table ? tableOf(output) : textOf(output);
+  }
+  function textOf({ name, label: label2, unit: unit2, wide, grid }) {
+    const output = node("output", { name, "aria-live": "off" });
+    const kind = wide ? " chr-wide" : grid ? " chr-grid" : "";
+    const units = unit2 ? [node("span", { class: unit2 === "°" ? "chr-unit chr-degree" : "chr-unit" }, unit2)] : [];
+    return {
+      element: node(
+        "div",
+        { class: `chr-readout${kind}` },
+        node("span", { class: "chr-name" }, label2),
+        node("div", {}, output, ...units)
+      ),
+      show(texts) {
+        output.textContent = texts[name];
+      }
+    };
+  }
+  function tableOf({ name }) {
+    const table = node("table", { class: "chr-table chr-wide" });
+    const cell = (head) => (text, column) => head || column === 0 ? node("th", { scope: head ? "col" : "row" }, text) : node("td", {}, text);
+    return {
+      element: table,
+      show(texts) {
+        const [head, ...rows] = texts[name];
+        table.replaceChildren(
+          node("thead", {}, node("tr", {}, ...head.map(cell(true)))),
+          node("tbody", {}, ...rows.map((row2) => node("tr", {}, ...row2.map(cell(false)))))
+        );
+      }
+    };
+  }
+  function legend(entries) {
+    if (entries.length === 0) return [];
+    return [node("ul", { class: "chr-legend" }, ...entries.map((entry2) => node("li", {}, sample(entry2), entry2.text)))];
+  }
+  function sample({ colour, dash = [], width = 2.5, mark: mark2 }) {
+    const part = (tag, attributes) => {
+      const element = document.createElementNS(SVG, tag);
+      for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+      return element;
+    };
+    const svg = part("svg", { viewBox: "0 0 30 12", width: 30, height: 12, "aria-hidden": "true" });
+    const style = `stroke: var(--chr-${colour}); stroke-width: ${width}px`;
+    svg.append(part("line", { x1: 1, y1: 6, x2: 29, y2: 6, style, "stroke-dasharray": dash.join(" ") }));
+    if (mark2) svg.append(part("path", { d: mark2, style: `fill: var(--chr-${colour})` }));
+    return svg;
+  }
+
+  // story.js
+  var WAIT = 3500;
+  var MOVE = 2;
+  var prefersStillness = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
+  function glide(from, goal, seconds, { between: between2, changed, done = () => {
+  } }) {
+    if (prefersStillness()) {
+      changed(goal);
+      done();
+      return () => {
+      };
+    }
+    const began = performance.now();
+    let frame = requestAnimationFrame(function step(now) {
+      const t = Math.min(1, Math.max(0, (now - began) / (1e3 * seconds)));
+      changed(t === 1 ? goal : between2(from, goal, t * t * (3 - 2 * t)));
+      if (t < 1) frame = requestAnimationFrame(step);
+      else done();
+    });
+    return () => cancelAnimationFrame(frame);
+  }
+  function player(story, { current, between: between2, changed, say, name }) {
+    let next = 0;
+    let running = false;
+    let end = () => {
+    };
+    function rename() {
+      if (running) name("Pause");
+      else if (prefersStillness()) name(next === 0 ? "Show me, step by step" : "Next step");
+      else name(next === 0 ? "Play" : "Go on");
+    }
+    function stop() {
+      end();
+      end = () => {
+      };
+      running = false;
+      rename();
+    }
+    function step() {
+      const index = next;
+      const { says, state, seconds = MOVE } = story[index];
+      say(says);
+      const done = () => {
+        next = (index + 1) % story.length;
+        if (!running || next === 0) return stop();
+        const timer = setTimeout(step, WAIT);
+        end = () => clearTimeout(timer);
+        return void 0;
+      };
+      end = glide(current(), state, seconds, { between: between2, changed, done });
+    }
+    rename();
+    return {
+      stop,
+      press() {
+        if (running) return stop();
+        running = !prefersStillness();
+        step();
+        rename();
+        return void 0;
+      },
+      rewind() {
+        next = 0;
+        say("");
+        stop();
+      }
+    };
+  }
+
+  // controls.js
+  var ANNOUNCE_AFTER = 600;
+  var RESET = 0.45;
+  function mountDemo(element, definition4, initial, onChange = () => {
+  }) {
+    const state = { ...definition4.start, ...initial };
+    const cleanup = new AbortController();
+    const parts = build(definition4, touched);
+    const { root, canvas, live, sliders, outputs, said, play, reset } = parts;
+    let frame = 0;
+    let timer = 0;
+    let rest = () => {
+    };
+    function paint2() {
+      frame = 0;
+      const ratio = devicePixelRatio || 1;
+      const { width, height } = canvas.getBoundingClientRect();
+      if (width === 0) return;
+      canvas.width = Math.round(width * ratio);
+      canvas.height = Math.round(height * ratio);
+      const context = canvas.getContext("2d");
+      context.scale(ratio, ratio);
+      definition4.draw(context, { width, height }, state, coloursOf(root));
+    }
+    function redraw() {
+      frame ||= requestAnimationFrame(paint2);
+    }
+    function show() {
+      const texts = definition4.readouts(state);
+      root.dataset.state = JSON.stringify(state);
+      sliders.forEach((each) => each.show(state));
+      outputs.forEach((each) => each.show(texts));
+      redraw();
+    }
+    function announce() {
+      live.textContent = `${said.textContent} ${definition4.summary(state)}`.trim();
+    }
+    function changed(part) {
+      Object.assign(state, part);
+      show();
+      onChange({ ...state });
+      clearTimeout(timer);
+      timer = setTimeout(announce, ANNOUNCE_AFTER);
+    }
+    const between2 = betweenOf(definition4.controls);
+    const tour = player(definition4.story, {
+      between: between2,
+      changed,
+      current: () => ({ ...state }),
+      say: (text) => said.textContent = text,
+      name: (text) => play.textContent = text
+    });
+    function touched(part) {
+      rest();
+      tour.stop();
+      said.textContent = "";
+      changed(part);
+    }
+    play.addEventListener("click", () => {
+      rest();
+      tour.press();
+    });
+    reset.addEventListener("click", () => {
+      rest();
+      tour.rewind();
+      rest = glide({ ...state }, definition4.start, RESET, { between: between2, changed });
+    });
+    watch(root, canvas, redraw, cleanup.signal);
+    element.replaceChildren(root);
+    show();
+    return {
+      update(part) {
+        Object.assign(state, part);
+        show();
+      },
+      destroy() {
+        rest();
+        tour.stop();
+        cleanup.abort();
+        clearTimeout(timer);
+        cancelAnimationFrame(frame);
+        root.remove();
+      }
+    };
+  }
+  function build(definition4, touched) {
+    const canvas = node("canvas", {
+      role: "img",
+      "aria-label": definition4.title,
+      style: `aspect-ratio: 1 / ${definition4.aspect}`
+    });
+    const live = node("p", { class: "chr-live", "aria-live": "polite" });
+    const said = node("p", { class: "chr-said" });
+    const sliders = definition4.controls.map((control) => slider(control, touched));
+    const outputs = definition4.outputs.map(readout);
+    const play = node("button", { type: "button", name: "play" });
+    const reset = node("button", { type: "button", name: "reset" }, "Reset");
+    const stage = node("div", { class: "chr-stage" }, canvas, ...legend(definition4.legend ?? []));
+    const panel = node(
+      "div",
+      { class: "chr-panel" },
+      ...sliders.map((each) => each.element),
+      node("div", { class: "chr-buttons" }, play, reset),
+      said,
+      node("div", { class: "chr-readouts" }, ...outputs.map((each) => each.element))
+    );
+    const root = node(
+      "div",
+      // JupyterLab listens for shortcuts before the page does; this attribute tells it not to.
+      { class: "chr-demo", role: "group", "aria-label": definition4.title, "data-lm-suppress-shortcuts": "true" },
+      node("div", { class: "chr-body" }, stage, panel),
+      live
+    );
+    for (const type of ["keydown", "keyup", "keypress"])
+      root.addEventListener(type, (event) => event.stopPropagation());
+    return { root, canvas, live, said, sliders, outputs, play, reset };
+  }
+  var betweenOf = (controls) => (from, to, t) => Object.fromEntries(
+    controls.map(({ name, toPosition = Number, toValue = Number }) => {
+      const [start, end] = [toPosition(from[name]), toPosition(to[name])];
+      return [name, start === end ? to[name] : toValue(start + t * (end - start))];
+    })
+  );
+  function coloursOf(element) {
+    const style = getComputedStyle(element);
+    return (name) => style.getPropertyValue(`--chr-${name}`).trim();
+  }
+  function watch(root, canvas, redraw, signal) {
+    const sizes = new ResizeObserver(redraw);
+    sizes.observe(canvas);
+    const themes = new MutationObserver(redraw);
+    for (const host of [document.documentElement, document.body])
+      themes.observe(host, { attributes: true });
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw, { signal });
+    signal.addEventListener("abort", () => {
+      sizes.disconnect();
+      themes.disconnect();
+    });
+  }
 
   // draw.js
   var NEAR_PLANE = 1e-7;
@@ -77,12 +510,12 @@
   var sum = (a, b) => a.map((value, i) => value + b[i]);
   var scaled = (a, factor) => a.map((value) => value * factor);
   var unit = (a) => scaled(a, 1 / (Math.hypot(...a) || 1));
-  function camera(matrix, distance, { width, height }, { wide, high, shift }) {
-    const eye = toParent(matrix, [-distance, 0, 0]);
-    const zoom = Math.min(width / wide, height / high) * distance;
+  function camera(matrix, distance2, { width, height }, { wide, high, shift }) {
+    const eye = toParent(matrix, [-distance2, 0, 0]);
+    const zoom = Math.min(width / wide, height / high) * distance2;
     const project = (point) => {
       const [depth, right, down] = toChild(matrix, point);
-      const perspective = zoom / (distance + depth);
+      const perspective = zoom / (distance2 + depth);
       return [width / 2 + perspective * right, height / 2 + perspective * (down + shift)];
     };
     return { eye, project, light: unit(toParent(matrix, [-1, -0.55, -1])) };
@@ -113,7 +546,7 @@
     const caps = [outlines[0], [...outlines.at(-1)].reverse()].map((points) => ({ points, fill }));
     return [...sides, ...caps];
   }
-  function ring({ u, v, inner, outer, depth, fill, marked, mark, count = 72 }) {
+  function ring({ u, v, inner, outer, depth, fill, marked, mark: mark2, count = 72 }) {
     const axis = cross(u, v);
     const at = (i, radius, height) => {
       const angle = 2 * Math.PI * i / count;
@@ -134,7 +567,7 @@
       at(i + 1, a, height)
     ];
     return Array.from({ length: count }, (_, i) => {
-      const colour = mark(i) ? marked : fill;
+      const colour = mark2(i) ? marked : fill;
       return [
         { points: face(i, outer, inner, depth), fill: colour },
         { points: face(i, inner, outer, -depth), fill: colour },
@@ -222,6 +655,171 @@
   var mixed = (a, b, t) => between(a, b, t);
   var rgb = (channels) => `rgb(${channels.map((value) => Math.round(Math.min(255, value))).join(" ")})`;
 
+  // widget.js
+  var widget = (mount4) => ({
+    render({ model, el }) {
+      const names = Object.keys(mount4.start);
+      const state = () => Object.fromEntries(names.map((name) => [name, model.get(name)]));
+      const demo = mount4(el, state(), (changed) => {
+        names.forEach((name) => model.set(name, changed[name]));
+        model.save_changes();
+      });
+      const follow = () => demo.update(state());
+      names.forEach((name) => model.on(`change:${name}`, follow));
+      return () => {
+        names.forEach((name) => model.off(`change:${name}`, follow));
+        demo.destroy();
+      };
+    }
+  });
+
+  // drift.js
+  var DEGREE = Math.PI / 180;
+  var [FIRST, LAST] = [1, 3600];
+  var STEPS = 64;
+  function errorsAfter(time, angle) {
+    const given = [angle * DEGREE, time, 9.8];
+    const [acceleration, velocity, position] = driftFromTiltError(...given);
+    return { acceleration, velocity, position, printed: positionAtLastVelocity(...given) };
+  }
+  function readouts({ angle_error: angle, time }) {
+    const errors2 = errorsAfter(time, angle);
+    return {
+      acceleration_error: formatted(errors2.acceleration),
+      velocity_error: formatted(errors2.velocity),
+      position_error: formatted(errors2.position),
+      printed_position_error: formatted(errors2.printed),
+      meaning: meaning(time, errors2),
+      row: row(angle)
+    };
+  }
+  function meaning(time, { velocity, position, printed: reckoned }) {
+    if (position === 0) return "With an exact attitude gravity cancels, and a sensor at rest believes that it is at rest.";
+    return `After ${duration(time).long} a sensor that has not moved believes that it is ${distance(position)} away and moves at ${formatted(velocity)} m/s. The note's table loses a factor ½ and makes that ${distance(reckoned)}.`;
+  }
+  var COLUMNS = [
+    { text: "acceleration, m/s²", time: 0, error: "acceleration" },
+    { text: "velocity, 10 s, m/s", time: 10, error: "velocity" },
+    { text: "position, 10 s, m", time: 10, error: "position" },
+    { text: "position, 1 min, m", time: 60, error: "position" },
+    { text: "position, 10 min, m", time: 600, error: "position" },
+    { text: "position, 1 h, m", time: 3600, error: "position" }
+  ];
+  function row(angle) {
+    const found = Object.entries(define_TABLE_1_default).find(([degrees]) => Number(degrees) === angle);
+    const cells = found?.[1] ?? COLUMNS.map(() => "–");
+    return [
+      [`Table 1 at ${formatted(angle)}°`, "right", found ? "printed" : "no such row"],
+      ...COLUMNS.map(({ text, time, error }, i) => [text, formatted(errorsAfter(time, angle)[error]), cells[i]])
+    ];
+  }
+  function summary(state) {
+    const texts = readouts(state);
+    return `Acceleration error ${texts.acceleration_error} metres per second squared. ${texts.meaning}`;
+  }
+  function duration(time) {
+    const seconds = Number(time.toFixed(time < 10 ? 1 : 0));
+    const parts = [
+      [Math.floor(seconds / 3600), "h", "hour"],
+      [Math.floor(seconds % 3600 / 60), "min", "minute"],
+      [Number((seconds % 60).toFixed(1)), "s", "second"]
+    ].filter(([count]) => count > 0);
+    return {
+      short: parts.map(([count, unit2]) => `${count} ${unit2}`).join(" "),
+      long: parts.map(([count, , unit2]) => `${count} ${unit2}${count === 1 ? "" : "s"}`).join(" ")
+    };
+  }
+  function distance(metres) {
+    const [value, unit2] = metres < 1 ? [100 * metres, "cm"] : metres < 1e3 ? [metres, "m"] : [metres / 1e3, "km"];
+    return `${Number(value.toPrecision(3))} ${unit2}`;
+  }
+  var RANGE = [3e-3, 3e7];
+  var TIMES = [[1, "1 s"], [10, "10 s"], [60, "1 min"], [600, "10 min"], [3600, "1 h"]];
+  var DECADES = [[0.01, "0.01"], [0.1, "0.1"], [1, "1"], [10, "10"], [100, "100"], [1e3, "1000"], [1e4, "10⁴"], [1e5, "10⁵"], [1e6, "10⁶"], [1e7, "10⁷"]];
+  var SIZES = [[100, "a sports field"], [1e4, "a city"], [1e6, "a country"]];
+  var CURVES = [
+    { error: "velocity", text: "velocity", colour: "accent", dash: [2, 3], width: 3, shape: "square", at: 500, offset: [14, 14] },
+    { error: "position", text: "position", colour: "proved", dash: [], width: 3, shape: "circle", at: 60, offset: [14, 12] },
+    { error: "printed", text: "as in the table", colour: "corrected", dash: [8, 4], width: 2.5, shape: "triangle", at: 120, offset: [-14, -10] }
+  ];
+  function draw(context, { width, height }, { angle_error: angle, time }, colours) {
+    const [left, right, top, bottom] = [46, width - 14, 30, height - 40];
+    const [x, y] = [logarithmic(FIRST, LAST, left, right), logarithmic(...RANGE, bottom, top)];
+    const at = (curve, moment) => [x(moment), y(errorsAfter(moment, angle)[curve.error])];
+    const small = { colour: colours("muted"), size: 12 };
+    words(context, "error, m/s or m", [8, 14], { ...small, weight: 600 });
+    words(context, "time without help from outside", [right, height - 10], { ...small, align: "right", weight: 600 });
+    for (const [value, text] of DECADES) {
+      line(context, [[left, y(value)], [right, y(value)]], { colour: colours("line"), width: 1 });
+      words(context, text, [left - 6, y(value)], { ...small, align: "right" });
+    }
+    for (const [moment, text] of TIMES) {
+      line(context, [[x(moment), top], [x(moment), bottom]], { colour: colours("line"), width: 1 });
+      words(context, text, [x(moment), bottom + 14], { ...small, align: moment === LAST ? "right" : moment === FIRST ? "left" : "center" });
+    }
+    for (const [metres, text] of SIZES) words(context, text, [left + 6, y(metres) - 8], small);
+    if (angle === 0) {
+      label(context, "no error of angle, no drift", [(left + right) / 2, (top + bottom) / 2], {
+        colour: colours("ink"),
+        rim: colours("surface"),
+        width
+      });
+      return;
+    }
+    context.save();
+    context.beginPath();
+    context.rect(left, top, right - left, bottom - top);
+    context.clip();
+    line(context, [[x(time), bottom], [x(time), top]], { colour: colours("ink"), width: 1.5 });
+    CURVES.forEach((curve) => {
+      const style = { colour: colours(curve.colour), dash: curve.dash, width: curve.width };
+      line(context, [at(curve, FIRST), at(curve, LAST)], style);
+    });
+    context.restore();
+    CURVES.forEach((curve) => {
+      const style = { colour: colours(curve.colour), rim: colours("surface"), width };
+      label(context, curve.text, at(curve, curve.at), { ...style, offset: curve.offset, size: 13 });
+    });
+    CURVES.forEach(
+      (curve) => mark(context, curve.shape, at(curve, time), { colour: colours(curve.colour), rim: colours("surface"), radius: 6 })
+    );
+  }
+  var still = { angle_error: 1, time: 10 };
+  var SECONDS = {
+    toPosition: (value) => STEPS * Math.log(value / FIRST) / Math.log(LAST / FIRST),
+    toValue: (position) => Number((FIRST * (LAST / FIRST) ** (position / STEPS)).toPrecision(2))
+  };
+  var definition = {
+    title: "Growth of the errors of velocity and position over time, on logarithmic axes",
+    aspect: 1.35,
+    start: still,
+    controls: [
+      { name: "angle_error", label: "Error of the angle", symbol: "ε", min: 0, max: 5, step: 0.1, unit: { short: "°", long: "degrees" } },
+      { name: "time", label: "Time", symbol: "t", min: 0, max: STEPS, step: 1, words: duration, ...SECONDS }
+    ],
+    outputs: [
+      { name: "acceleration_error", label: "Acceleration error", unit: "m/s²" },
+      { name: "velocity_error", label: "Velocity error", unit: "m/s" },
+      { name: "position_error", label: "Position error", unit: "m" },
+      { name: "printed_position_error", label: "Position as printed", unit: "m" },
+      { name: "meaning", label: "What it means", wide: true },
+      { name: "row", table: true }
+    ],
+    story: [
+      { state: { angle_error: 1, time: 1 }, says: "The attitude is off by one degree. Gravity no longer cancels: a part of it is taken for acceleration." },
+      { state: { angle_error: 1, time: 10 }, seconds: 3, says: "Ten seconds. The velocity grows in step with time: ten times the time, ten times the error." },
+      { state: { angle_error: 1, time: 60 }, seconds: 3, says: "One minute. The position grows with the square: its line is twice as steep." },
+      { state: { angle_error: 1, time: 3600 }, seconds: 5, says: "One hour, and the sensor believes itself in another country." },
+      { state: { angle_error: 0.1, time: 3600 }, says: "A tenth of the angle shifts all lines down by one decade. None gets less steep." }
+    ],
+    readouts,
+    summary,
+    draw
+  };
+  var mount = (element, state, onChange) => mountDemo(element, definition, state, onChange);
+  mount.start = definition.start;
+  var drift_default = widget(mount);
+
   // aircraft.js
   var CORNERS = 10;
   var SECTIONS = [
@@ -278,168 +876,9 @@
     ];
   }
 
-  // controls.js
-  var ANNOUNCE_AFTER = 600;
-  var GLIDE = 450;
-  function formatted(value) {
-    if (!(Math.abs(value) < 1e12)) return value < 0 ? "−∞" : "∞";
-    return String(Number(value.toPrecision(4))).replace("-", "−");
-  }
-  var prefersStillness = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
-  function mountDemo(element, definition2, initial, onChange = () => {
-  }) {
-    const state = { ...definition2.start, ...initial };
-    const cleanup = new AbortController();
-    const canvas = node("canvas", { role: "img", "aria-label": definition2.title });
-    const live = node("p", { class: "chr-live", "aria-live": "polite" });
-    const sliders = definition2.controls.map((control) => slider(control, changed));
-    const outputs = definition2.outputs.map(readout);
-    const reset = node("button", { type: "button", name: "reset" }, "Reset");
-    const panel = node(
-      "div",
-      { class: "chr-panel" },
-      ...sliders.map((each) => each.element),
-      node("div", { class: "chr-readouts" }, ...outputs.map((each) => each.element)),
-      node("div", { class: "chr-buttons" }, reset)
-    );
-    const root = node(
-      "div",
-      // JupyterLab listens for shortcuts before the page does; this attribute tells it not to.
-      { class: "chr-demo", role: "group", "aria-label": definition2.title, "data-lm-suppress-shortcuts": "true" },
-      node("div", { class: "chr-body" }, node("div", { class: "chr-stage" }, canvas), panel),
-      live
-    );
-    for (const type of ["keydown", "keyup", "keypress"])
-      root.addEventListener(type, (event) => event.stopPropagation());
-    let frame = 0;
-    let timer = 0;
-    function paint2() {
-      frame = 0;
-      const ratio = devicePixelRatio || 1;
-      const { width, height } = canvas.getBoundingClientRect();
-      if (width === 0) return;
-      canvas.width = Math.round(width * ratio);
-      canvas.height = Math.round(height * ratio);
-      const context = canvas.getContext("2d");
-      context.scale(ratio, ratio);
-      definition2.draw(context, { width, height }, state, coloursOf(root));
-    }
-    function redraw() {
-      frame ||= requestAnimationFrame(paint2);
-    }
-    function show() {
-      const texts = definition2.readouts(state);
-      sliders.forEach((each) => each.show(state));
-      outputs.forEach((each) => each.show(texts));
-      redraw();
-    }
-    function changed(part) {
-      Object.assign(state, part);
-      show();
-      onChange({ ...state });
-      clearTimeout(timer);
-      timer = setTimeout(() => live.textContent = definition2.summary(state), ANNOUNCE_AFTER);
-    }
-    reset.addEventListener("click", () => glide(state, definition2.start, changed, cleanup.signal));
-    watch(root, canvas, redraw, cleanup.signal);
-    element.replaceChildren(root);
-    show();
-    return {
-      update(part) {
-        Object.assign(state, part);
-        show();
-      },
-      destroy() {
-        cleanup.abort();
-        clearTimeout(timer);
-        cancelAnimationFrame(frame);
-        root.remove();
-      }
-    };
-  }
-  function node(tag, attributes = {}, ...children) {
-    const element = document.createElement(tag);
-    for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
-    element.append(...children);
-    return element;
-  }
-  function slider({ name, label: label2, symbol, axis, min, max, step, unit: unit2, digits = 0 }, changed) {
-    const input = node("input", { type: "range", name, min, max, step });
-    const value = node("span", { class: "chr-value", "aria-hidden": "true" });
-    const symbols = node("span", { class: "chr-symbol", "aria-hidden": "true" }, symbol);
-    const caption = node("span", { class: "chr-caption" }, label2, " ", symbols, value);
-    input.addEventListener("input", () => changed({ [name]: input.valueAsNumber }));
-    return {
-      element: node("label", { class: "chr-slider", "data-axis": axis }, caption, input),
-      show(state) {
-        const text = `${Number(state[name].toFixed(digits + 2))}${unit2.short}`.replace("-", "−");
-        input.value = state[name];
-        input.setAttribute("aria-valuetext", `${Number(state[name].toFixed(2))} ${unit2.long}`);
-        value.textContent = text;
-      }
-    };
-  }
-  function readout({ name, label: label2, wide }) {
-    const output = node("output", { name, "aria-live": "off" });
-    return {
-      element: node("div", { class: wide ? "chr-readout chr-wide" : "chr-readout" }, node("span", {}, label2), output),
-      show(texts) {
-        output.textContent = texts[name];
-      }
-    };
-  }
-  function coloursOf(element) {
-    const style = getComputedStyle(element);
-    return (name) => style.getPropertyValue(`--chr-${name}`).trim();
-  }
-  function watch(root, canvas, redraw, signal) {
-    const sizes = new ResizeObserver(redraw);
-    sizes.observe(canvas);
-    const themes = new MutationObserver(redraw);
-    for (const host of [document.documentElement, document.body])
-      themes.observe(host, { attributes: true });
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw, { signal });
-    signal.addEventListener("abort", () => {
-      sizes.disconnect();
-      themes.disconnect();
-    });
-  }
-  function glide(state, goal, changed, signal) {
-    if (prefersStillness()) return changed(goal);
-    const from = { ...state };
-    const began = performance.now();
-    const step = (now) => {
-      if (signal.aborted) return;
-      const t = Math.min(1, Math.max(0, (now - began) / GLIDE));
-      const eased = t * t * (3 - 2 * t);
-      const between2 = ([name, end]) => [name, t === 1 ? end : from[name] + eased * (end - from[name])];
-      changed(Object.fromEntries(Object.entries(goal).map(between2)));
-      if (t < 1) requestAnimationFrame(step);
-    };
-    requestAnimationFrame(step);
-  }
-
-  // widget.js
-  var widget = (mount2) => ({
-    render({ model, el }) {
-      const names = Object.keys(mount2.start);
-      const state = () => Object.fromEntries(names.map((name) => [name, model.get(name)]));
-      const demo = mount2(el, state(), (changed) => {
-        names.forEach((name) => model.set(name, changed[name]));
-        model.save_changes();
-      });
-      const follow = () => demo.update(state());
-      names.forEach((name) => model.on(`change:${name}`, follow));
-      return () => {
-        names.forEach((name) => model.off(`change:${name}`, follow));
-        demo.destroy();
-      };
-    }
-  });
-
   // gimbal_lock.js
-  var DEGREE = Math.PI / 180;
-  var VIEW = matrixFromEuler(0, -22 * DEGREE, 32 * DEGREE);
+  var DEGREE2 = Math.PI / 180;
+  var VIEW = matrixFromEuler(0, -22 * DEGREE2, 32 * DEGREE2);
   var [NORTH, EAST, DOWN] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
   var FLOOR = 1.4;
   var [YAW_ARROW, PITCH_ARROW, ROLL_ARROW] = [1.42, 1.2, 1.17];
@@ -451,7 +890,7 @@
     x: { u: DOWN, v: NORTH, inner: 0.67, outer: 0.75, depth: 0.05 }
   };
   function frames({ yaw, pitch, roll }) {
-    const [phi, theta, psi] = [roll * DEGREE, pitch * DEGREE, yaw * DEGREE];
+    const [phi, theta, psi] = [roll * DEGREE2, pitch * DEGREE2, yaw * DEGREE2];
     return {
       z: matrixFromEuler(0, 0, psi),
       y: matrixFromEuler(0, theta, psi),
@@ -460,28 +899,35 @@
   }
   function axesOf(state) {
     const [north, east, down] = toParent(frames(state).x, NORTH);
-    const apart = Math.atan2(Math.hypot(north, east), down) / DEGREE;
+    const apart = Math.atan2(Math.hypot(north, east), down) / DEGREE2;
     return { apart, locked: Math.hypot(north, east) < LOCKED, opposite: down < 0 };
   }
-  var LOST = "About the dotted line no ring can turn it.";
+  var LOST = "About the dashed line no ring can turn it.";
   function rings(state) {
     const { apart, locked, opposite } = axesOf(state);
     if (locked && opposite)
       return `Locked. Yaw and roll turn the aircraft about the same axis, in opposite senses: raise both by the same amount and it stays where it is. ${LOST}`;
     if (locked)
       return `Locked. Yaw and roll turn the aircraft about the same axis, in the same sense: raise one, lower the other by as much, and it stays where it is. ${LOST}`;
-    const d = eulerRatesMatrix(state.roll * DEGREE, state.pitch * DEGREE);
+    const d = eulerRatesMatrix(state.roll * DEGREE2, state.pitch * DEGREE2);
     const fastest = formatted(Math.hypot(d[6], d[7], d[8]));
     const short = formatted(Math.min(apart, 180 - apart));
     return `The roll axis is ${short}° from the line of the yaw axis. To follow the aircraft, the yaw ring turns at up to ${fastest} × its speed.`;
   }
-  var readouts = (state) => ({
-    determinant: formatted(eulerRatesDeterminant(state.pitch * DEGREE)),
-    condition: formatted(eulerRatesCondition(state.pitch * DEGREE)),
-    rings: rings(state)
-  });
-  function summary(state) {
-    const { determinant, condition, rings: sentence } = readouts(state);
+  var entry = (value) => (Number(value.toFixed(3)) || 0).toFixed(3).replace("-", "−").padStart(6);
+  function readouts2(state) {
+    const angles = [state.roll * DEGREE2, state.pitch * DEGREE2, state.yaw * DEGREE2];
+    const matrix = matrixFromEuler(...angles).map(entry);
+    return {
+      determinant: formatted(eulerRatesDeterminant(state.pitch * DEGREE2)),
+      condition: formatted(eulerRatesCondition(state.pitch * DEGREE2)),
+      rings: rings(state),
+      matrix: [0, 3, 6].map((start) => matrix.slice(start, start + 3).join(" ")).join("\n"),
+      quaternion: quaternionFromEuler(...angles).map(entry).join("\n")
+    };
+  }
+  function summary2(state) {
+    const { determinant, condition, rings: sentence } = readouts2(state);
     return `Determinant ${determinant}, condition number ${condition}. ${sentence}`;
   }
   var arc = (u, v, centre, radius, from, to) => Array.from({ length: 25 }, (_, i) => {
@@ -496,7 +942,7 @@
   }
   function tube(along, across, from, to, radius, fill) {
     const round = arc(across, cross(along, across), [0, 0, 0], radius, 0, 2 * Math.PI).slice(0, -1);
-    const outline = (distance) => round.filter((_, i) => i % 3 === 0).map((point) => sum(point, scaled(along, distance)));
+    const outline = (distance2) => round.filter((_, i) => i % 3 === 0).map((point) => sum(point, scaled(along, distance2)));
     return loft([outline(from), outline(to)], fill);
   }
   var pin = (along, across, from, to, fill) => [along, scaled(along, -1)].flatMap((side) => tube(side, across, from, to, 0.026, fill));
@@ -506,15 +952,15 @@
     return Array.from({ length: count }, each).flat();
   }
   function compass(context, { project }, colours, width) {
-    const line = (points, thickness) => {
+    const line2 = (points, thickness) => {
       context.beginPath();
       points.forEach((point) => context.lineTo(...project(point)));
       context.lineWidth = thickness;
       context.stroke();
     };
     const at = (degrees, radius) => [
-      radius * Math.cos(degrees * DEGREE),
-      radius * Math.sin(degrees * DEGREE),
+      radius * Math.cos(degrees * DEGREE2),
+      radius * Math.sin(degrees * DEGREE2),
       FLOOR
     ];
     const rim = Array.from({ length: 121 }, (_, i) => at(3 * i, 1));
@@ -523,10 +969,10 @@
     context.fillStyle = colours("raised");
     context.fill();
     context.strokeStyle = colours("line");
-    line(rim, 2);
+    line2(rim, 2);
     for (let heading = 0; heading < 360; heading += 10) {
       const quarter = heading % 90 === 0;
-      line([at(heading, quarter ? 0.86 : 0.91), at(heading, 0.96)], quarter ? 2.5 : 1.2);
+      line2([at(heading, quarter ? 0.86 : 0.91), at(heading, 0.96)], quarter ? 2.5 : 1.2);
     }
     ["N", "E", "S", "W"].forEach(
       (letter, i) => label(context, letter, project(at(90 * i, 0.73)), {
@@ -537,7 +983,7 @@
       })
     );
   }
-  function draw(context, size, state, colours) {
+  function draw2(context, size, state, colours) {
     const view = camera(VIEW, 6, size, { wide: 3.3, high: 3.55, shift: -0.04 });
     const { eye, project } = view;
     const colour = (name) => parsed(colours(name));
@@ -546,15 +992,17 @@
     const [yAxis, xAxis] = [toParent(frame.y, EAST), toParent(frame.x, NORTH)];
     compass(context, view, colours, size.width);
     paint(context, [...solids(frame, colour), ...arrows(frame, colour, eye, locked)], view);
-    const words = (text, point, name, offset) => label(context, text, project(point), {
+    const words2 = (text, point, name, offset) => label(context, text, project(point), {
       colour: colours(name),
       rim: colours("surface"),
       offset,
       width: size.width
     });
-    words("z yaw", scaled(DOWN, -YAW_ARROW), "z", [30, 0]);
-    words("y pitch", scaled(yAxis, 1.3), "y", [0, 34]);
-    words("x roll", scaled(xAxis, ROLL_ARROW), "x", [30, 0]);
+    words2("z yaw", scaled(DOWN, -YAW_ARROW), "z", [30, 0]);
+    const pitchEnd = scaled(yAxis, 1.3);
+    const outwards = project(pitchEnd)[0] < size.width / 2 ? -6 : 6;
+    words2("y pitch", pitchEnd, "y", [outwards, 34]);
+    words2("x roll", scaled(xAxis, ROLL_ARROW), "x", [30, 0]);
   }
   function solids(frame, colour) {
     const steel = mixed(colour("body"), colour("muted"), 0.4);
@@ -593,8 +1041,9 @@
       ...locked ? lost : []
     ];
   }
-  var definition = {
+  var definition2 = {
     title: "An aircraft in three rings: yaw outside, pitch in the middle, roll inside",
+    aspect: 1.08,
     start: { yaw: 0, pitch: 0, roll: 0 },
     controls: [
       { name: "yaw", label: "Yaw", symbol: "ψ", axis: "z", min: -180, max: 180 },
@@ -604,18 +1053,349 @@
     outputs: [
       { name: "determinant", label: "Determinant of D" },
       { name: "condition", label: "Condition number" },
-      { name: "rings", label: "The rings", wide: true }
+      { name: "rings", label: "The rings", wide: true },
+      { name: "matrix", label: "Matrix R", grid: true },
+      { name: "quaternion", label: "Quaternion", grid: true }
     ],
-    readouts,
-    summary,
-    draw
+    story: [
+      { state: { yaw: 0, pitch: 0, roll: 0 }, says: "Three rings, three axes at right angles. Each ring turns the aircraft in a way that no other can." },
+      { state: { yaw: 40, pitch: 0, roll: 0 }, says: "Yaw carries the whole arrangement round." },
+      { state: { yaw: 40, pitch: 60, roll: 0 }, says: "Pitch tilts the roll axis towards the yaw axis. At 60° the yaw ring must already turn at up to twice the aircraft's speed." },
+      { state: { yaw: 40, pitch: 90, roll: 0 }, says: "At 90° the roll axis lies along the yaw axis." },
+      { state: { yaw: -20, pitch: 90, roll: -60 }, seconds: 3.5, says: "Yaw and roll turn together by the same amount, and the aircraft stays where it is: one turn is lost." },
+      { state: { yaw: -20, pitch: 60, roll: -60 }, says: "Away from 90° all three turns are back." }
+    ],
+    readouts: readouts2,
+    summary: summary2,
+    draw: draw2
   };
-  var mount = (element, state, onChange) => mountDemo(element, definition, state, onChange);
-  mount.start = definition.start;
-  var gimbal_lock_default = widget(mount);
+  var mount2 = (element, state, onChange) => mountDemo(element, definition2, state, onChange);
+  mount2.start = definition2.start;
+  var gimbal_lock_default = widget(mount2);
+
+  // vibration.json
+  var vibration_default = [
+    [0.212, -0.178, -0.208],
+    [2.11, 0.095, 0.63],
+    [0.612, -0.584, -0.872],
+    [-0.652, -0.057, -0.305],
+    [-0.212, 0.178, 0.208],
+    [-0.024, 0.066, 0.547],
+    [0.136, -0.187, -0.193],
+    [-0.555, 2.22, -2.895],
+    [-0.28, 0.017, 1.563],
+    [1.1, 1.571, 1.342],
+    [0.709, 1.01, -0.278],
+    [1.38, 0.742, -1.057],
+    [0.856, -0.849, -0.489],
+    [0.921, 0.487, 2.119],
+    [-1.38, -0.742, 1.057],
+    [-0.061, -0.406, -0.263],
+    [1.041, 1.333, -0.079],
+    [0.511, -0.847, 0.125],
+    [-0.709, -1.01, 0.278],
+    [-0.452, -2.152, -0.541],
+    [-2.674, -0.047, -0.386],
+    [-0.718, -0.432, 1.341],
+    [0.832, 1.769, -0.134],
+    [0.063, 0.809, -0.458],
+    [-0.149, 0.792, 0.535],
+    [0.447, -0.413, 0.319],
+    [2.674, 0.047, 0.386],
+    [-2.243, 0.607, -1.364],
+    [0.715, 0.241, 0.26],
+    [1.353, 0.679, -1.014],
+    [0.555, -2.22, 2.895],
+    [0.386, -0.698, 0.027],
+    [0.854, -0.108, 0.053],
+    [-0.612, 0.584, 0.872],
+    [-0.715, -0.241, -0.26],
+    [-0.158, -2.284, -0.377],
+    [-0.652, -0.732, -0.74],
+    [-0.43, -0.917, 1.418],
+    [-2.015, -1.462, 1.913],
+    [0.158, 2.284, 0.377],
+    [-0.386, 0.698, -0.027],
+    [-0.921, -0.487, -2.119],
+    [-0.47, -0.371, -1.625],
+    [0.452, 2.152, 0.541],
+    [-1.353, -0.679, 1.014],
+    [0.803, 0.612, -0.856],
+    [-1.1, -1.571, -1.342],
+    [0.433, 0.024, -2.087],
+    [-0.511, 0.847, -0.125],
+    [0.061, 0.406, 0.263],
+    [0.871, -0.331, 1.065],
+    [1.205, -0.377, -0.892],
+    [0.718, 0.432, -1.341],
+    [0.28, -0.017, -1.563],
+    [0.652, 0.732, 0.74],
+    [-1.041, -1.333, 0.079],
+    [0.462, -1.27, -0.813],
+    [0.845, 0.181, 0.28],
+    [0.47, 0.371, 1.625],
+    [1.772, -0.635, 1.403],
+    [-0.832, -1.769, 0.134],
+    [2.015, 1.462, -1.913],
+    [-1.583, -0.511, 0.192],
+    [-1.772, 0.635, -1.403],
+    [-0.856, 0.849, 0.489],
+    [-0.854, 0.108, -0.053],
+    [0.652, 0.057, 0.305],
+    [-0.063, -0.809, 0.458],
+    [0.269, 0.99, 0.472],
+    [0.057, -0.577, 0.248],
+    [1.583, 0.511, -0.192],
+    [1.713, 0.447, 1.75],
+    [-1.713, -0.447, -1.75],
+    [-0.242, -0.149, 0.107],
+    [-0.868, 1.317, 0.511],
+    [0.149, -0.792, -0.535],
+    [0.956, 0.49, -0.509],
+    [-0.136, 0.187, 0.193],
+    [-0.057, 0.577, -0.248],
+    [-2.11, -0.095, -0.63],
+    [0.155, 1.175, -0.635],
+    [-1.205, 0.377, 0.892],
+    [-0.155, -1.175, 0.635],
+    [1.184, -1.42, -0.057],
+    [-0.269, -0.99, -0.472],
+    [-0.871, 0.331, -1.065],
+    [-0.447, 0.413, -0.319],
+    [0.43, 0.917, -1.418],
+    [-0.803, -0.612, 0.856],
+    [0.122, -2.736, -0.933],
+    [-1.184, 1.42, 0.057],
+    [-0.845, -0.181, -0.28],
+    [0.024, -0.066, -0.547],
+    [-0.122, 2.736, 0.933],
+    [-0.956, -0.49, 0.509],
+    [-0.433, -0.024, 2.087],
+    [-0.462, 1.27, 0.813],
+    [0.868, -1.317, -0.511],
+    [0.242, 0.149, -0.107],
+    [2.243, -0.607, 1.364]
+  ];
+
+  // tilt.js
+  var DEGREE3 = Math.PI / 180;
+  var RIGHT = 5e-3;
+  var attitude = ({ roll, pitch }) => [roll * DEGREE3, pitch * DEGREE3];
+  function reading(state) {
+    const angles = [...attitude(state), 0];
+    const acceleration = [state.forward_acceleration, state.lateral_acceleration, 0];
+    return accelerometerFromAcceleration(
+      ...toParent(matrixFromEuler(...angles), acceleration),
+      ...angles,
+      9.80665
+    );
+  }
+  var readings = (state) => {
+    const still3 = reading(state);
+    return vibration_default.map((shake) => sum(still3, scaled(shake, state.vibration)));
+  };
+  var rms = (values) => Math.hypot(...values) / Math.sqrt(values.length);
+  var errors = (state, sensed) => {
+    const truth = attitude(state);
+    return tiltFromAccelerometer(...sensed).map((angle, i) => wrapAngle(angle - truth[i]) / DEGREE3);
+  };
+  function estimates(state) {
+    const average = reading(state);
+    const error = errors(state, average);
+    const single = readings(state).map((sensed) => errors(state, sensed));
+    const scatter = error.map(
+      (mean, i) => rms(single.map((each) => wrapAngle((each[i] - mean) * DEGREE3) / DEGREE3))
+    );
+    const estimate = tiltFromAccelerometer(...average).map((angle) => angle / DEGREE3);
+    return { estimate, error, single, scatter };
+  }
+  function readouts3(state) {
+    const { estimate, error, scatter } = estimates(state);
+    return {
+      roll_estimate: rounded(estimate[0]),
+      pitch_estimate: rounded(estimate[1]),
+      roll_error: rounded(error[0]),
+      pitch_error: rounded(error[1]),
+      roll_scatter: rounded(scatter[0]),
+      pitch_scatter: rounded(scatter[1]),
+      meaning: meaning2(state, error, scatter)
+    };
+  }
+  function meaning2(state, error, scatter) {
+    const still3 = state.forward_acceleration === 0 && state.lateral_acceleration === 0;
+    const wrong = ["roll", "pitch"].filter((_, i) => Math.abs(error[i]) > RIGHT);
+    const shaken = state.vibration > 0 && scatter.some((each) => each > RIGHT);
+    const sentences = [];
+    if (still3 && Math.abs(state.pitch) >= 90)
+      return "Gravity lies along the roll axis: roll about it changes nothing that the accelerometer feels, so its roll means nothing.";
+    if (still3) sentences.push("The body does not accelerate, so the two verticals agree and both angles are right.");
+    else if (wrong.length > 0) sentences.push(`The sensor cannot tell acceleration from tilt. Its ${wrong.join(" and its ")} will be wrong for as long as the acceleration lasts.`);
+    else sentences.push("The acceleration happens to leave both angles as they are.");
+    if (shaken) sentences.push("Single readings scatter; their average does not.");
+    return sentences.join(" ");
+  }
+  function summary3(state) {
+    const texts = readouts3(state);
+    const angle = (name) => `${name} ${texts[`${name}_estimate`]} degrees, error ${texts[`${name}_error`]}, scatter ${texts[`${name}_scatter`]}`;
+    return `Estimated ${angle("roll")}; ${angle("pitch")}. ${texts.meaning}`;
+  }
+  var PER_GRAVITY = 0.6;
+  var SIZE = 1.25;
+  var PLUMB = 1;
+  var DISTANCE = 60;
+  var VIEWS = [
+    { title: "from behind", axis: "y", view: matrixFromEuler(0, 0, 0) },
+    { title: "from the right", axis: "x", view: matrixFromEuler(0, 0, -90 * DEGREE3) }
+  ];
+  var STRIPS = [
+    { title: "roll error", axis: "x", shape: "circle" },
+    { title: "pitch error", axis: "y", shape: "square" }
+  ];
+  var DASH = { x: [], y: [7, 3], z: [2, 2], real: [9, 5], believed: [2, 4] };
+  function draw3(context, { width, height }, state, colours) {
+    const [half, views] = [width / 2, 0.64 * height];
+    const found = estimates(state);
+    [0, 1].forEach((i) => {
+      inPart(context, [i * half, 0, half, views], (size) => scene(context, size, state, VIEWS[i], colours));
+      inPart(
+        context,
+        [i * half, views, half, height - views],
+        (size) => strip2(context, size, found, i, colours)
+      );
+    });
+    line(context, [[half, 10], [half, height - 10]], { colour: colours("line"), width: 1 });
+  }
+  function inPart(context, [x, y, width, height], drawIt) {
+    context.save();
+    context.translate(x, y);
+    context.beginPath();
+    context.rect(0, 0, width, height);
+    context.clip();
+    drawIt({ width, height });
+    context.restore();
+  }
+  function scene(context, size, state, { title, view }, colours) {
+    const attitudeMatrix = matrixFromEuler(...attitude(state), 0);
+    const look = camera(view, DISTANCE, size, { wide: 2.2, high: 2.85, shift: 0.12 });
+    const at = (point) => look.project(point);
+    const toInertial = (vector) => toParent(attitudeMatrix, vector);
+    const colour = (name) => colours(name);
+    const along = (vector, length) => scaled(vector, length / Math.hypot(...vector));
+    words(context, title, [size.width / 2, 14], { colour: colour("muted"), align: "center", weight: 600 });
+    const [left, right] = [8, size.width - 8];
+    const [, level] = at([0, 0, 0]);
+    line(context, [[left, level], [right, level]], { colour: colour("line"), width: 1 });
+    const names = ["body", "glass", "x", "y", "z"];
+    const fills = Object.fromEntries(names.map((name) => [name, parsed(colour(name))]));
+    paint(context, placed(aircraft(fills), scaled(attitudeMatrix, SIZE)), look);
+    const believed = (sensed) => at(along(toInertial(sensed), -PLUMB));
+    const centre = at([0, 0, 0]);
+    if (state.vibration > 0)
+      readings(state).forEach(
+        (sensed) => mark(context, "circle", believed(sensed), { colour: `${colour("alert")}66`, radius: 2 })
+      );
+    const real = at([0, 0, PLUMB * 1.12]);
+    line(context, [centre, real], { colour: colour("ink"), width: 2, dash: DASH.real });
+    const bob = believed(reading(state));
+    line(context, [centre, bob], { colour: colour("alert"), width: 3, dash: DASH.believed });
+    mark(context, "circle", bob, { colour: colour("alert"), rim: colour("surface"), radius: 7 });
+    arrows2(context, state, { at, toInertial, colours, width: size.width });
+  }
+  function arrows2(context, state, { at, toInertial, colours, width }) {
+    const parts = [
+      { name: "−g", axis: "z", vector: accelerometerAtRest(...attitude(state), 9.80665) },
+      { name: "a", axis: "x", vector: [state.forward_acceleration, 0, 0] },
+      { name: "a", axis: "y", vector: [0, state.lateral_acceleration, 0] }
+    ];
+    const drawn = (vector) => scaled(toInertial(vector), PER_GRAVITY / 9.80665);
+    const say = (text, point, name, offset) => label(context, text, at(point), { colour: colours(name), rim: colours("surface"), offset, width, size: 13 });
+    let tail = [0, 0, 0];
+    for (const { name, axis, vector } of parts) {
+      const tip = sum(tail, drawn(vector));
+      const [from, to] = [at(tail), at(tip)];
+      arrow(context, from, to, { colour: colours(axis), width: 3, dash: DASH[axis] });
+      if (Math.hypot(to[0] - from[0], to[1] - from[1]) > 12)
+        say(name, scaled(sum(tail, tip), 0.5), axis, axis === "z" ? [-9, 0] : [0, -12]);
+      tail = tip;
+    }
+    const still3 = state.forward_acceleration === 0 && state.lateral_acceleration === 0;
+    if (!still3) arrow(context, at([0, 0, 0]), at(tail), { colour: colours("ink"), width: 3.5 });
+    say(still3 ? "f = −g" : "f", tail, "ink", [10, 0]);
+  }
+  var LIMITS = [2, 5, 10, 20, 45, 90, 180];
+  function strip2(context, { width, height }, { error, single }, which, colours) {
+    const { title, axis, shape } = STRIPS[which];
+    const values = single.map((each) => each[which]);
+    const largest = Math.max(Math.abs(error[which]), ...values.map(Math.abs));
+    const limit = LIMITS.find((each) => each >= largest * 1.05) ?? 180;
+    const [left, right, top, bottom] = [40, width - 12, 26, height - 22];
+    const [x, y] = [linear(0, 1, left, right), linear(-limit, limit, bottom, top)];
+    const small = { colour: colours("muted"), size: 11 };
+    words(context, `${title} over 1 s`, [left, 10], { ...small, weight: 600 });
+    for (const tick of [-limit, 0, limit]) {
+      line(context, [[left, y(tick)], [right, y(tick)]], { colour: colours("line"), width: 1 });
+      words(context, `${tick}°`.replace("-", "−"), [left - 5, y(tick)], { ...small, align: "right" });
+    }
+    line(context, [[left, y(0)], [right, y(0)]], { colour: colours("ink"), width: 1.5, dash: DASH.real });
+    values.forEach(
+      (value, i) => mark(context, shape, [x((i + 0.5) / values.length), y(value)], { colour: `${colours(axis)}80`, radius: 2 })
+    );
+    const average = [[left, y(error[which])], [right, y(error[which])]];
+    line(context, average, { colour: colours("surface"), width: 6 });
+    line(context, average, { colour: colours("alert"), width: 3, dash: DASH.believed });
+    mark(context, "circle", average[1], { colour: colours("alert"), rim: colours("surface"), radius: 5 });
+    words(context, "0 s", [left, bottom + 12], small);
+    words(context, "1 s", [right, bottom + 12], { ...small, align: "right" });
+  }
+  var DEGREES = { short: "°", long: "degrees" };
+  var METRES = { short: " m/s²", long: "metres per second squared" };
+  var definition3 = {
+    title: "An aircraft from behind and from the right, with the real vertical and the one that its accelerometer believes in",
+    aspect: 1.12,
+    start: { roll: 0, pitch: 0, forward_acceleration: 0, lateral_acceleration: 0, vibration: 0 },
+    legend: [
+      { colour: "ink", width: 3.5, text: "f, what the accelerometer feels" },
+      { colour: "z", dash: DASH.z, width: 3, text: "−g, held up against gravity" },
+      { colour: "x", width: 3, text: "a, forward acceleration" },
+      { colour: "y", dash: DASH.y, width: 3, text: "a, lateral acceleration" },
+      { colour: "ink", dash: DASH.real, width: 2, text: "the real vertical" },
+      { colour: "alert", dash: DASH.believed, width: 3, text: "the vertical it believes in" }
+    ],
+    controls: [
+      { name: "roll", label: "Roll", symbol: "φ", axis: "x", min: -180, max: 180, step: 1, unit: DEGREES },
+      { name: "pitch", label: "Pitch", symbol: "θ", axis: "y", min: -90, max: 90, step: 1, unit: DEGREES },
+      { name: "forward_acceleration", label: "Forward acceleration", symbol: "", axis: "x", min: -10, max: 10, step: 0.1, unit: METRES },
+      { name: "lateral_acceleration", label: "Lateral acceleration", symbol: "", axis: "y", min: -10, max: 10, step: 0.1, unit: METRES },
+      { name: "vibration", label: "Vibration, RMS", symbol: "", min: 0, max: 5, step: 0.1, unit: METRES }
+    ],
+    outputs: [
+      { name: "roll_estimate", label: "Roll estimate", unit: "°" },
+      { name: "pitch_estimate", label: "Pitch estimate", unit: "°" },
+      { name: "roll_error", label: "Roll error", unit: "°" },
+      { name: "pitch_error", label: "Pitch error", unit: "°" },
+      { name: "roll_scatter", label: "Roll scatter", unit: "°" },
+      { name: "pitch_scatter", label: "Pitch scatter", unit: "°" },
+      { name: "meaning", label: "What it means", wide: true }
+    ],
+    readouts: readouts3,
+    summary: summary3,
+    draw: draw3
+  };
+  var still2 = definition3.start;
+  definition3.story = [
+    { state: still2, says: "At rest and level, the accelerometer feels one thing: what holds it up against gravity. The vertical that it believes in is the real one." },
+    { state: { ...still2, roll: 25, pitch: 15 }, says: "Tilted, and still at rest: both angles are right." },
+    { state: { ...still2, forward_acceleration: 4 }, says: "Level again, and gaining speed. An aircraft at rest with its nose up would give the same reading, so that is what the sensor believes." },
+    { state: { ...still2, roll: 30, lateral_acceleration: 4.9 }, says: "Banked in a turn. The reading has no sideways part left, and the sensor takes 30° of roll for none." },
+    { state: { ...still2, vibration: 3 }, says: "At rest, but shaken. Single readings scatter on both sides, and their average is right." },
+    { state: { ...still2, forward_acceleration: 4, vibration: 3 }, says: "Shaken and gaining speed. An average gets rid of the shaking and keeps the error of the acceleration." }
+  ];
+  var mount3 = (element, state, onChange) => mountDemo(element, definition3, state, onChange);
+  mount3.start = definition3.start;
+  var tilt_default = widget(mount3);
 
   // pages.js
-  var DEMOS = { "gimbal-lock": mount };
+  var DEMOS = { drift: mount, "gimbal-lock": mount2, tilt: mount3 };
   function mountAll() {
     for (const element of document.querySelectorAll("[data-demo]"))
       DEMOS[element.dataset.demo](element, JSON.parse(element.dataset.state));

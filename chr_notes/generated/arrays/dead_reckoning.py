@@ -389,3 +389,28 @@ def drift_from_tilt_error(
     square(time, out=work[0])
     multiply(gravity_sin_angle_error, work[0], out=work[0])
     multiply(work[0], 0.5, out=out[2])
+
+
+def position_at_last_velocity(
+    angle_error: Block, time: Block, gravity: Block, out: Sequence[Block], work: Sequence[Block]
+) -> None:
+    """Error of position (m), had its last error of velocity been there all along.
+
+    angle_error: angle between true and estimated vertical, radians
+    time: time that passes, s
+    gravity: magnitude of gravity, m/s²
+    out: an array for the result
+    work: 16 arrays for what is computed on the way
+    """
+    # tan_half_angle_error = tan(0.5 * angle_error)
+    multiply(angle_error, 0.5, out=work[0])
+    tan_half_angle_error = tan(work[0], out=work[0])
+    # one_plus_cos_angle_error = 2.0 / (tan_half_angle_error * tan_half_angle_error + 1.0)
+    square(tan_half_angle_error, out=work[1])
+    add(work[1], 1.0, out=work[1])
+    one_plus_cos_angle_error = divide(2.0, work[1], out=work[1])
+    sin_angle_error = multiply(one_plus_cos_angle_error, tan_half_angle_error, out=work[0])
+    # out[0] = gravity * sin_angle_error * (time * time)
+    multiply(gravity, sin_angle_error, out=work[0])
+    square(time, out=work[1])
+    multiply(work[0], work[1], out=out[0])

@@ -691,6 +691,15 @@ void attitude_dead_reckoning_step_f(float velocity_north, float velocity_east, f
 void attitude_drift_from_tilt_error(double angle_error, double time, double gravity, double out[3]);
 void attitude_drift_from_tilt_error_f(float angle_error, float time, float gravity, float out[3]);
 
+/*
+ * Error of position (m), had its last error of velocity been there all along.
+ * angle_error: angle between true and estimated vertical, radians
+ * time: time that passes, s
+ * gravity: magnitude of gravity, m/s²
+ */
+double attitude_position_at_last_velocity(double angle_error, double time, double gravity);
+float attitude_position_at_last_velocity_f(float angle_error, float time, float gravity);
+
 #ifdef __cplusplus
 }
 #endif

@@ -966,9 +966,14 @@ export function headingFromMagnetometer(magX, magY, magZ, roll, pitch, north, ea
   const cosPitch = Math.cos(pitch);
   const sinRoll = Math.sin(roll);
   const cosRoll = Math.cos(roll);
-  const levelX = cosPitch * magX + cosRoll * magZ * sinPitch + magY * sinPitch * sinRoll;
-  const levelY = cosRoll * magY - magZ * sinRoll;
-  return Math.atan2(east * levelX - levelY * north, east * levelY + levelX * north);
+  const cosPitchMagX = cosPitch * magX;
+  const cosRollMagZSinPitch = cosRoll * magZ * sinPitch;
+  const magYSinPitchSinRoll = magY * sinPitch * sinRoll;
+  const cosRollMagY = cosRoll * magY;
+  const magZSinRoll = magZ * sinRoll;
+  return Math.atan2(cosPitchMagX * east - cosRollMagY * north + cosRollMagZSinPitch * east
+      + east * magYSinPitchSinRoll + magZSinRoll * north, cosPitchMagX * north + cosRollMagY * east
+          + cosRollMagZSinPitch * north - east * magZSinRoll + magYSinPitchSinRoll * north);
 }
 
 /**
@@ -1166,4 +1171,16 @@ export function driftFromTiltError(angleError, time, gravity) {
   return [
     gravitySinAngleError, gravitySinAngleError * time, 0.5 * gravitySinAngleError * (time * time)
   ];
+}
+
+/**
+ * Error of position (m), had its last error of velocity been there all along.
+ * @param {number} angleError angle between true and estimated vertical, radians
+ * @param {number} time time that passes, s
+ * @param {number} gravity magnitude of gravity, m/s²
+ * @returns {number}
+ */
+export function positionAtLastVelocity(angleError, time, gravity) {
+  const sinAngleError = Math.sin(angleError);
+  return gravity * sinAngleError * (time * time);
 }

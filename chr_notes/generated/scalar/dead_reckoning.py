@@ -213,3 +213,14 @@ def drift_from_tilt_error(
         gravity_sin_angle_error * time,
         0.5 * gravity_sin_angle_error * (time * time),
     )
+
+
+def position_at_last_velocity(angle_error: float, time: float, gravity: float) -> float:
+    """Error of position (m), had its last error of velocity been there all along.
+
+    angle_error: angle between true and estimated vertical, radians
+    time: time that passes, s
+    gravity: magnitude of gravity, m/s²
+    """
+    sin_angle_error = sin(angle_error)
+    return gravity * sin_angle_error * (time * time)

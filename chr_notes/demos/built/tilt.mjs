@@ -1,0 +1,934 @@
+// Bundled by `python -m chr_notes.demos.build` with esbuild@0.28.2. Do not edit.
+// From chr_notes/demos/*.js and chr_notes/generated/javascript.
+
+// ../generated/javascript/attitude.mjs
+function matrixFromEuler(roll, pitch, yaw) {
+  const sinPitch = Math.sin(pitch);
+  const cosPitch = Math.cos(pitch);
+  const sinRoll = Math.sin(roll);
+  const cosRoll = Math.cos(roll);
+  const sinYaw = Math.sin(yaw);
+  const cosYaw = Math.cos(yaw);
+  const cosRollSinYaw = cosRoll * sinYaw;
+  const cosRollCosYaw = cosRoll * cosYaw;
+  const sinRollSinYaw = sinRoll * sinYaw;
+  return [
+    cosPitch * cosYaw,
+    cosPitch * sinYaw,
+    -sinPitch,
+    cosYaw * sinPitch * sinRoll - cosRollSinYaw,
+    cosRollCosYaw + sinPitch * sinRollSinYaw,
+    cosPitch * sinRoll,
+    cosRollCosYaw * sinPitch + sinRollSinYaw,
+    cosRollSinYaw * sinPitch - cosYaw * sinRoll,
+    cosPitch * cosRoll
+  ];
+}
+function wrapAngle(angle) {
+  const rest = angle % 6.283185307179586;
+  let wrapped;
+  if (rest >= 3.141592653589793) {
+    wrapped = rest - 6.283185307179586;
+  } else if (rest < -3.141592653589793) {
+    wrapped = rest + 6.283185307179586;
+  } else {
+    wrapped = rest;
+  }
+  return wrapped;
+}
+function accelerometerAtRest(roll, pitch, gravity) {
+  const sinPitch = Math.sin(pitch);
+  const cosPitch = Math.cos(pitch);
+  const sinRoll = Math.sin(roll);
+  const cosRoll = Math.cos(roll);
+  const cosPitchGravity = cosPitch * gravity;
+  return [gravity * sinPitch, -cosPitchGravity * sinRoll, -cosPitchGravity * cosRoll];
+}
+function tiltFromAccelerometer(accelX, accelY, accelZ) {
+  return [Math.atan2(-accelY, -accelZ), Math.atan2(accelX, Math.hypot(accelY, accelZ))];
+}
+function accelerometerFromAcceleration(accelNorth, accelEast, accelDown, roll, pitch, yaw, gravity) {
+  const sinPitch = Math.sin(pitch);
+  const cosPitch = Math.cos(pitch);
+  const sinRoll = Math.sin(roll);
+  const cosRoll = Math.cos(roll);
+  const sinYaw = Math.sin(yaw);
+  const cosYaw = Math.cos(yaw);
+  const accelEastSinYaw = accelEast * sinYaw;
+  const accelNorthCosYaw = accelNorth * cosYaw;
+  const cosPitchSinRoll = cosPitch * sinRoll;
+  const accelEastCosYaw = accelEast * cosYaw;
+  const accelNorthSinYaw = accelNorth * sinYaw;
+  const sinPitchSinRoll = sinPitch * sinRoll;
+  const cosPitchCosRoll = cosPitch * cosRoll;
+  const cosRollSinPitch = cosRoll * sinPitch;
+  return [
+    accelEastSinYaw * cosPitch - accelDown * sinPitch + accelNorthCosYaw * cosPitch + gravity * sinPitch,
+    accelDown * cosPitchSinRoll + accelEastCosYaw * cosRoll + accelEastSinYaw * sinPitchSinRoll + accelNorthCosYaw * sinPitchSinRoll - accelNorthSinYaw * cosRoll - cosPitchSinRoll * gravity,
+    accelDown * cosPitchCosRoll - accelEastCosYaw * sinRoll + accelEastSinYaw * cosRollSinPitch + accelNorthCosYaw * cosRollSinPitch + accelNorthSinYaw * sinRoll - cosPitchCosRoll * gravity
+  ];
+}
+
+// draw.js
+var NEAR_PLANE = 1e-7;
+var toChild = (m, [x, y, z]) => [
+  m[0] * x + m[1] * y + m[2] * z,
+  m[3] * x + m[4] * y + m[5] * z,
+  m[6] * x + m[7] * y + m[8] * z
+];
+var toParent = (m, [x, y, z]) => [
+  m[0] * x + m[3] * y + m[6] * z,
+  m[1] * x + m[4] * y + m[7] * z,
+  m[2] * x + m[5] * y + m[8] * z
+];
+var dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+var between = (a, b, t) => a.map((value, i) => value + t * (b[i] - value));
+var sum = (a, b) => a.map((value, i) => value + b[i]);
+var scaled = (a, factor) => a.map((value) => value * factor);
+var unit = (a) => scaled(a, 1 / (Math.hypot(...a) || 1));
+function camera(matrix, distance, { width, height }, { wide, high, shift }) {
+  const eye = toParent(matrix, [-distance, 0, 0]);
+  const zoom = Math.min(width / wide, height / high) * distance;
+  const project = (point) => {
+    const [depth, right, down] = toChild(matrix, point);
+    const perspective = zoom / (distance + depth);
+    return [width / 2 + perspective * right, height / 2 + perspective * (down + shift)];
+  };
+  return { eye, project, light: unit(toParent(matrix, [-1, -0.55, -1])) };
+}
+function plane(points) {
+  const normal = [0, 0, 0];
+  points.forEach((a, i) => {
+    const b = points[(i + 1) % points.length];
+    normal[0] += (b[1] - a[1]) * (a[2] + b[2]);
+    normal[1] += (b[2] - a[2]) * (a[0] + b[0]);
+    normal[2] += (b[0] - a[0]) * (a[1] + b[1]);
+  });
+  const direction = unit(normal);
+  return { normal: direction, offset: dot(direction, points[0]) };
+}
+var flat = (polygon) => ({ ...polygon, plane: plane(polygon.points) });
+var placed = (polygons, matrix) => polygons.map((polygon) => ({
+  ...polygon,
+  points: polygon.points.map((point) => toParent(matrix, point))
+}));
+function loft(outlines, fill) {
+  const sides = outlines.slice(1).flatMap(
+    (outline, i) => outline.map((point, j) => {
+      const next = (j + 1) % outline.length;
+      return { points: [outlines[i][next], outlines[i][j], point, outline[next]], fill };
+    })
+  );
+  const caps = [outlines[0], [...outlines.at(-1)].reverse()].map((points) => ({ points, fill }));
+  return [...sides, ...caps];
+}
+function partition(polygons) {
+  if (polygons.length === 0) return null;
+  const [first, ...rest] = polygons;
+  const cut = first.plane;
+  const within = [first];
+  const front = [];
+  const behind = [];
+  for (const polygon of rest) {
+    const heights = polygon.points.map((point) => dot(cut.normal, point) - cut.offset);
+    const above = heights.some((height) => height > NEAR_PLANE);
+    const below = heights.some((height) => height < -NEAR_PLANE);
+    if (above && below) {
+      front.push({ ...polygon, points: clipped(polygon.points, heights, 1) });
+      behind.push({ ...polygon, points: clipped(polygon.points, heights, -1) });
+    } else (above ? front : below ? behind : within).push(polygon);
+  }
+  return { cut, within, front: partition(front), behind: partition(behind) };
+}
+function clipped(points, heights, side) {
+  return points.flatMap((point, i) => {
+    const next = (i + 1) % points.length;
+    const kept = side * heights[i] >= -NEAR_PLANE ? [point] : [];
+    const crosses = Math.abs(heights[i]) > NEAR_PLANE && heights[i] * heights[next] < 0;
+    if (!crosses || Math.abs(heights[next]) <= NEAR_PLANE) return kept;
+    return [...kept, between(point, points[next], heights[i] / (heights[i] - heights[next]))];
+  });
+}
+function fromBehind(tree, eye, visit) {
+  if (tree === null) return;
+  const seenFromFront = dot(tree.cut.normal, eye) > tree.cut.offset;
+  fromBehind(seenFromFront ? tree.behind : tree.front, eye, visit);
+  tree.within.forEach(visit);
+  fromBehind(seenFromFront ? tree.front : tree.behind, eye, visit);
+}
+function paint(context, polygons, { eye, project, light }) {
+  const visible = polygons.map(flat).filter(({ plane: { normal, offset }, open }) => open || dot(normal, eye) > offset);
+  fromBehind(partition(visible), eye, ({ points, fill, unlit, plane: { normal } }) => {
+    const brightness = unlit ? 1 : 0.62 + 0.4 * Math.max(0, dot(normal, light));
+    context.beginPath();
+    points.forEach((point) => context.lineTo(...project(point)));
+    context.closePath();
+    context.fillStyle = rgb(scaled(fill, brightness));
+    context.strokeStyle = context.fillStyle;
+    context.lineWidth = 0.6;
+    context.fill();
+    context.stroke();
+  });
+}
+function label(context, text, [x, y], { colour, rim, size = 14, offset = [0, 0], width }) {
+  context.font = `600 ${size}px system-ui, sans-serif`;
+  context.textAlign = "center";
+  context.textBaseline = "middle";
+  context.lineJoin = "round";
+  context.lineWidth = size / 3;
+  context.strokeStyle = rim;
+  context.fillStyle = colour;
+  const half = context.measureText(text).width / 2 + 6;
+  const side = offset[0] === 0 ? 0 : Math.sign(offset[0]) * (half - 6) + offset[0];
+  const middle = Math.min(Math.max(x + side, half), width - half);
+  context.strokeText(text, middle, y + offset[1]);
+  context.fillText(text, middle, y + offset[1]);
+}
+var parsed = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16));
+var rgb = (channels) => `rgb(${channels.map((value) => Math.round(Math.min(255, value))).join(" ")})`;
+
+// aircraft.js
+var CORNERS = 10;
+var SECTIONS = [
+  [-0.55, 0.012, 0.02, -0.05],
+  [-0.42, 0.035, 0.045, -0.035],
+  [-0.15, 0.075, 0.085, -0.01],
+  [0.12, 0.085, 0.09, 0],
+  [0.32, 0.07, 0.07, 0.01],
+  [0.45, 0.04, 0.042, 0.018]
+];
+var TIP = [0.54, 8e-3, 8e-3, 0.02];
+var section = ([x, wide, high, middle]) => Array.from({ length: CORNERS }, (_, i) => {
+  const angle = 2 * Math.PI * (i + 0.5) / CORNERS;
+  return [x, wide * Math.cos(angle), middle + high * Math.sin(angle)];
+});
+var plate = (root, tip, fill, upright = false) => {
+  const outline = ([front, back, side, height, half]) => {
+    const at = (x, offset) => upright ? [x, offset, height] : [x, side, height + offset];
+    const thickest = (2 * front + back) / 3;
+    return [at(front, 0), at(thickest, -half), at(back, 0), at(thickest, half)];
+  };
+  return loft([outline(root), outline(tip)], fill);
+};
+var mirrored = (polygons) => polygons.map((polygon) => ({
+  ...polygon,
+  points: polygon.points.map(([x, y, z]) => [x, -y, z]).reverse()
+}));
+function aircraft({ body, glass, x, y, z }) {
+  const wing = plate([0.2, -0.1, 0.06, 0.02, 0.022], [0.04, -0.09, 0.42, -5e-3, 0.012], body);
+  const tip = plate([0.04, -0.09, 0.42, -5e-3, 0.012], [0, -0.085, 0.53, -0.013, 8e-3], y);
+  const bare = plate([0.04, -0.09, 0.42, -5e-3, 0.012], [0, -0.085, 0.53, -0.013, 8e-3], body);
+  const tail = plate([-0.38, -0.52, 0.02, -0.05, 0.012], [-0.46, -0.53, 0.2, -0.06, 6e-3], body);
+  const fin = plate([-0.3, -0.52, 0, -0.05, 0.012], [-0.46, -0.56, 0, -0.25, 6e-3], body, true);
+  const canopy = loft(
+    [
+      section([0.02, 0.035, 0.03, -0.085]),
+      section([0.12, 0.05, 0.055, -0.085]),
+      section([0.24, 0.045, 0.045, -0.07]),
+      section([0.33, 0.02, 0.02, -0.05])
+    ],
+    glass
+  );
+  const belly = loft([section([-0.05, 0.03, 0.02, 0.085]), section([0.15, 0.03, 0.02, 0.085])], z);
+  return [
+    ...loft(SECTIONS.map(section), body),
+    ...loft([SECTIONS.at(-1), TIP].map(section), x),
+    ...wing,
+    ...tip,
+    ...tail,
+    ...mirrored([...wing, ...bare, ...tail]),
+    ...fin,
+    ...canopy,
+    ...belly
+  ];
+}
+
+// chart.js
+var ARROWHEAD = 9;
+function line(context, points, { colour, width = 2, dash = [] }) {
+  context.save();
+  context.beginPath();
+  points.forEach(([x, y]) => context.lineTo(x, y));
+  context.strokeStyle = colour;
+  context.lineWidth = width;
+  context.lineJoin = "round";
+  context.setLineDash(dash);
+  context.stroke();
+  context.restore();
+}
+function arrow(context, [x0, y0], [x1, y1], { colour, width = 2.5, dash = [] }) {
+  const length = Math.hypot(x1 - x0, y1 - y0);
+  if (length < 1) return;
+  const head = Math.min(ARROWHEAD + width, length);
+  const [along, across] = [[(x1 - x0) / length, (y1 - y0) / length], 0.42 * head];
+  const neck = [x1 - head * along[0], y1 - head * along[1]];
+  line(context, [[x0, y0], neck], { colour, width, dash });
+  context.beginPath();
+  context.moveTo(x1, y1);
+  context.lineTo(neck[0] - across * along[1], neck[1] + across * along[0]);
+  context.lineTo(neck[0] + across * along[1], neck[1] - across * along[0]);
+  context.closePath();
+  context.fillStyle = colour;
+  context.fill();
+}
+var SHAPES = {
+  circle: (context, x, y, r) => context.arc(x, y, r, 0, 2 * Math.PI),
+  square: (context, x, y, r) => context.rect(x - 0.9 * r, y - 0.9 * r, 1.8 * r, 1.8 * r),
+  triangle: (context, x, y, r) => {
+    context.moveTo(x, y - 1.2 * r);
+    context.lineTo(x + 1.1 * r, y + 0.8 * r);
+    context.lineTo(x - 1.1 * r, y + 0.8 * r);
+    context.closePath();
+  }
+};
+function mark(context, shape, [x, y], { colour, rim, radius = 5 }) {
+  context.beginPath();
+  SHAPES[shape](context, x, y, radius);
+  context.fillStyle = colour;
+  context.fill();
+  if (!rim) return;
+  context.strokeStyle = rim;
+  context.lineWidth = 1.5;
+  context.stroke();
+}
+function words(context, text, [x, y], { colour, size = 12, align = "left", weight = 400 }) {
+  context.font = `${weight} ${size}px system-ui, sans-serif`;
+  context.textAlign = align;
+  context.textBaseline = "middle";
+  context.fillStyle = colour;
+  context.fillText(text, x, y);
+}
+var linear = (low, high, start, end) => (value) => start + (value - low) / (high - low) * (end - start);
+
+// parts.js
+var SVG = "http://www.w3.org/2000/svg";
+var rounded = (value) => String(Number(value.toFixed(2)) || 0).replace("-", "−");
+function node(tag, attributes = {}, ...children) {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+  element.append(...children);
+  return element;
+}
+function slider(control, touched) {
+  const { name, label: label2, symbol, axis, min, max, step } = control;
+  const { unit: unit2, toPosition = Number, toValue = Number } = control;
+  const words2 = control.words ?? ((value2) => ({
+    short: rounded(value2) + unit2.short,
+    long: `${Number(value2.toFixed(2))} ${unit2.long}`
+  }));
+  const input = node("input", { type: "range", name, min, max, step });
+  const value = node("span", { class: "chr-value", "aria-hidden": "true" });
+  const symbols = node("span", { class: "chr-symbol", "aria-hidden": "true" }, symbol);
+  const caption = node("span", { class: "chr-caption" }, label2, " ", symbols, value);
+  input.addEventListener("input", () => touched({ [name]: toValue(input.valueAsNumber) }));
+  return {
+    element: node("label", { class: "chr-slider", "data-axis": axis }, caption, input),
+    show(state) {
+      const { short, long } = words2(state[name]);
+      input.value = toPosition(state[name]);
+      input.setAttribute("aria-valuetext", long);
+      value.textContent = short;
+    }
+  };
+}
+function readout(output) {
+  return output.table ? tableOf(output) : textOf(output);
+}
+function textOf({ name, label: label2, unit: unit2, wide, grid }) {
+  const output = node("output", { name, "aria-live": "off" });
+  const kind = wide ? " chr-wide" : grid ? " chr-grid" : "";
+  const units = unit2 ? [node("span", { class: unit2 === "°" ? "chr-unit chr-degree" : "chr-unit" }, unit2)] : [];
+  return {
+    element: node(
+      "div",
+      { class: `chr-readout${kind}` },
+      node("span", { class: "chr-name" }, label2),
+      node("div", {}, output, ...units)
+    ),
+    show(texts) {
+      output.textContent = texts[name];
+    }
+  };
+}
+function tableOf({ name }) {
+  const table = node("table", { class: "chr-table chr-wide" });
+  const cell = (head) => (text, column) => head || column === 0 ? node("th", { scope: head ? "col" : "row" }, text) : node("td", {}, text);
+  return {
+    element: table,
+    show(texts) {
+      const [head, ...rows] = texts[name];
+      table.replaceChildren(
+        node("thead", {}, node("tr", {}, ...head.map(cell(true)))),
+        node("tbody", {}, ...rows.map((row) => node("tr", {}, ...row.map(cell(false)))))
+      );
+    }
+  };
+}
+function legend(entries) {
+  if (entries.length === 0) return [];
+  return [node("ul", { class: "chr-legend" }, ...entries.map((entry) => node("li", {}, sample(entry), entry.text)))];
+}
+function sample({ colour, dash = [], width = 2.5, mark: mark2 }) {
+  const part = (tag, attributes) => {
+    const element = document.createElementNS(SVG, tag);
+    for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+    return element;
+  };
+  const svg = part("svg", { viewBox: "0 0 30 12", width: 30, height: 12, "aria-hidden": "true" });
+  const style = `stroke: var(--chr-${colour}); stroke-width: ${width}px`;
+  svg.append(part("line", { x1: 1, y1: 6, x2: 29, y2: 6, style, "stroke-dasharray": dash.join(" ") }));
+  if (mark2) svg.append(part("path", { d: mark2, style: `fill: var(--chr-${colour})` }));
+  return svg;
+}
+
+// story.js
+var WAIT = 3500;
+var MOVE = 2;
+var prefersStillness = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
+function glide(from, goal, seconds, { between: between2, changed, done = () => {
+} }) {
+  if (prefersStillness()) {
+    changed(goal);
+    done();
+    return () => {
+    };
+  }
+  const began = performance.now();
+  let frame = requestAnimationFrame(function step(now) {
+    const t = Math.min(1, Math.max(0, (now - began) / (1e3 * seconds)));
+    changed(t === 1 ? goal : between2(from, goal, t * t * (3 - 2 * t)));
+    if (t < 1) frame = requestAnimationFrame(step);
+    else done();
+  });
+  return () => cancelAnimationFrame(frame);
+}
+function player(story, { current, between: between2, changed, say, name }) {
+  let next = 0;
+  let running = false;
+  let end = () => {
+  };
+  function rename() {
+    if (running) name("Pause");
+    else if (prefersStillness()) name(next === 0 ? "Show me, step by step" : "Next step");
+    else name(next === 0 ? "Play" : "Go on");
+  }
+  function stop() {
+    end();
+    end = () => {
+    };
+    running = false;
+    rename();
+  }
+  function step() {
+    const index = next;
+    const { says, state, seconds = MOVE } = story[index];
+    say(says);
+    const done = () => {
+      next = (index + 1) % story.length;
+      if (!running || next === 0) return stop();
+      const timer = setTimeout(step, WAIT);
+      end = () => clearTimeout(timer);
+      return void 0;
+    };
+    end = glide(current(), state, seconds, { between: between2, changed, done });
+  }
+  rename();
+  return {
+    stop,
+    press() {
+      if (running) return stop();
+      running = !prefersStillness();
+      step();
+      rename();
+      return void 0;
+    },
+    rewind() {
+      next = 0;
+      say("");
+      stop();
+    }
+  };
+}
+
+// controls.js
+var ANNOUNCE_AFTER = 600;
+var RESET = 0.45;
+function mountDemo(element, definition2, initial, onChange = () => {
+}) {
+  const state = { ...definition2.start, ...initial };
+  const cleanup = new AbortController();
+  const parts = build(definition2, touched);
+  const { root, canvas, live, sliders, outputs, said, play, reset } = parts;
+  let frame = 0;
+  let timer = 0;
+  let rest = () => {
+  };
+  function paint2() {
+    frame = 0;
+    const ratio = devicePixelRatio || 1;
+    const { width, height } = canvas.getBoundingClientRect();
+    if (width === 0) return;
+    canvas.width = Math.round(width * ratio);
+    canvas.height = Math.round(height * ratio);
+    const context = canvas.getContext("2d");
+    context.scale(ratio, ratio);
+    definition2.draw(context, { width, height }, state, coloursOf(root));
+  }
+  function redraw() {
+    frame ||= requestAnimationFrame(paint2);
+  }
+  function show() {
+    const texts = definition2.readouts(state);
+    root.dataset.state = JSON.stringify(state);
+    sliders.forEach((each) => each.show(state));
+    outputs.forEach((each) => each.show(texts));
+    redraw();
+  }
+  function announce() {
+    live.textContent = `${said.textContent} ${definition2.summary(state)}`.trim();
+  }
+  function changed(part) {
+    Object.assign(state, part);
+    show();
+    onChange({ ...state });
+    clearTimeout(timer);
+    timer = setTimeout(announce, ANNOUNCE_AFTER);
+  }
+  const between2 = betweenOf(definition2.controls);
+  const tour = player(definition2.story, {
+    between: between2,
+    changed,
+    current: () => ({ ...state }),
+    say: (text) => said.textContent = text,
+    name: (text) => play.textContent = text
+  });
+  function touched(part) {
+    rest();
+    tour.stop();
+    said.textContent = "";
+    changed(part);
+  }
+  play.addEventListener("click", () => {
+    rest();
+    tour.press();
+  });
+  reset.addEventListener("click", () => {
+    rest();
+    tour.rewind();
+    rest = glide({ ...state }, definition2.start, RESET, { between: between2, changed });
+  });
+  watch(root, canvas, redraw, cleanup.signal);
+  element.replaceChildren(root);
+  show();
+  return {
+    update(part) {
+      Object.assign(state, part);
+      show();
+    },
+    destroy() {
+      rest();
+      tour.stop();
+      cleanup.abort();
+      clearTimeout(timer);
+      cancelAnimationFrame(frame);
+      root.remove();
+    }
+  };
+}
+function build(definition2, touched) {
+  const canvas = node("canvas", {
+    role: "img",
+    "aria-label": definition2.title,
+    style: `aspect-ratio: 1 / ${definition2.aspect}`
+  });
+  const live = node("p", { class: "chr-live", "aria-live": "polite" });
+  const said = node("p", { class: "chr-said" });
+  const sliders = definition2.controls.map((control) => slider(control, touched));
+  const outputs = definition2.outputs.map(readout);
+  const play = node("button", { type: "button", name: "play" });
+  const reset = node("button", { type: "button", name: "reset" }, "Reset");
+  const stage = node("div", { class: "chr-stage" }, canvas, ...legend(definition2.legend ?? []));
+  const panel = node(
+    "div",
+    { class: "chr-panel" },
+    ...sliders.map((each) => each.element),
+    node("div", { class: "chr-buttons" }, play, reset),
+    said,
+    node("div", { class: "chr-readouts" }, ...outputs.map((each) => each.element))
+  );
+  const root = node(
+    "div",
+    // JupyterLab listens for shortcuts before the page does; this attribute tells it not to.
+    { class: "chr-demo", role: "group", "aria-label": definition2.title, "data-lm-suppress-shortcuts": "true" },
+    node("div", { class: "chr-body" }, stage, panel),
+    live
+  );
+  for (const type of ["keydown", "keyup", "keypress"])
+    root.addEventListener(type, (event) => event.stopPropagation());
+  return { root, canvas, live, said, sliders, outputs, play, reset };
+}
+var betweenOf = (controls) => (from, to, t) => Object.fromEntries(
+  controls.map(({ name, toPosition = Number, toValue = Number }) => {
+    const [start, end] = [toPosition(from[name]), toPosition(to[name])];
+    return [name, start === end ? to[name] : toValue(start + t * (end - start))];
+  })
+);
+function coloursOf(element) {
+  const style = getComputedStyle(element);
+  return (name) => style.getPropertyValue(`--chr-${name}`).trim();
+}
+function watch(root, canvas, redraw, signal) {
+  const sizes = new ResizeObserver(redraw);
+  sizes.observe(canvas);
+  const themes = new MutationObserver(redraw);
+  for (const host of [document.documentElement, document.body])
+    themes.observe(host, { attributes: true });
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw, { signal });
+  signal.addEventListener("abort", () => {
+    sizes.disconnect();
+    themes.disconnect();
+  });
+}
+
+// vibration.json
+var vibration_default = [
+  [0.212, -0.178, -0.208],
+  [2.11, 0.095, 0.63],
+  [0.612, -0.584, -0.872],
+  [-0.652, -0.057, -0.305],
+  [-0.212, 0.178, 0.208],
+  [-0.024, 0.066, 0.547],
+  [0.136, -0.187, -0.193],
+  [-0.555, 2.22, -2.895],
+  [-0.28, 0.017, 1.563],
+  [1.1, 1.571, 1.342],
+  [0.709, 1.01, -0.278],
+  [1.38, 0.742, -1.057],
+  [0.856, -0.849, -0.489],
+  [0.921, 0.487, 2.119],
+  [-1.38, -0.742, 1.057],
+  [-0.061, -0.406, -0.263],
+  [1.041, 1.333, -0.079],
+  [0.511, -0.847, 0.125],
+  [-0.709, -1.01, 0.278],
+  [-0.452, -2.152, -0.541],
+  [-2.674, -0.047, -0.386],
+  [-0.718, -0.432, 1.341],
+  [0.832, 1.769, -0.134],
+  [0.063, 0.809, -0.458],
+  [-0.149, 0.792, 0.535],
+  [0.447, -0.413, 0.319],
+  [2.674, 0.047, 0.386],
+  [-2.243, 0.607, -1.364],
+  [0.715, 0.241, 0.26],
+  [1.353, 0.679, -1.014],
+  [0.555, -2.22, 2.895],
+  [0.386, -0.698, 0.027],
+  [0.854, -0.108, 0.053],
+  [-0.612, 0.584, 0.872],
+  [-0.715, -0.241, -0.26],
+  [-0.158, -2.284, -0.377],
+  [-0.652, -0.732, -0.74],
+  [-0.43, -0.917, 1.418],
+  [-2.015, -1.462, 1.913],
+  [0.158, 2.284, 0.377],
+  [-0.386, 0.698, -0.027],
+  [-0.921, -0.487, -2.119],
+  [-0.47, -0.371, -1.625],
+  [0.452, 2.152, 0.541],
+  [-1.353, -0.679, 1.014],
+  [0.803, 0.612, -0.856],
+  [-1.1, -1.571, -1.342],
+  [0.433, 0.024, -2.087],
+  [-0.511, 0.847, -0.125],
+  [0.061, 0.406, 0.263],
+  [0.871, -0.331, 1.065],
+  [1.205, -0.377, -0.892],
+  [0.718, 0.432, -1.341],
+  [0.28, -0.017, -1.563],
+  [0.652, 0.732, 0.74],
+  [-1.041, -1.333, 0.079],
+  [0.462, -1.27, -0.813],
+  [0.845, 0.181, 0.28],
+  [0.47, 0.371, 1.625],
+  [1.772, -0.635, 1.403],
+  [-0.832, -1.769, 0.134],
+  [2.015, 1.462, -1.913],
+  [-1.583, -0.511, 0.192],
+  [-1.772, 0.635, -1.403],
+  [-0.856, 0.849, 0.489],
+  [-0.854, 0.108, -0.053],
+  [0.652, 0.057, 0.305],
+  [-0.063, -0.809, 0.458],
+  [0.269, 0.99, 0.472],
+  [0.057, -0.577, 0.248],
+  [1.583, 0.511, -0.192],
+  [1.713, 0.447, 1.75],
+  [-1.713, -0.447, -1.75],
+  [-0.242, -0.149, 0.107],
+  [-0.868, 1.317, 0.511],
+  [0.149, -0.792, -0.535],
+  [0.956, 0.49, -0.509],
+  [-0.136, 0.187, 0.193],
+  [-0.057, 0.577, -0.248],
+  [-2.11, -0.095, -0.63],
+  [0.155, 1.175, -0.635],
+  [-1.205, 0.377, 0.892],
+  [-0.155, -1.175, 0.635],
+  [1.184, -1.42, -0.057],
+  [-0.269, -0.99, -0.472],
+  [-0.871, 0.331, -1.065],
+  [-0.447, 0.413, -0.319],
+  [0.43, 0.917, -1.418],
+  [-0.803, -0.612, 0.856],
+  [0.122, -2.736, -0.933],
+  [-1.184, 1.42, 0.057],
+  [-0.845, -0.181, -0.28],
+  [0.024, -0.066, -0.547],
+  [-0.122, 2.736, 0.933],
+  [-0.956, -0.49, 0.509],
+  [-0.433, -0.024, 2.087],
+  [-0.462, 1.27, 0.813],
+  [0.868, -1.317, -0.511],
+  [0.242, 0.149, -0.107],
+  [2.243, -0.607, 1.364]
+];
+
+// widget.js
+var widget = (mount2) => ({
+  render({ model, el }) {
+    const names = Object.keys(mount2.start);
+    const state = () => Object.fromEntries(names.map((name) => [name, model.get(name)]));
+    const demo = mount2(el, state(), (changed) => {
+      names.forEach((name) => model.set(name, changed[name]));
+      model.save_changes();
+    });
+    const follow = () => demo.update(state());
+    names.forEach((name) => model.on(`change:${name}`, follow));
+    return () => {
+      names.forEach((name) => model.off(`change:${name}`, follow));
+      demo.destroy();
+    };
+  }
+});
+
+// tilt.js
+var DEGREE = Math.PI / 180;
+var RIGHT = 5e-3;
+var attitude = ({ roll, pitch }) => [roll * DEGREE, pitch * DEGREE];
+function reading(state) {
+  const angles = [...attitude(state), 0];
+  const acceleration = [state.forward_acceleration, state.lateral_acceleration, 0];
+  return accelerometerFromAcceleration(
+    ...toParent(matrixFromEuler(...angles), acceleration),
+    ...angles,
+    9.80665
+  );
+}
+var readings = (state) => {
+  const still2 = reading(state);
+  return vibration_default.map((shake) => sum(still2, scaled(shake, state.vibration)));
+};
+var rms = (values) => Math.hypot(...values) / Math.sqrt(values.length);
+var errors = (state, sensed) => {
+  const truth = attitude(state);
+  return tiltFromAccelerometer(...sensed).map((angle, i) => wrapAngle(angle - truth[i]) / DEGREE);
+};
+function estimates(state) {
+  const average = reading(state);
+  const error = errors(state, average);
+  const single = readings(state).map((sensed) => errors(state, sensed));
+  const scatter = error.map(
+    (mean, i) => rms(single.map((each) => wrapAngle((each[i] - mean) * DEGREE) / DEGREE))
+  );
+  const estimate = tiltFromAccelerometer(...average).map((angle) => angle / DEGREE);
+  return { estimate, error, single, scatter };
+}
+function readouts(state) {
+  const { estimate, error, scatter } = estimates(state);
+  return {
+    roll_estimate: rounded(estimate[0]),
+    pitch_estimate: rounded(estimate[1]),
+    roll_error: rounded(error[0]),
+    pitch_error: rounded(error[1]),
+    roll_scatter: rounded(scatter[0]),
+    pitch_scatter: rounded(scatter[1]),
+    meaning: meaning(state, error, scatter)
+  };
+}
+function meaning(state, error, scatter) {
+  const still2 = state.forward_acceleration === 0 && state.lateral_acceleration === 0;
+  const wrong = ["roll", "pitch"].filter((_, i) => Math.abs(error[i]) > RIGHT);
+  const shaken = state.vibration > 0 && scatter.some((each) => each > RIGHT);
+  const sentences = [];
+  if (still2 && Math.abs(state.pitch) >= 90)
+    return "Gravity lies along the roll axis: roll about it changes nothing that the accelerometer feels, so its roll means nothing.";
+  if (still2) sentences.push("The body does not accelerate, so the two verticals agree and both angles are right.");
+  else if (wrong.length > 0) sentences.push(`The sensor cannot tell acceleration from tilt. Its ${wrong.join(" and its ")} will be wrong for as long as the acceleration lasts.`);
+  else sentences.push("The acceleration happens to leave both angles as they are.");
+  if (shaken) sentences.push("Single readings scatter; their average does not.");
+  return sentences.join(" ");
+}
+function summary(state) {
+  const texts = readouts(state);
+  const angle = (name) => `${name} ${texts[`${name}_estimate`]} degrees, error ${texts[`${name}_error`]}, scatter ${texts[`${name}_scatter`]}`;
+  return `Estimated ${angle("roll")}; ${angle("pitch")}. ${texts.meaning}`;
+}
+var PER_GRAVITY = 0.6;
+var SIZE = 1.25;
+var PLUMB = 1;
+var DISTANCE = 60;
+var VIEWS = [
+  { title: "from behind", axis: "y", view: matrixFromEuler(0, 0, 0) },
+  { title: "from the right", axis: "x", view: matrixFromEuler(0, 0, -90 * DEGREE) }
+];
+var STRIPS = [
+  { title: "roll error", axis: "x", shape: "circle" },
+  { title: "pitch error", axis: "y", shape: "square" }
+];
+var DASH = { x: [], y: [7, 3], z: [2, 2], real: [9, 5], believed: [2, 4] };
+function draw(context, { width, height }, state, colours) {
+  const [half, views] = [width / 2, 0.64 * height];
+  const found = estimates(state);
+  [0, 1].forEach((i) => {
+    inPart(context, [i * half, 0, half, views], (size) => scene(context, size, state, VIEWS[i], colours));
+    inPart(
+      context,
+      [i * half, views, half, height - views],
+      (size) => strip(context, size, found, i, colours)
+    );
+  });
+  line(context, [[half, 10], [half, height - 10]], { colour: colours("line"), width: 1 });
+}
+function inPart(context, [x, y, width, height], drawIt) {
+  context.save();
+  context.translate(x, y);
+  context.beginPath();
+  context.rect(0, 0, width, height);
+  context.clip();
+  drawIt({ width, height });
+  context.restore();
+}
+function scene(context, size, state, { title, view }, colours) {
+  const attitudeMatrix = matrixFromEuler(...attitude(state), 0);
+  const look = camera(view, DISTANCE, size, { wide: 2.2, high: 2.85, shift: 0.12 });
+  const at = (point) => look.project(point);
+  const toInertial = (vector) => toParent(attitudeMatrix, vector);
+  const colour = (name) => colours(name);
+  const along = (vector, length) => scaled(vector, length / Math.hypot(...vector));
+  words(context, title, [size.width / 2, 14], { colour: colour("muted"), align: "center", weight: 600 });
+  const [left, right] = [8, size.width - 8];
+  const [, level] = at([0, 0, 0]);
+  line(context, [[left, level], [right, level]], { colour: colour("line"), width: 1 });
+  const names = ["body", "glass", "x", "y", "z"];
+  const fills = Object.fromEntries(names.map((name) => [name, parsed(colour(name))]));
+  paint(context, placed(aircraft(fills), scaled(attitudeMatrix, SIZE)), look);
+  const believed = (sensed) => at(along(toInertial(sensed), -PLUMB));
+  const centre = at([0, 0, 0]);
+  if (state.vibration > 0)
+    readings(state).forEach(
+      (sensed) => mark(context, "circle", believed(sensed), { colour: `${colour("alert")}66`, radius: 2 })
+    );
+  const real = at([0, 0, PLUMB * 1.12]);
+  line(context, [centre, real], { colour: colour("ink"), width: 2, dash: DASH.real });
+  const bob = believed(reading(state));
+  line(context, [centre, bob], { colour: colour("alert"), width: 3, dash: DASH.believed });
+  mark(context, "circle", bob, { colour: colour("alert"), rim: colour("surface"), radius: 7 });
+  arrows(context, state, { at, toInertial, colours, width: size.width });
+}
+function arrows(context, state, { at, toInertial, colours, width }) {
+  const parts = [
+    { name: "−g", axis: "z", vector: accelerometerAtRest(...attitude(state), 9.80665) },
+    { name: "a", axis: "x", vector: [state.forward_acceleration, 0, 0] },
+    { name: "a", axis: "y", vector: [0, state.lateral_acceleration, 0] }
+  ];
+  const drawn = (vector) => scaled(toInertial(vector), PER_GRAVITY / 9.80665);
+  const say = (text, point, name, offset) => label(context, text, at(point), { colour: colours(name), rim: colours("surface"), offset, width, size: 13 });
+  let tail = [0, 0, 0];
+  for (const { name, axis, vector } of parts) {
+    const tip = sum(tail, drawn(vector));
+    const [from, to] = [at(tail), at(tip)];
+    arrow(context, from, to, { colour: colours(axis), width: 3, dash: DASH[axis] });
+    if (Math.hypot(to[0] - from[0], to[1] - from[1]) > 12)
+      say(name, scaled(sum(tail, tip), 0.5), axis, axis === "z" ? [-9, 0] : [0, -12]);
+    tail = tip;
+  }
+  const still2 = state.forward_acceleration === 0 && state.lateral_acceleration === 0;
+  if (!still2) arrow(context, at([0, 0, 0]), at(tail), { colour: colours("ink"), width: 3.5 });
+  say(still2 ? "f = −g" : "f", tail, "ink", [10, 0]);
+}
+var LIMITS = [2, 5, 10, 20, 45, 90, 180];
+function strip(context, { width, height }, { error, single }, which, colours) {
+  const { title, axis, shape } = STRIPS[which];
+  const values = single.map((each) => each[which]);
+  const largest = Math.max(Math.abs(error[which]), ...values.map(Math.abs));
+  const limit = LIMITS.find((each) => each >= largest * 1.05) ?? 180;
+  const [left, right, top, bottom] = [40, width - 12, 26, height - 22];
+  const [x, y] = [linear(0, 1, left, right), linear(-limit, limit, bottom, top)];
+  const small = { colour: colours("muted"), size: 11 };
+  words(context, `${title} over 1 s`, [left, 10], { ...small, weight: 600 });
+  for (const tick of [-limit, 0, limit]) {
+    line(context, [[left, y(tick)], [right, y(tick)]], { colour: colours("line"), width: 1 });
+    words(context, `${tick}°`.replace("-", "−"), [left - 5, y(tick)], { ...small, align: "right" });
+  }
+  line(context, [[left, y(0)], [right, y(0)]], { colour: colours("ink"), width: 1.5, dash: DASH.real });
+  values.forEach(
+    (value, i) => mark(context, shape, [x((i + 0.5) / values.length), y(value)], { colour: `${colours(axis)}80`, radius: 2 })
+  );
+  const average = [[left, y(error[which])], [right, y(error[which])]];
+  line(context, average, { colour: colours("surface"), width: 6 });
+  line(context, average, { colour: colours("alert"), width: 3, dash: DASH.believed });
+  mark(context, "circle", average[1], { colour: colours("alert"), rim: colours("surface"), radius: 5 });
+  words(context, "0 s", [left, bottom + 12], small);
+  words(context, "1 s", [right, bottom + 12], { ...small, align: "right" });
+}
+var DEGREES = { short: "°", long: "degrees" };
+var METRES = { short: " m/s²", long: "metres per second squared" };
+var definition = {
+  title: "An aircraft from behind and from the right, with the real vertical and the one that its accelerometer believes in",
+  aspect: 1.12,
+  start: { roll: 0, pitch: 0, forward_acceleration: 0, lateral_acceleration: 0, vibration: 0 },
+  legend: [
+    { colour: "ink", width: 3.5, text: "f, what the accelerometer feels" },
+    { colour: "z", dash: DASH.z, width: 3, text: "−g, held up against gravity" },
+    { colour: "x", width: 3, text: "a, forward acceleration" },
+    { colour: "y", dash: DASH.y, width: 3, text: "a, lateral acceleration" },
+    { colour: "ink", dash: DASH.real, width: 2, text: "the real vertical" },
+    { colour: "alert", dash: DASH.believed, width: 3, text: "the vertical it believes in" }
+  ],
+  controls: [
+    { name: "roll", label: "Roll", symbol: "φ", axis: "x", min: -180, max: 180, step: 1, unit: DEGREES },
+    { name: "pitch", label: "Pitch", symbol: "θ", axis: "y", min: -90, max: 90, step: 1, unit: DEGREES },
+    { name: "forward_acceleration", label: "Forward acceleration", symbol: "", axis: "x", min: -10, max: 10, step: 0.1, unit: METRES },
+    { name: "lateral_acceleration", label: "Lateral acceleration", symbol: "", axis: "y", min: -10, max: 10, step: 0.1, unit: METRES },
+    { name: "vibration", label: "Vibration, RMS", symbol: "", min: 0, max: 5, step: 0.1, unit: METRES }
+  ],
+  outputs: [
+    { name: "roll_estimate", label: "Roll estimate", unit: "°" },
+    { name: "pitch_estimate", label: "Pitch estimate", unit: "°" },
+    { name: "roll_error", label: "Roll error", unit: "°" },
+    { name: "pitch_error", label: "Pitch error", unit: "°" },
+    { name: "roll_scatter", label: "Roll scatter", unit: "°" },
+    { name: "pitch_scatter", label: "Pitch scatter", unit: "°" },
+    { name: "meaning", label: "What it means", wide: true }
+  ],
+  readouts,
+  summary,
+  draw
+};
+var still = definition.start;
+definition.story = [
+  { state: still, says: "At rest and level, the accelerometer feels one thing: what holds it up against gravity. The vertical that it believes in is the real one." },
+  { state: { ...still, roll: 25, pitch: 15 }, says: "Tilted, and still at rest: both angles are right." },
+  { state: { ...still, forward_acceleration: 4 }, says: "Level again, and gaining speed. An aircraft at rest with its nose up would give the same reading, so that is what the sensor believes." },
+  { state: { ...still, roll: 30, lateral_acceleration: 4.9 }, says: "Banked in a turn. The reading has no sideways part left, and the sensor takes 30° of roll for none." },
+  { state: { ...still, vibration: 3 }, says: "At rest, but shaken. Single readings scatter on both sides, and their average is right." },
+  { state: { ...still, forward_acceleration: 4, vibration: 3 }, says: "Shaken and gaining speed. An average gets rid of the shaking and keeps the error of the acceleration." }
+];
+var mount = (element, state, onChange) => mountDemo(element, definition, state, onChange);
+mount.start = definition.start;
+var tilt_default = widget(mount);
+export {
+  tilt_default as default,
+  mount
+};

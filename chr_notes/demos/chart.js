@@ -1,0 +1,75 @@
+/** Flat drawing on a canvas: lines, arrows, marks, and the frame of a chart. */
+
+const ARROWHEAD = 9; // pixels
+
+/** A line from point to point in pixels. */
+export function line(context, points, { colour, width = 2, dash = [] }) {
+  context.save();
+  context.beginPath();
+  points.forEach(([x, y]) => context.lineTo(x, y));
+  context.strokeStyle = colour;
+  context.lineWidth = width;
+  context.lineJoin = "round";
+  context.setLineDash(dash);
+  context.stroke();
+  context.restore();
+}
+
+/** An arrow, whose shaft may be dashed; none where it would be shorter than a pixel. */
+export function arrow(context, [x0, y0], [x1, y1], { colour, width = 2.5, dash = [] }) {
+  const length = Math.hypot(x1 - x0, y1 - y0);
+  if (length < 1) return;
+  const head = Math.min(ARROWHEAD + width, length);
+  const [along, across] = [[(x1 - x0) / length, (y1 - y0) / length], 0.42 * head];
+  const neck = [x1 - head * along[0], y1 - head * along[1]];
+  line(context, [[x0, y0], neck], { colour, width, dash });
+  context.beginPath();
+  context.moveTo(x1, y1);
+  context.lineTo(neck[0] - across * along[1], neck[1] + across * along[0]);
+  context.lineTo(neck[0] + across * along[1], neck[1] - across * along[0]);
+  context.closePath();
+  context.fillStyle = colour;
+  context.fill();
+}
+
+const SHAPES = {
+  circle: (context, x, y, r) => context.arc(x, y, r, 0, 2 * Math.PI),
+  square: (context, x, y, r) => context.rect(x - 0.9 * r, y - 0.9 * r, 1.8 * r, 1.8 * r),
+  triangle: (context, x, y, r) => {
+    context.moveTo(x, y - 1.2 * r);
+    context.lineTo(x + 1.1 * r, y + 0.8 * r);
+    context.lineTo(x - 1.1 * r, y + 0.8 * r);
+    context.closePath();
+  },
+};
+
+/** A filled `shape` of a radius in pixels, with a rim that keeps it apart from what is below. */
+export function mark(context, shape, [x, y], { colour, rim, radius = 5 }) {
+  context.beginPath();
+  SHAPES[shape](context, x, y, radius);
+  context.fillStyle = colour;
+  context.fill();
+  if (!rim) return;
+  context.strokeStyle = rim;
+  context.lineWidth = 1.5;
+  context.stroke();
+}
+
+/** Plain words at a point; `align` as on a canvas. */
+export function words(context, text, [x, y], { colour, size = 12, align = "left", weight = 400 }) {
+  context.font = `${weight} ${size}px system-ui, sans-serif`;
+  context.textAlign = align;
+  context.textBaseline = "middle";
+  context.fillStyle = colour;
+  context.fillText(text, x, y);
+}
+
+/** From values between `low` and `high` to pixels between `start` and `end`. */
+export const linear = (low, high, start, end) => (value) =>
+  start + ((value - low) / (high - low)) * (end - start);
+
+/** The same with equal steps for equal factors. */
+export const logarithmic = (low, high, start, end) => {
+  const scale = linear(Math.log10(low), Math.log10(high), start, end);
+  return (value) => scale(Math.log10(value));
+};

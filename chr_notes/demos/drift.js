@@ -1,0 +1,179 @@
+/**
+ * Drift: an attitude that is off by a small angle lets a part of gravity through as acceleration,
+ * and dead reckoning adds it up, once to a velocity and twice to a position.
+ */
+import { driftFromTiltError, positionAtLastVelocity } from "../generated/javascript/attitude.mjs";
+import { line, logarithmic, mark, words } from "./chart.js";
+import { mountDemo } from "./controls.js";
+import { label } from "./draw.js";
+import { formatted } from "./parts.js";
+import { widget } from "./widget.js";
+
+/* global NOTE_GRAVITY, TABLE_1: build.py puts them in, m/s² and { degrees: cells as printed } */
+
+const DEGREE = Math.PI / 180;
+const [FIRST, LAST] = [1, 3600]; // seconds
+const STEPS = 64; // of the slider; so many meet 10 s, 1 min and 10 min to two digits
+
+/** Errors in SI units after a time in seconds. `printed` is the position as the note reckons it. */
+function errorsAfter(time, angle) {
+  const given = [angle * DEGREE, time, NOTE_GRAVITY];
+  const [acceleration, velocity, position] = driftFromTiltError(...given);
+  return { acceleration, velocity, position, printed: positionAtLastVelocity(...given) };
+}
+
+function readouts({ angle_error: angle, time }) {
+  const errors = errorsAfter(time, angle);
+  return {
+    acceleration_error: formatted(errors.acceleration),
+    velocity_error: formatted(errors.velocity),
+    position_error: formatted(errors.position),
+    printed_position_error: formatted(errors.printed),
+    meaning: meaning(time, errors),
+    row: row(angle),
+  };
+}
+
+function meaning(time, { velocity, position, printed: reckoned }) {
+  if (position === 0) return "With an exact attitude gravity cancels, and a sensor at rest believes that it is at rest.";
+  return `After ${duration(time).long} a sensor that has not moved believes that it is ${distance(position)} away and moves at ${formatted(velocity)} m/s. The note's table loses a factor ½ and makes that ${distance(reckoned)}.`;
+}
+
+const COLUMNS = [
+  { text: "acceleration, m/s²", time: 0, error: "acceleration" },
+  { text: "velocity, 10 s, m/s", time: 10, error: "velocity" },
+  { text: "position, 10 s, m", time: 10, error: "position" },
+  { text: "position, 1 min, m", time: 60, error: "position" },
+  { text: "position, 10 min, m", time: 600, error: "position" },
+  { text: "position, 1 h, m", time: 3600, error: "position" },
+];
+
+/** The table's row for an angle, standing upright: what is right, and what is printed. */
+function row(angle) {
+  const found = Object.entries(TABLE_1).find(([degrees]) => Number(degrees) === angle);
+  const cells = found?.[1] ?? COLUMNS.map(() => "–");
+  return [
+    [`Table 1 at ${formatted(angle)}°`, "right", found ? "printed" : "no such row"],
+    ...COLUMNS.map(({ text, time, error }, i) => [text, formatted(errorsAfter(time, angle)[error]), cells[i]]),
+  ];
+}
+
+function summary(state) {
+  const texts = readouts(state);
+  return `Acceleration error ${texts.acceleration_error} metres per second squared. ${texts.meaning}`;
+}
+
+/** A time in words, short and long. */
+function duration(time) {
+  const seconds = Number(time.toFixed(time < 10 ? 1 : 0));
+  const parts = [
+    [Math.floor(seconds / 3600), "h", "hour"],
+    [Math.floor((seconds % 3600) / 60), "min", "minute"],
+    [Number((seconds % 60).toFixed(1)), "s", "second"],
+  ].filter(([count]) => count > 0);
+  return {
+    short: parts.map(([count, unit]) => `${count} ${unit}`).join(" "),
+    long: parts.map(([count, , unit]) => `${count} ${unit}${count === 1 ? "" : "s"}`).join(" "),
+  };
+}
+
+/** A length in words, three digits. */
+function distance(metres) {
+  const [value, unit] = metres < 1 ? [100 * metres, "cm"] : metres < 1000 ? [metres, "m"] : [metres / 1000, "km"];
+  return `${Number(value.toPrecision(3))} ${unit}`;
+}
+
+// ── the picture ─────────────────────────────────────────────────────────────────────────────
+
+const RANGE = [3e-3, 3e7]; // m/s and m
+const TIMES = [[1, "1 s"], [10, "10 s"], [60, "1 min"], [600, "10 min"], [3600, "1 h"]];
+const DECADES = [[0.01, "0.01"], [0.1, "0.1"], [1, "1"], [10, "10"], [100, "100"], [1e3, "1000"], [1e4, "10⁴"], [1e5, "10⁵"], [1e6, "10⁶"], [1e7, "10⁷"]];
+const SIZES = [[100, "a sports field"], [1e4, "a city"], [1e6, "a country"]]; // for scale
+
+// What grows; `at` and `offset` place its words beside its line.
+const CURVES = [
+  { error: "velocity", text: "velocity", colour: "accent", dash: [2, 3], width: 3, shape: "square", at: 500, offset: [14, 14] },
+  { error: "position", text: "position", colour: "proved", dash: [], width: 3, shape: "circle", at: 60, offset: [14, 12] },
+  { error: "printed", text: "as in the table", colour: "corrected", dash: [8, 4], width: 2.5, shape: "triangle", at: 120, offset: [-14, -10] },
+];
+
+function draw(context, { width, height }, { angle_error: angle, time }, colours) {
+  const [left, right, top, bottom] = [46, width - 14, 30, height - 40];
+  const [x, y] = [logarithmic(FIRST, LAST, left, right), logarithmic(...RANGE, bottom, top)];
+  const at = (curve, moment) => [x(moment), y(errorsAfter(moment, angle)[curve.error])];
+  const small = { colour: colours("muted"), size: 12 };
+
+  words(context, "error, m/s or m", [8, 14], { ...small, weight: 600 });
+  words(context, "time without help from outside", [right, height - 10], { ...small, align: "right", weight: 600 });
+  for (const [value, text] of DECADES) {
+    line(context, [[left, y(value)], [right, y(value)]], { colour: colours("line"), width: 1 });
+    words(context, text, [left - 6, y(value)], { ...small, align: "right" });
+  }
+  for (const [moment, text] of TIMES) {
+    line(context, [[x(moment), top], [x(moment), bottom]], { colour: colours("line"), width: 1 });
+    words(context, text, [x(moment), bottom + 14], { ...small, align: moment === LAST ? "right" : moment === FIRST ? "left" : "center" });
+  }
+  for (const [metres, text] of SIZES) words(context, text, [left + 6, y(metres) - 8], small);
+  if (angle === 0) {
+    label(context, "no error of angle, no drift", [(left + right) / 2, (top + bottom) / 2], {
+      colour: colours("ink"), rim: colours("surface"), width,
+    });
+    return;
+  }
+  context.save();
+  context.beginPath();
+  context.rect(left, top, right - left, bottom - top);
+  context.clip();
+  line(context, [[x(time), bottom], [x(time), top]], { colour: colours("ink"), width: 1.5 });
+  CURVES.forEach((curve) => {
+    const style = { colour: colours(curve.colour), dash: curve.dash, width: curve.width };
+    line(context, [at(curve, FIRST), at(curve, LAST)], style);
+  });
+  context.restore();
+  CURVES.forEach((curve) => {
+    const style = { colour: colours(curve.colour), rim: colours("surface"), width };
+    label(context, curve.text, at(curve, curve.at), { ...style, offset: curve.offset, size: 13 });
+  });
+  CURVES.forEach((curve) =>
+    mark(context, curve.shape, at(curve, time), { colour: colours(curve.colour), rim: colours("surface"), radius: 6 }),
+  );
+}
+
+const still = { angle_error: 1, time: 10 };
+const SECONDS = {
+  toPosition: (value) => (STEPS * Math.log(value / FIRST)) / Math.log(LAST / FIRST),
+  toValue: (position) => Number((FIRST * (LAST / FIRST) ** (position / STEPS)).toPrecision(2)),
+};
+
+const definition = {
+  title: "Growth of the errors of velocity and position over time, on logarithmic axes",
+  aspect: 1.35,
+  start: still,
+  controls: [
+    { name: "angle_error", label: "Error of the angle", symbol: "ε", min: 0, max: 5, step: 0.1, unit: { short: "°", long: "degrees" } },
+    { name: "time", label: "Time", symbol: "t", min: 0, max: STEPS, step: 1, words: duration, ...SECONDS },
+  ],
+  outputs: [
+    { name: "acceleration_error", label: "Acceleration error", unit: "m/s²" },
+    { name: "velocity_error", label: "Velocity error", unit: "m/s" },
+    { name: "position_error", label: "Position error", unit: "m" },
+    { name: "printed_position_error", label: "Position as printed", unit: "m" },
+    { name: "meaning", label: "What it means", wide: true },
+    { name: "row", table: true },
+  ],
+  story: [
+    { state: { angle_error: 1, time: 1 }, says: "The attitude is off by one degree. Gravity no longer cancels: a part of it is taken for acceleration." },
+    { state: { angle_error: 1, time: 10 }, seconds: 3, says: "Ten seconds. The velocity grows in step with time: ten times the time, ten times the error." },
+    { state: { angle_error: 1, time: 60 }, seconds: 3, says: "One minute. The position grows with the square: its line is twice as steep." },
+    { state: { angle_error: 1, time: 3600 }, seconds: 5, says: "One hour, and the sensor believes itself in another country." },
+    { state: { angle_error: 0.1, time: 3600 }, says: "A tenth of the angle shifts all lines down by one decade. None gets less steep." },
+  ],
+  readouts,
+  summary,
+  draw,
+};
+
+export const mount = (element, state, onChange) => mountDemo(element, definition, state, onChange);
+mount.start = definition.start;
+
+export default widget(mount);

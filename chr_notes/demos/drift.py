@@ -1,0 +1,60 @@
+"""What a small error of attitude does to dead reckoning as time goes by."""
+
+import math
+
+import traitlets
+
+from chr_notes.demos.base import Demo, formatted
+from chr_notes.generated.scalar.dead_reckoning import (
+    drift_from_tilt_error,
+    position_at_last_velocity,
+)
+
+__all__ = ["GRAVITY", "DriftDemo"]
+
+GRAVITY = 9.8
+"""Magnitude of gravity with which the note reckons, m/s²."""
+
+
+class DriftDemo(Demo):
+    """Growth of the errors of velocity and position at a constant error of the attitude.
+
+    Beside the right position error stands the one that the note's Table 1 prints, which takes the
+    last velocity for the velocity all along and so loses a factor of one half. Its numbers come
+    from the ledger entries dead_reckoning.4.g and dead_reckoning.t1.
+
+    Parameters
+    ----------
+    angle_error : float, optional
+        Angle between the true and the estimated vertical in degrees, from 0 to 5; 1 unless told.
+    time : float, optional
+        Time since the last help from outside, from 1 to 3600 s; 10 unless told. Both follow
+        their sliders while a kernel runs.
+    """
+
+    element = "drift"
+    controls = ("angle_error", "time")
+
+    angle_error = traitlets.Float(1.0, min=0.0, max=5.0).tag(sync=True)
+    time = traitlets.Float(10.0, min=1.0, max=3600.0).tag(sync=True)
+
+    def readouts(self) -> dict[str, float]:
+        """Return the errors in SI units."""
+        given = (math.radians(self.angle_error), self.time, GRAVITY)
+        acceleration, velocity, position = drift_from_tilt_error(*given)
+        return {
+            "acceleration_error": acceleration,
+            "velocity_error": velocity,
+            "position_error": position,
+            "printed_position_error": position_at_last_velocity(*given),
+        }
+
+    def fallback(self) -> str:
+        """Return the errors in a sentence."""
+        texts = {name: formatted(value) for name, value in self.readouts().items()}
+        return (
+            f"An attitude that is off by {formatted(self.angle_error)}°, after "
+            f"{formatted(self.time)} s: acceleration is off by {texts['acceleration_error']} m/s², "
+            f"velocity by {texts['velocity_error']} m/s, position by {texts['position_error']} m. "
+            f"As the note reckons, position would be off by {texts['printed_position_error']} m."
+        )

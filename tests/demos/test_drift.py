@@ -1,0 +1,116 @@
+"""The drift demo: its readouts are Python's numbers, and its row is the note's."""
+
+import numpy as np
+import pytest
+from playwright.sync_api import Page, expect
+
+from chr_notes import drift_from_tilt_error
+from chr_notes.demos import DriftDemo
+from chr_notes.demos.base import formatted
+from chr_notes.printed.table_1 import COLUMNS, ROWS
+
+from .parts import SET_AND_READ, PageOf, Visit, output, slider
+
+STEPS = 64
+
+
+def expected(state: dict[str, float]) -> dict[str, float]:
+    """The readouts from the array functions; what is printed lacks the factor one half."""
+    angle = np.radians(state["angle_error"])
+    acceleration, velocity, position = drift_from_tilt_error(angle, state["time"])
+    return {
+        "acceleration_error": float(acceleration),
+        "velocity_error": float(velocity),
+        "position_error": float(position),
+        "printed_position_error": float(acceleration * state["time"] ** 2),
+    }
+
+
+def test_readouts_are_the_numbers_of_python(visit: Visit, page_of: PageOf) -> None:
+    page = visit(page_of(DriftDemo()))
+    random = np.random.default_rng(4)
+    rows = random.integers([0, 0], [50, STEPS], size=(50, 2), endpoint=True) / [10, 1]
+    positions = [dict(zip(DriftDemo.controls, row, strict=True)) for row in rows.tolist()]
+    times = set()
+    for position, (state, texts) in zip(
+        positions, page.evaluate(SET_AND_READ, positions), strict=True
+    ):
+        assert state["angle_error"] == position["angle_error"]
+        assert state["time"] == pytest.approx(3600 ** (position["time"] / STEPS), rel=0.05)
+        times.add(state["time"])
+        numbers = expected(state)
+        assert {name: texts[name] for name in numbers} == {
+            name: formatted(value) for name, value in numbers.items()
+        }
+        assert DriftDemo(**state).readouts() == pytest.approx(numbers, rel=1e-14)
+    assert len(times) > 20
+
+
+def test_slider_of_time_goes_through_the_times_of_the_table(visit: Visit, page_of: PageOf) -> None:
+    page = visit(page_of(DriftDemo()))
+    positions = [{"time": step} for step in range(STEPS + 1)]
+    times = [state["time"] for state, _ in page.evaluate(SET_AND_READ, positions)]
+    assert sorted(set(times)) == times, "each step goes forward"
+    assert {1, 3600, *(column.seconds for column in COLUMNS.values() if column.seconds)} <= {*times}
+
+
+def test_time_is_said_in_words(visit: Visit, page_of: PageOf) -> None:
+    page = visit(page_of(DriftDemo(time=60)))
+    expect(slider(page, "time")).to_have_attribute("aria-valuetext", "1 minute")
+    slider(page, "time").focus()
+    page.keyboard.press("ArrowRight")
+    expect(slider(page, "time")).to_have_attribute("aria-valuetext", "1 minute 8 seconds")
+    page.keyboard.press("End")
+    expect(slider(page, "time")).to_have_attribute("aria-valuetext", "1 hour")
+
+
+@pytest.mark.parametrize("degrees", ROWS)
+def test_as_printed_means_as_the_table_prints(degrees: str) -> None:
+    """The printed positions follow from the row's printed acceleration without the half."""
+    acceleration = float(ROWS[degrees][0])
+    for column, text in zip(COLUMNS.values(), ROWS[degrees], strict=True):
+        if column.quantity != "r":
+            continue
+        printed = float(text.replace(" ", ""))
+        shown = DriftDemo(angle_error=float(degrees), time=column.seconds).readouts()
+        without_half = acceleration * column.seconds**2
+        digits = len(text.split(" e ")[0].replace(".", ""))
+        assert float(f"{without_half:.{digits}g}") == pytest.approx(printed, rel=1e-12)
+        ratio = shown["printed_position_error"] / shown["acceleration_error"]
+        assert ratio * acceleration == pytest.approx(without_half)
+        assert shown["printed_position_error"] == pytest.approx(2 * shown["position_error"])
+
+
+def cells(page: Page) -> list[list[str]]:
+    rows = page.locator(".chr-table tr").all()
+    return [row.locator("th, td").all_text_contents() for row in rows]
+
+
+@pytest.mark.parametrize("degrees", ROWS)
+def test_row_is_the_one_of_the_note(visit: Visit, page_of: PageOf, degrees: str) -> None:
+    head, *body = cells(visit(page_of(DriftDemo(angle_error=float(degrees)))))
+    assert head == [f"Table 1 at {float(degrees):g}°", "right", "printed"]
+    assert tuple(row[2] for row in body) == ROWS[degrees]
+    for (_, right, _), column in zip(body, COLUMNS.values(), strict=True):
+        state = {"angle_error": float(degrees), "time": float(column.seconds)}
+        number = dict(zip("avr", list(expected(state).values())[:3], strict=True))
+        assert right == formatted(number[column.quantity])
+
+
+def test_between_the_rows_nothing_is_printed(visit: Visit, page_of: PageOf) -> None:
+    head, *body = cells(visit(page_of(DriftDemo(angle_error=0.7))))
+    assert head[2] == "no such row"
+    assert {row[2] for row in body} == {"–"}
+
+
+def test_without_an_error_there_is_no_drift(visit: Visit, page_of: PageOf) -> None:
+    page = visit(page_of(DriftDemo(angle_error=0, time=3600)))
+    expect(output(page, "position_error")).to_have_text("0")
+    expect(output(page, "meaning")).to_contain_text("at rest")
+
+
+def test_text_has_the_numbers() -> None:
+    assert DriftDemo(angle_error=1, time=600).fallback() == (
+        "An attitude that is off by 1°, after 600 s: acceleration is off by 0.171 m/s², velocity "
+        "by 102.6 m/s, position by 30790 m. As the note reckons, position would be off by 61570 m."
+    )
