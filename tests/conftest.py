@@ -23,6 +23,8 @@ CHROMIUM_FLAGS = [
     "--disable-sync",
 ]
 
+PATIENCE = 120_000  # milliseconds; a busy machine typesets slowly
+
 
 @pytest.fixture(scope="session")
 def shared() -> Path:
@@ -84,6 +86,7 @@ def visit(browser: Browser) -> Iterator[Visit]:
     def opened(address: str, *, width: int = 1280, **settings: str) -> Page:
         context = browser.new_context(viewport={"width": width, "height": 900}, **settings)  # type: ignore[arg-type]
         contexts.append(context)
+        context.set_default_timeout(PATIENCE)
         page = context.new_page()
         page.on("console", listen)
         page.on("pageerror", lambda error: problems.append(f"uncaught: {error}"))

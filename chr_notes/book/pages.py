@@ -39,13 +39,17 @@ MEANINGS: Final[Mapping[Verdict, str]] = MappingProxyType(
 def generated() -> dict[str, str]:
     """Return the text of each generated page or part of a page by its file name."""
     ledger = entries()
-    return {
+    pages = {
         "conventions.md": conventions(),
-        "ledger.md": "\n".join(_documents(ledger)),
+        "ledger.md": "\n".join(_overview(ledger)),
         "errata.md": "\n".join(_errata(ledger)),
         "verdicts.md": verdicts(ledger),
         "gimbal_lock.md": GimbalLockDemo(yaw=30.0, pitch=75.0, roll=20.0).to_html() + "\n",
     }
+    for document in DOCUMENTS:
+        rows = (_row(entry) for entry in ledger if entry.document == document)
+        pages[f"ledger/{document}.md"] = "\n".join(line for row in rows for line in row)
+    return pages
 
 
 def conventions() -> str:
@@ -63,13 +67,17 @@ def verdicts(ledger: Iterable[Entry]) -> str:
     return f'<ul class="verdict-counts">\n{items}\n</ul>\n'
 
 
-def _documents(ledger: Iterable[Entry]) -> Iterator[str]:
-    document = None
-    for entry in ledger:
-        if entry.document != document:
-            document = entry.document
-            yield f"## {DOCUMENTS[document]}\n"
-        yield from _row(entry)
+def _overview(ledger: tuple[Entry, ...]) -> Iterator[str]:
+    """Yield a table for each document: id with verdict, and what the entry says."""
+    for document, title in DOCUMENTS.items():
+        yield f"## {title}\n"
+        yield f"[These entries in full](ledger/{document}.md)\n"
+        yield ":::{div} ledger-overview\n| entry | what it says |\n|---|---|"
+        for entry in ledger:
+            if entry.document == document:
+                head = f'<span id="{entry.id}"></span>[{entry.id}](#{entry.id})'
+                yield f"| {head} {badge(entry.verdict)} | {entry.says} |"
+        yield ":::\n"
 
 
 def _row(entry: Entry) -> Iterator[str]:
@@ -79,8 +87,11 @@ def _row(entry: Entry) -> Iterator[str]:
     yield f'<span id="{entry.id}"></span>\n'
     yield show(entry.id).markdown()
     yield f"::::{{dropdown}} {entry.method[0].upper()}{entry.method[1:]}."
+    shown = entry.printed_latex + (entry.correction_latex or "")
     if entry.derived_latex is None:
         yield "The statement was decided as a proposition; there is no formula to compare.\n"
+    elif entry.derived_latex in shown:
+        yield "The derivation gives the right-hand side that stands above.\n"
     else:
         yield f"What the derivation gives:\n\n$$\n{entry.derived_latex}\n$$\n"
     yield "::::\n:::::\n"

@@ -75,7 +75,7 @@ class Cell:
 def error(column: str, degrees: str) -> Symbol:
     """Name the error of a column that so many degrees make."""
     of = COLUMNS[column]
-    arguments = rf"{degrees}^\circ" + (f", {of.time}" if of.time else "")
+    arguments = rf"{degrees}^{{\circ}}" + (f", {of.time}" if of.time else "")
     return Symbol(rf"\Delta {of.quantity}\left({arguments}\right)", real=True)
 
 

@@ -16,8 +16,14 @@ from chr_notes.ledger import entries
 Visit = Callable[..., Page]
 
 TOC = yaml.safe_load((SOURCES / "_toc.yml").read_text(encoding="utf-8"))
-CHAPTERS = [chapter["file"] for part in TOC["parts"] for chapter in part["chapters"]]
-PAGES = [f"{name}.html" for name in (TOC["root"], *CHAPTERS, "genindex", "search")]
+CHAPTERS = [
+    page["file"]
+    for part in TOC["parts"]
+    for chapter in part["chapters"]
+    for page in (chapter, *chapter.get("sections", ()))
+]
+MADE = ["genindex", "py-modindex", "search"]
+PAGES = [f"{name}.html" for name in (TOC["root"], *CHAPTERS, *MADE)]
 
 
 class Formulas(HTMLParser):
@@ -89,7 +95,7 @@ def test_page_stands_by_itself(visit: Visit, book: Path, address: str, name: str
 def test_book_is_full_of_formulas(book: Path) -> None:
     """Otherwise the test above has lost its point."""
     assert formulas(book / "notebooks" / "euler.html") > 10
-    assert formulas(book / "book" / "ledger.html") > 50
+    assert formulas(book / "book" / "ledger" / "euler.html") > 50
 
 
 def test_first_page_leads_to_the_book(visit: Visit, address: str) -> None:
@@ -114,14 +120,22 @@ def test_reader_without_javascript_gets_the_numbers(book: Path) -> None:
 
 
 def test_ledger_has_an_anchor_and_a_worded_verdict_for_each_entry(book: Path) -> None:
-    text = (book / "book" / "ledger.html").read_text(encoding="utf-8")
-    rows = re.split(r'<div class="ledger-row', text)[1:]
-    assert len(rows) == len(entries())
-    for entry, row in zip(entries(), rows, strict=True):
-        assert f'<span id="{entry.id}"></span>' in row
-        assert re.search(rf'class="verdict verdict-{entry.verdict}">.* {entry.verdict}</span>', row)
+    overview = (book / "book" / "ledger.html").read_text(encoding="utf-8")
+    for document in {entry.document for entry in entries()}:
+        text = (book / "book" / "ledger" / f"{document}.html").read_text(encoding="utf-8")
+        rows = re.split(r'<div class="ledger-row', text)[1:]
+        expected = [entry for entry in entries() if entry.document == document]
+        for entry, row in zip(expected, rows, strict=True):
+            anchor = f'<span id="{entry.id}"></span>'
+            verdict = rf'class="verdict verdict-{entry.verdict}">.* {entry.verdict}</span>'
+            assert anchor in row
+            assert anchor in overview
+            assert re.search(verdict, row)
 
 
 def test_link_to_an_entry_goes_there(visit: Visit, book: Path) -> None:
     page = typeset(visit((book / "book" / "ledger.html").as_uri() + "#euler.7.d"))
     expect(page.locator('[id="euler.7.d"]')).to_be_in_viewport()
+    page.get_by_role("link", name="euler.7.d").click()
+    expect(page).to_have_url(re.compile(r"ledger/euler\.html#euler-7-d$"))
+    expect(typeset(page).locator('[id="euler.7.d"]')).to_be_in_viewport()
