@@ -75,14 +75,14 @@ def position_gained() -> ImmutableMatrix:
     return ImmutableMatrix([Integral(velocity, (_outer, 0, t)) for velocity in gained])
 
 
-def velocity_after() -> ImmutableMatrix:
+def velocity_after(gained: ImmutableMatrix) -> ImmutableMatrix:
     """Velocity at t: the one at the start, and what the acceleration has added since."""
-    return ImmutableMatrix(VELOCITY + velocity_gained())
+    return ImmutableMatrix(VELOCITY + gained)
 
 
-def position_after() -> ImmutableMatrix:
-    """Position at t: the one at the start, the way at the first velocity, and what came on top."""
-    return ImmutableMatrix(POSITION + VELOCITY * t + position_gained())
+def position_after(gained: ImmutableMatrix) -> ImmutableMatrix:
+    """Position at t: the one at the start, the way at the first velocity, and what was gained."""
+    return ImmutableMatrix(POSITION + VELOCITY * t + gained)
 
 
 @cache

@@ -28,7 +28,9 @@ NOTHING = ImmutableMatrix.zeros(3, 1)
 # The gravity that is added, which may not be the local one; the accelerometer's own error.
 ADDED_G = Symbol(r"\hat{g}", positive=True)
 OWN_ERROR = ImmutableMatrix(symbols("varepsilon_x:z", real=True))
-# Sums of n steps.
+# What the acceleration adds to velocity and position; sums of n steps.
+GAINED_VELOCITY = ImmutableMatrix(symbols("u_N u_E u_D", real=True))
+GAINED_POSITION = ImmutableMatrix(symbols("s_N s_E s_D", real=True))
 SUMMED_VELOCITY, SUMMED_POSITION = symbols("v_n r_n", real=True)
 
 
@@ -44,10 +46,10 @@ READ = reading(
         printed.A_B: lambda: ImmutableMatrix(rotation("I", "B") * derived.ACCELERATION),
         printed.A_M: derived.accelerometer_reading,
         printed.IN_GRAVITIES: lambda: derived.accelerometer_reading() / g,
-        printed.V_I: derived.velocity_after,
-        printed.R_I: derived.position_after,
-        printed.INTEGRAL: derived.velocity_gained,
-        printed.DOUBLE_INTEGRAL: derived.position_gained,
+        printed.V_I: derived.velocity_after(GAINED_VELOCITY),
+        printed.R_I: derived.position_after(GAINED_POSITION),
+        printed.INTEGRAL: GAINED_VELOCITY,
+        printed.DOUBLE_INTEGRAL: GAINED_POSITION,
         printed.A_K: derived.ACCELERATION,
         printed.V_K: derived.VELOCITY,
         printed.R_K: derived.POSITION,
@@ -89,7 +91,12 @@ SETTLED = (
         _BY_ID["dead_reckoning.3.1"],
         READ,
         condition=Condition(Eq(derived.VELOCITY, NOTHING), (_VELOCITY,)),
-        witness={**_VELOCITY, derived.VELOCITY[0]: 10, derived.t: 60},
+        witness={
+            **_VELOCITY,
+            **dict.fromkeys(GAINED_VELOCITY, 0),
+            derived.VELOCITY[0]: 10,
+            derived.t: 60,
+        },
         steps=(
             Step(
                 "The integral of the acceleration is what the velocity has gained since the "
@@ -110,7 +117,13 @@ SETTLED = (
             ),
             ({**_POSITION, **_VELOCITY},),
         ),
-        witness={**_POSITION, **_VELOCITY, derived.VELOCITY[0]: 10, derived.t: 60},
+        witness={
+            **_POSITION,
+            **_VELOCITY,
+            **dict.fromkeys(GAINED_POSITION, 0),
+            derived.VELOCITY[0]: 10,
+            derived.t: 60,
+        },
         steps=(
             Step(
                 "Position and velocity at the start have to be added, the velocity times the time "

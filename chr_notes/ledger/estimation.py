@@ -6,7 +6,6 @@ from sympy import (
     And,
     Eq,
     ImmutableMatrix,
-    Limit,
     MatrixSymbol,
     Ne,
     Rational,
@@ -14,7 +13,6 @@ from sympy import (
     ZeroMatrix,
     atan2,
     cos,
-    oo,
     pi,
     sqrt,
     symbols,
@@ -38,6 +36,8 @@ NOTHING = ImmutableMatrix.zeros(3, 1)
 SUPPORT = MatrixSymbol(r"\text{all forces but gravity}", 3, 1)
 FREE_FALL = MatrixSymbol(r"\text{reading under gravity alone}", 3, 1)
 MAGNITUDE = Symbol(r"\left\lVert\mathbf{a}_m\right\rVert", positive=True)
+
+SETTLED_ERROR = Symbol(r"e_\infty", real=True)
 
 # Any forces; no net force; the reading's direction as at rest, its magnitude whatever it is.
 READ = reading(
@@ -80,6 +80,7 @@ READ_OBSERVER = reading(
         printed.PITCH: lambda: derived.update(printed.PITCH_PLUS, printed.PITCH_ACCEL),
         printed.ROLL: lambda: derived.update_on_circle(printed.ROLL_PLUS, printed.ROLL_ACCEL),
         printed.ERROR: derived.error_after,
+        SETTLED_ERROR: derived.steady_bias_error,
         printed.GROWTH: derived.error_growth,
         printed.KALMAN_GAIN: derived.kalman_gain,
         printed.BEST_GAIN: derived.best_gain,
@@ -214,12 +215,9 @@ SETTLED = (
                 ),
             ),
             Step(
-                "The powers die out. What stays is an error that does not grow, and is not zero "
-                "either.",
-                Eq(
-                    Limit(printed.ERROR, printed.n, oo),
-                    (1 - printed.L) / printed.L * derived.bias * T,
-                ),
+                "The powers die out. The error stops growing where a step leaves it as it is, and "
+                "there it is not zero.",
+                Eq(SETTLED_ERROR, (1 - printed.L) / printed.L * derived.bias * T),
             ),
         ),
         remark="The note allows L = 0, and there the estimate drifts as the gyro alone does. With "

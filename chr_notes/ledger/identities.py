@@ -1,5 +1,7 @@
 """When two formulas are the same for all values of their symbols, and when one is larger."""
 
+from functools import lru_cache
+
 from sympy import (
     Abs,
     Basic,
@@ -44,6 +46,7 @@ def sample(expression: Basic) -> Basic:
     return expression.subs(point).evalf(30, chop=False)
 
 
+@lru_cache(maxsize=4096)
 def is_zero(expression: Basic) -> bool:
     """Whether an expression vanishes for all values of its symbols.
 

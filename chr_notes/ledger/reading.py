@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterable, Mapping
 from functools import cache
 from types import MappingProxyType
+from typing import TypeAlias
 
 from sympy import Basic, MatrixBase, preorder_traversal
 
@@ -10,6 +11,8 @@ from chr_notes.derivations.euler import FRAMES, TURNS, rotation
 from chr_notes.ledger.case import Read
 from chr_notes.printed.statement import Rotation
 
+# What a symbol names, or the derivation of it.
+Meaning: TypeAlias = Basic | Callable[[], Basic]
 Notation = Mapping[type[Basic], Callable[[Basic], Basic]]
 
 
@@ -41,9 +44,7 @@ def elements(
 EULER_NOTATION: Notation = MappingProxyType({Rotation: read_rotation})
 
 
-def reading(
-    meaning: Mapping[Basic, Basic | Callable[[], Basic]], notation: Notation = EULER_NOTATION
-) -> Read:
+def reading(meaning: Mapping[Basic, Meaning], notation: Notation = EULER_NOTATION) -> Read:
     """Make the function that reads a document.
 
     Parameters

@@ -7,25 +7,27 @@ from chr_notes.derivations import validation as derived
 from chr_notes.derivations.steps import Step
 from chr_notes.ledger import ranges
 from chr_notes.ledger.case import Case, Condition, complete
-from chr_notes.ledger.validation_attitude import DEGREE, LABEL, SOME_ATTITUDE
+from chr_notes.ledger.validation_attitude import DEGREE, LABEL
 from chr_notes.ledger.validation_attitude import SETTLED as ON_ATTITUDE
 from chr_notes.ledger.validation_reading import (
     BIAS,
     DISTURBANCE,
     E_ALONG_FIELD,
+    FIELD_READINGS,
     READ,
     READ_EARTH,
     READ_FIELD,
     READ_FILTER,
     READ_YAW,
     ROLL_STEP,
+    SOME_ATTITUDE,
+    SOME_FIELD,
     WEAKENING,
 )
 from chr_notes.printed import validation as printed
 from chr_notes.printed.statement import Approximately
 
 _BY_ID = {statement.id: statement for statement in printed.PRINTED}
-SOME_FIELD = dict(zip(printed.FIELD_I, (Rational(4, 10), 0, Rational(9, 10)), strict=True))
 
 SETTLED = (
     Case(
@@ -62,10 +64,8 @@ SETTLED = (
             Eq(printed.M_I, MatMul(printed.R_BI, printed.M_B), evaluate=False),
             Eq(printed.M_I, printed.FIELD_WRITTEN_OUT, evaluate=False),
         ),
-        witness={
-            **SOME_ATTITUDE,
-            **SOME_FIELD,
-        },
+        witness={**SOME_ATTITUDE, **SOME_FIELD},
+        readings=FIELD_READINGS,
         steps=(
             Step(
                 "What is measured in the body frame goes to the inertial frame by the transpose.",

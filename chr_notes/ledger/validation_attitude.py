@@ -5,12 +5,18 @@ from sympy import And, Eq, ImmutableMatrix, MatMul, Rational, asin, atan2, pi, s
 from chr_notes.derivations.steps import Step
 from chr_notes.ledger import ranges
 from chr_notes.ledger.case import Case
-from chr_notes.ledger.validation_reading import READ, READ_RATES, VECTOR, WITHOUT_YAW
+from chr_notes.ledger.validation_reading import (
+    READ,
+    READ_RATES,
+    READINGS,
+    SOME_ATTITUDE,
+    VECTOR,
+    WITHOUT_YAW,
+)
 from chr_notes.printed import validation as printed
 from chr_notes.symbols import BODY_RATES, g, phi, pitch_rate, psi, roll_rate, theta, yaw_rate
 
 DEGREE = pi / 180
-SOME_ATTITUDE = {phi: 30 * DEGREE, theta: 20 * DEGREE, psi: 60 * DEGREE}
 
 _BY_ID = {statement.id: statement for statement in printed.PRINTED}
 PITCH_RANGE = ranges.up_to_right_angle(theta)
@@ -36,6 +42,7 @@ SETTLED = (
         READ,
         correction=And(Eq(printed.R_BI, printed.TURNS), Eq(printed.R_BI, printed.MATRIX)),
         witness=SOME_ATTITUDE,
+        readings=READINGS,
         steps=(
             Step(
                 "The matrix from the inertial frame to the body has the three turns of the frame "
@@ -46,6 +53,7 @@ SETTLED = (
         remark="Product and elements are right for the matrix from the body to the inertial frame. "
         + LABEL,
     ),
+    Case(_BY_ID["validation.2"], READ, readings=READINGS),
     Case(
         _BY_ID["validation.3"],
         READ,
@@ -86,6 +94,7 @@ SETTLED = (
         READ,
         correction=Eq(printed.G_I, MatMul(printed.R_BI, printed.G_B)),
         witness={**SOME_ATTITUDE, g: Rational(98, 10)},
+        readings=READINGS,
         steps=(
             Step(
                 "The way back from the body is the transpose.",
@@ -112,6 +121,7 @@ SETTLED = (
             ImmutableMatrix(BODY_RATES), MatMul(printed.R_IB, printed.RATES_I), evaluate=False
         ),
         witness={**SOME_ATTITUDE, roll_rate: 10 * DEGREE, pitch_rate: 0, yaw_rate: 0},
+        readings=READINGS,
         steps=(
             Step(
                 "The three angular velocities stand in the inertial frame and add up there; the "

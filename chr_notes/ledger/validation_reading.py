@@ -1,14 +1,20 @@
 """What the paper on validating Euler angles means by its symbols."""
 
+from collections.abc import Mapping
+
 from sympy import (
     Abs,
     Basic,
+    Eq,
     Expr,
     ImmutableMatrix,
+    MatMul,
     MatrixSymbol,
+    Rational,
     Symbol,
     cos,
     expand,
+    pi,
     simplify,
     sin,
     symbols,
@@ -17,7 +23,8 @@ from sympy import (
 from chr_notes.derivations import estimation
 from chr_notes.derivations import validation as derived
 from chr_notes.derivations.euler import Z, body_rates, euler_rates, rotation
-from chr_notes.ledger.reading import elements, reading
+from chr_notes.ledger.case import Reading
+from chr_notes.ledger.reading import Meaning, elements, reading
 from chr_notes.printed import validation as printed
 from chr_notes.symbols import (
     BODY_RATES,
@@ -97,23 +104,22 @@ HIGH = {derived.radius: derived.radius + ALTITUDE}
 ROLL_STEP = printed.ROLL_BEFORE + printed.ROLL_RATE * printed.DT
 PITCH_STEP = printed.PITCH_BEFORE + printed.PITCH_RATE * printed.DT
 
-READ = reading(
-    {
-        printed.R_IB: rotation("I", "B"),
-        printed.R_BI: rotation("B", "I"),
-        printed.R_Z: rotation("v1", "I"),
-        printed.R_Y: rotation("v2", "v1"),
-        printed.R_X: rotation("B", "v2"),
-        WITHOUT_YAW: lambda: rotation("I", "B").subs(psi, 0),
-        printed.V_I: VECTOR,
-        printed.V_B: lambda: ImmutableMatrix(rotation("I", "B") * VECTOR),
-        **elements(printed.GRAVITY, gravity),
-        printed.ROLL_ACCEL: phi,
-        printed.PITCH_ACCEL: theta,
-        **elements(BODY_RATES, body_rates),
-        printed.YAW: psi,
-    }
-)
+_MEANING: dict[Basic, Meaning] = {
+    printed.R_IB: rotation("I", "B"),
+    printed.R_BI: rotation("B", "I"),
+    printed.R_Z: rotation("v1", "I"),
+    printed.R_Y: rotation("v2", "v1"),
+    printed.R_X: rotation("B", "v2"),
+    WITHOUT_YAW: lambda: rotation("I", "B").subs(psi, 0),
+    printed.V_I: VECTOR,
+    printed.V_B: lambda: ImmutableMatrix(rotation("I", "B") * VECTOR),
+    **elements(printed.GRAVITY, gravity),
+    printed.ROLL_ACCEL: phi,
+    printed.PITCH_ACCEL: theta,
+    **elements(BODY_RATES, body_rates),
+    printed.YAW: psi,
+}
+READ = reading(_MEANING)
 READ_RATES = reading(elements(EULER_RATES, euler_rates))
 READ_FILTER = reading(
     {
@@ -124,16 +130,15 @@ READ_FILTER = reading(
         printed.SETTLING: settling,
     }
 )
-READ_FIELD = reading(
-    {
-        printed.R_IB: rotation("I", "B"),
-        printed.R_BI: rotation("B", "I"),
-        **elements(printed.FIELD_B, lambda: ImmutableMatrix(rotation("I", "B") * printed.M_I)),
-        printed.E: disturbed_factor,
-        E_ALONG_FIELD: factor_along_field,
-        printed.GROWTH: lambda: in_print(derived.sensitivity()),
-    }
-)
+_FIELD_MEANING: dict[Basic, Meaning] = {
+    printed.R_IB: rotation("I", "B"),
+    printed.R_BI: rotation("B", "I"),
+    **elements(printed.FIELD_B, lambda: ImmutableMatrix(rotation("I", "B") * printed.M_I)),
+    printed.E: disturbed_factor,
+    E_ALONG_FIELD: factor_along_field,
+    printed.GROWTH: lambda: in_print(derived.sensitivity()),
+}
+READ_FIELD = reading(_FIELD_MEANING)
 READ_YAW = reading(
     {
         sin(psi): lambda: in_print(derived.sine_and_cosine_of_yaw()[0]),
@@ -154,3 +159,27 @@ READ_EARTH = reading(
         ).subs(derived.radius, 6371),
     }
 )
+
+
+# The paper contradicts itself: what R_i^b takes to what, by its label and by equation 1.
+_AS_IN_EQUATION_1 = {
+    printed.R_IB: rotation("B", "I"),
+    printed.R_BI: rotation("I", "B"),
+}
+SOME_ATTITUDE = {phi: pi / 6, theta: pi / 9, psi: pi / 3}
+SOME_FIELD = dict(zip(printed.FIELD_I, (Rational(4, 10), 0, Rational(9, 10)), strict=True))
+SOME_POINT = {**SOME_ATTITUDE, **SOME_FIELD, g: Rational(98, 10), **dict.fromkeys(EULER_RATES, 1)}
+
+
+def both_readings(meaning: Mapping[Basic, Meaning]) -> tuple[Reading, Reading]:
+    """Give the reading by the label, which the ledger uses, and the one by equation 1."""
+    by_label = Eq(printed.V_B, MatMul(printed.R_IB, printed.V_I))
+    as_in_1 = Eq(printed.V_I, MatMul(printed.R_IB, printed.V_B))
+    return (
+        Reading(by_label, reading(meaning), SOME_POINT),
+        Reading(as_in_1, reading({**meaning, **_AS_IN_EQUATION_1}), SOME_POINT),
+    )
+
+
+READINGS = both_readings(_MEANING)
+FIELD_READINGS = both_readings(_FIELD_MEANING)
