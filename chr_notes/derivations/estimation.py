@@ -86,8 +86,13 @@ def euler_step(before: Expr = angle, slope: Expr = rate) -> Expr:
 
 def update(prediction: Expr = predicted, measurement: Expr = measured) -> Expr:
     """Angle that fits prediction and measurement best, by squares weighted 1 - L and L."""
+    return _best_fit().subs({predicted: prediction, measured: measurement}, simultaneous=True)
+
+
+@cache
+def _best_fit() -> Expr:
     best = Dummy("x")
-    misfit = (1 - L) * (best - prediction) ** 2 + L * (best - measurement) ** 2
+    misfit = (1 - L) * (best - predicted) ** 2 + L * (best - measured) ** 2
     return collect(expand(solve(misfit.diff(best), best)[0]), L)
 
 

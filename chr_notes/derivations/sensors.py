@@ -1,5 +1,7 @@
 """What the sensors measure, from the laws that govern them."""
 
+from functools import cache
+
 from sympy import Expr, ImmutableMatrix, Symbol, cancel, solve, symbols
 
 
@@ -24,9 +26,20 @@ def specific_force(force: ImmutableMatrix, weight: ImmutableMatrix, mass: Expr) 
     ImmutableMatrix
         3 by 1 in that frame, m/s².
     """
-    proof_mass = Symbol("m_p", positive=True)
-    holding = ImmutableMatrix(symbols("f_x f_y f_z"))
+    component, along = _held()
+    return ImmutableMatrix(
+        [
+            cancel(component.subs(dict(zip(along, (*parts, mass), strict=True)), simultaneous=True))
+            for parts in zip(force, weight, strict=True)
+        ]
+    )
+
+
+@cache
+def _held() -> tuple[Expr, tuple[Symbol, ...]]:
+    """Solve for the holding force along one axis, per unit of the proof mass."""
+    force, weight, holding = symbols("F F_g f")
+    mass, proof_mass = symbols("m m_p", positive=True)
     # mass times acceleration, less the forces that act
     newton = proof_mass * force / mass - (holding + proof_mass * weight / mass)
-    held = solve(list(newton), list(holding))
-    return ImmutableMatrix([cancel(held[component] / proof_mass) for component in holding])
+    return cancel(solve(newton, holding)[0] / proof_mass), (force, weight, mass)

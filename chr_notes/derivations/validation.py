@@ -8,6 +8,7 @@ from functools import cache
 
 from sympy import (
     Abs,
+    Basic,
     Expr,
     ImmutableMatrix,
     S,
@@ -28,6 +29,8 @@ from chr_notes.symbols import MAGNETOMETER, Angle, psi
 
 # The field in the inertial frame: horizontal parts north and east, and the part down.
 REFERENCE = ImmutableMatrix(symbols("m_N m_E m_D", real=True))
+# The reading along the level axes of the vehicle-1 frame, forward and right.
+LEVEL = symbols("x_level y_level", real=True)
 
 # An error of attitude: unit axis in the inertial frame, angle.
 ERROR_AXIS = symbols("n_N n_E n_D", real=True)
@@ -54,16 +57,19 @@ def yaw_equations() -> tuple[ImmutableMatrix, ImmutableMatrix]:
     Returns
     -------
     ImmutableMatrix
-        2 by 2, what stands before the sine and the cosine of yaw.
+        2 by 2 in `LEVEL`, what stands before the sine and the cosine of yaw.
     ImmutableMatrix
         2 by 1, what their sums make.
     """
-    cosine, sine, x, y = symbols("cosine sine x_level y_level", real=True)
+    cosine, sine = symbols("cosine sine", real=True)
     turn = rotation("v1", "I").xreplace({cos(psi): cosine, sin(psi): sine})
-    horizontal = (turn * ImmutableMatrix([x, y, 0]))[:2, :]
-    before = horizontal.jacobian([sine, cosine])
-    level = dict(zip((x, y), level_field(), strict=False))
-    return ImmutableMatrix(before.xreplace(level)), ImmutableMatrix(REFERENCE[:2, :])
+    horizontal = (turn * ImmutableMatrix([*LEVEL, 0]))[:2, :]
+    return ImmutableMatrix(horizontal.jacobian([sine, cosine])), ImmutableMatrix(REFERENCE[:2, :])
+
+
+def from_reading(formula: Basic) -> Basic:
+    """Put the reading `MAGNETOMETER`, brought to the level, in the place of `LEVEL`."""
+    return formula.xreplace(dict(zip(LEVEL, level_field(), strict=False)))
 
 
 @cache
@@ -87,7 +93,8 @@ def heading() -> Expr:
     Sine and cosine of yaw have the same divisor, the `determinant`, which is negative: it drops
     out of atan2, its sign apart.
     """
-    return atan2(*(expand(-part * determinant()) for part in sine_and_cosine_of_yaw()))
+    sine, cosine = (expand(-part * determinant()) for part in sine_and_cosine_of_yaw())
+    return from_reading(atan2(sine, cosine))
 
 
 def downward_gap(length: Expr = S.One) -> Expr:

@@ -1,6 +1,7 @@
 """Does a statement hold? Symbolic proof, and numeric failure at a point."""
 
 from collections.abc import Iterator, Mapping
+from functools import lru_cache
 from itertools import product
 
 from sympy import (
@@ -60,6 +61,12 @@ def work_out(expression: Basic, read: Read, by: Mapping[Basic, Basic]) -> Basic:
 
 def evaluate(expression: Basic, read: Read, by: Mapping[Basic, Basic]) -> Basic:
     """Put the derived quantities in place of the document's symbols, element by element."""
+    return _evaluated(expression, read, tuple(by.items()))
+
+
+@lru_cache(maxsize=256)
+def _evaluated(expression: Basic, read: Read, pairs: tuple[tuple[Basic, Basic], ...]) -> Basic:
+    by = dict(pairs)
     divisors = (power.base for power in expression.atoms(Pow) if power.exp.is_negative)
     if not expression.is_Matrix and any(is_zero(work_out(part, read, by)) for part in divisors):
         return S.NaN

@@ -63,6 +63,11 @@ def in_print(formula: Basic) -> Basic:
     )
 
 
+def yaw_in_print(formula: Expr) -> Expr:
+    """Write a formula for yaw with the paper's symbols, from the reading in the body frame."""
+    return in_print(derived.from_reading(formula))
+
+
 def disturbed_factor() -> Expr:
     """Take E at the exact attitude, in a field that something disturbs."""
     field = ImmutableMatrix(symbols("f_x f_y f_z"))
@@ -141,9 +146,9 @@ _FIELD_MEANING: dict[Basic, Meaning] = {
 READ_FIELD = reading(_FIELD_MEANING)
 READ_YAW = reading(
     {
-        sin(psi): lambda: in_print(derived.sine_and_cosine_of_yaw()[0]),
-        cos(psi): lambda: in_print(derived.sine_and_cosine_of_yaw()[1]),
-        printed.A: lambda: in_print(derived.determinant()),
+        sin(psi): lambda: yaw_in_print(derived.sine_and_cosine_of_yaw()[0]),
+        cos(psi): lambda: yaw_in_print(derived.sine_and_cosine_of_yaw()[1]),
+        printed.A: lambda: yaw_in_print(derived.determinant()),
         printed.E: factor_in_print,
     }
 )
