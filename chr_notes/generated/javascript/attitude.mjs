@@ -966,14 +966,9 @@ export function headingFromMagnetometer(magX, magY, magZ, roll, pitch, north, ea
   const cosPitch = Math.cos(pitch);
   const sinRoll = Math.sin(roll);
   const cosRoll = Math.cos(roll);
-  const cosPitchMagX = cosPitch * magX;
-  const cosRollMagZSinPitch = cosRoll * magZ * sinPitch;
-  const magYSinPitchSinRoll = magY * sinPitch * sinRoll;
-  const cosRollMagY = cosRoll * magY;
-  const magZSinRoll = magZ * sinRoll;
-  return Math.atan2(cosPitchMagX * east - cosRollMagY * north + cosRollMagZSinPitch * east
-      + east * magYSinPitchSinRoll + magZSinRoll * north, cosPitchMagX * north + cosRollMagY * east
-          + cosRollMagZSinPitch * north - east * magZSinRoll + magYSinPitchSinRoll * north);
+  const levelX = cosPitch * magX + cosRoll * magZ * sinPitch + magY * sinPitch * sinRoll;
+  const levelY = cosRoll * magY - magZ * sinRoll;
+  return Math.atan2(east * levelX - levelY * north, east * levelY + levelX * north);
 }
 
 /**
