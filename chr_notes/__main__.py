@@ -1,24 +1,48 @@
-"""The command line: `python -m chr_notes book`."""
+"""The command line: build the book, print the ledger, export the generated code."""
 
 import argparse
 import sys
 from collections.abc import Sequence
+from pathlib import Path
+
+VERDICTS = ("definition", "proved", "qualified", "corrected", "reported")
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command and return its exit code."""
+    options = _parser().parse_args(arguments)
+    # Each command loads what it needs: the book wants Sphinx, the ledger wants SymPy.
+    if options.command == "book":
+        from chr_notes.book import build  # noqa: PLC0415
+
+        build(open_browser=options.open)
+        return 0
+    if options.command == "ledger":
+        from chr_notes.ledger import report  # noqa: PLC0415
+
+        return report.run(options.document, options.verdict, as_json=options.json)
+    from chr_notes.export import export  # noqa: PLC0415
+
+    for path in export(options.language, options.folder):
+        print(path)
+    return 0
+
+
+def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="chr-notes", description="The CH Robotics notes, checked."
     )
     commands = parser.add_subparsers(dest="command", required=True)
     book = commands.add_parser("book", help="build the book into book/_build/html")
     book.add_argument("--open", action="store_true", help="open it in the browser when built")
-    options = parser.parse_args(arguments)
-    # Each command loads what it needs: the book wants Sphinx, the ledger wants SymPy.
-    from chr_notes.book import build  # noqa: PLC0415
-
-    build(open_browser=options.open)
-    return 0
+    ledger = commands.add_parser("ledger", help="print every printed statement with its verdict")
+    ledger.add_argument("--document", help="only this one, such as euler")
+    ledger.add_argument("--verdict", choices=VERDICTS, help="only entries with this one")
+    ledger.add_argument("--json", action="store_true", help="a list of objects, not a table")
+    code = commands.add_parser("export", help="write the generated code for another program")
+    code.add_argument("language", choices=("c", "js"))
+    code.add_argument("folder", type=Path, help="written to; made if it is not there")
+    return parser
 
 
 if __name__ == "__main__":

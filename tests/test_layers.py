@@ -29,7 +29,8 @@ ALLOWED = {
     "demos": {"demos", "palette", "generated", "conventions", "printed"},
     "book": {"ledger", "conventions", "palette", "demos"},
     "__init__": NUMERIC,
-    "__main__": {"book", "ledger"},
+    "export": set(),
+    "__main__": {"book", "ledger", "export"},
 }
 
 

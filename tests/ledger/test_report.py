@@ -1,0 +1,40 @@
+"""The ledger as a table and as JSON."""
+
+import json
+
+import pytest
+
+from chr_notes import ledger
+from chr_notes.__main__ import main
+
+FIELDS = {
+    "id", "document", "kind", "verdict", "printed_latex", "derived_latex", "correction_latex",
+    "condition", "witness", "method",
+}  # fmt: skip
+
+
+def test_json_is_a_list_of_entries_and_nothing_else(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["ledger", "--document", "euler", "--json"]) == 0
+    captured = capsys.readouterr()
+    rows = json.loads(captured.out)
+    assert [row["id"] for row in rows] == [name for name in ledger.CASES if "euler." in name]
+    for row in rows:
+        assert row.keys() >= FIELDS
+        assert row["verdict"] == ledger.entry(row["id"]).verdict
+    witness = next(row["witness"] for row in rows if row["id"] == "euler.5.5")
+    assert witness["printed"] != witness["right"]
+
+
+def test_table_has_a_line_an_entry_and_the_counts(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["ledger", "--document", "euler", "--verdict", "corrected"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    corrected = [
+        n for n in ledger.CASES if "euler." in n and ledger.entry(n).verdict == "corrected"
+    ]
+    assert [line.split()[0] for line in lines[: len(corrected)]] == corrected
+    assert lines[-1] == f"{len(corrected)} entries: {len(corrected)} corrected"
+
+
+def test_an_unknown_document_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["ledger", "--document", "nowhere"]) == 2
+    assert "expected one of" in capsys.readouterr().err
