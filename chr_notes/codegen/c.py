@@ -148,7 +148,7 @@ def _step(step: Let | Choice, precision: Precision) -> list[str]:
         kind = "int" if isinstance(step.value, BooleanFunction | Relational) else precision.type
         return [f"const {kind} {step.name} = {infix(step.value, language)};"]
     one = conditional(step, language)
-    if one is not None:
+    if one is not None and len(one) <= WIDTH // 2:
         return [f"const {precision.type} {step.names[0]} = {one};"]
     lines = [f"{precision.type} {', '.join(name.name for name in step.names)};"]
     for place, (condition, values) in enumerate(step.branches):

@@ -47,7 +47,8 @@ class Language:
     number
         Writes a number.
     call
-        From the name of a SymPy function, and `sqrt`, to the name of the language's.
+        From the name of a SymPy function, and `sqrt`, to the name of the language's. Without
+        `floor` the language divides by one and rounds down.
     remainder
         Format of what is left of {0} after whole multiples of {1}.
     epsilon
@@ -198,6 +199,13 @@ def _remainder(value: Remainder, language: Language) -> tuple[str, int]:
     return language.remainder.format(*parts), PRODUCT
 
 
+def _floor(value: floor, language: Language) -> tuple[str, int]:
+    if "floor" in language.call:
+        return _call(value, language)
+    # Python's own floor is an integer, so it refuses NaN.
+    return f"{_within(value.args[0], UNARY, language)} // 1.0", PRODUCT
+
+
 def _call(value: Expr, language: Language) -> tuple[str, int]:
     inner = ", ".join(_within(argument, OR, language) for argument in value.args)
     return f"{language.call[type(value).__name__]}({inner})", ATOM
@@ -212,5 +220,6 @@ PRINTERS: dict[type | tuple[type, ...], Callable[..., tuple[str, int]]] = {
     Or: _either,
     Not: _negation,
     Remainder: _remainder,
+    floor: _floor,
     FUNCTIONS: _call,
 }

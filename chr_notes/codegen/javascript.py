@@ -1,7 +1,7 @@
 """Printer of the JavaScript module that the demos call."""
 
 from chr_notes.codegen.expressions import Language, conditional, infix
-from chr_notes.codegen.header import FLAG, folded, in_lines, ledger, made_how, needs, returns
+from chr_notes.codegen.header import FLAG, WIDTH, folded, in_lines, ledger, made_how, needs, returns
 from chr_notes.codegen.lowering import Program
 from chr_notes.derivations.computation import Choice, Let
 
@@ -74,7 +74,7 @@ def _step(step: Let | Choice) -> list[str]:
     if isinstance(step, Let):
         return [f"const {camel(step.name.name)} = {infix(step.value, JAVASCRIPT)};"]
     one = conditional(step, JAVASCRIPT)
-    if one is not None:
+    if one is not None and len(one) <= WIDTH // 2:
         return [f"const {camel(step.names[0].name)} = {one};"]
     lines = [f"let {', '.join(camel(name.name) for name in step.names)};"]
     for place, (condition, values) in enumerate(step.branches):

@@ -3,7 +3,16 @@
 import re
 
 from chr_notes.codegen.expressions import Language, conditional, infix
-from chr_notes.codegen.header import FLAG, in_brackets, in_lines, ledger, made_how, needs, returns
+from chr_notes.codegen.header import (
+    FLAG,
+    WIDTH,
+    in_brackets,
+    in_lines,
+    ledger,
+    made_how,
+    needs,
+    returns,
+)
 from chr_notes.codegen.lowering import Program
 from chr_notes.derivations.computation import Choice, Let
 
@@ -12,7 +21,7 @@ PYTHON = Language(
     number=repr,
     call={
         "Abs": "abs",
-        **{name: name for name in ("acos", "asin", "atan", "atan2", "cos", "floor", "hypot")},
+        **{name: name for name in ("acos", "asin", "atan", "atan2", "cos", "hypot")},
         **{name: name for name in ("sin", "sqrt", "tan")},
     },
     remainder="fmod({0}, {1})",
@@ -60,8 +69,8 @@ def step_lines(step: Let | Choice) -> list[str]:
     if isinstance(step, Let):
         return in_brackets(f"    {step.name} = ", infix(step.value, PYTHON))
     one = conditional(step, PYTHON)
-    if one is not None:
-        return [f"    {step.names[0]} = {one}"]
+    if one is not None and len(line := f"    {step.names[0]} = {one}") <= WIDTH:
+        return [line]
     lines = []
     for place, (condition, values) in enumerate(step.branches):
         if condition == True:  # noqa: E712 (SymPy's true, not Python's)

@@ -193,14 +193,14 @@ def observer_step(
     arctan2(accel_x, work[5], out=work[5])
     pitch_to_measured = subtract(work[5], predicted_pitch, out=work[5])
     # roll_off = roll_to_measured
-    #     - 6.283185307179586 * floor(0.15915494309189535 * roll_to_measured + 0.5)
+    #     - 6.283185307179586 * ((0.15915494309189535 * roll_to_measured + 0.5) // 1.0)
     multiply(0.15915494309189535, roll_to_measured, out=work[6])
     add(work[6], 0.5, out=work[6])
     floor(work[6], out=work[6])
     multiply(6.283185307179586, work[6], out=work[6])
     roll_off = subtract(roll_to_measured, work[6], out=work[3])
     # pitch_off = pitch_to_measured
-    #     - 6.283185307179586 * floor(0.15915494309189535 * pitch_to_measured + 0.5)
+    #     - 6.283185307179586 * ((0.15915494309189535 * pitch_to_measured + 0.5) // 1.0)
     multiply(0.15915494309189535, pitch_to_measured, out=work[6])
     add(work[6], 0.5, out=work[6])
     floor(work[6], out=work[6])

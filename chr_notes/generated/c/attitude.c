@@ -673,7 +673,12 @@ void attitude_quaternion_after_constant_rates_f(float a, float b, float c, float
 {
     const float half_turn = 0.5f * dt * sqrtf(p * p + q * q + r * r);
     const float sin_half_turn = sinf(half_turn);
-    const float ratio = half_turn > 0.0f ? sin_half_turn / half_turn : 1.0f;
+    float ratio;
+    if (half_turn > 0.0f) {
+        ratio = sin_half_turn / half_turn;
+    } else {
+        ratio = 1.0f;
+    }
     const float cos_half_turn = cosf(half_turn);
     const float turn_a = cos_half_turn;
     const float common_2 = 0.5f * dt * ratio;
@@ -952,8 +957,12 @@ void attitude_correct_tilt(double roll, double pitch, double roll_accel, double 
     double gain, double out[2])
 {
     const double turn = roll_accel - roll;
-    const double shortest_turn = turn > 3.141592653589793 || turn < -3.141592653589793 ? turn
-        - 6.283185307179586 * floor(0.15915494309189535 * turn + 0.5) : turn;
+    double shortest_turn;
+    if (turn > 3.141592653589793 || turn < -3.141592653589793) {
+        shortest_turn = turn - 6.283185307179586 * floor(0.15915494309189535 * turn + 0.5);
+    } else {
+        shortest_turn = turn;
+    }
     out[0] = shortest_turn * gain + roll;
     out[1] = gain * (pitch_accel - pitch) + pitch;
 }
@@ -962,8 +971,12 @@ void attitude_correct_tilt_f(float roll, float pitch, float roll_accel, float pi
     float gain, float out[2])
 {
     const float turn = roll_accel - roll;
-    const float shortest_turn = turn > 3.141592653589793f || turn < -3.141592653589793f ? turn
-        - 6.283185307179586f * floorf(0.15915494309189535f * turn + 0.5f) : turn;
+    float shortest_turn;
+    if (turn > 3.141592653589793f || turn < -3.141592653589793f) {
+        shortest_turn = turn - 6.283185307179586f * floorf(0.15915494309189535f * turn + 0.5f);
+    } else {
+        shortest_turn = turn;
+    }
     out[0] = shortest_turn * gain + roll;
     out[1] = gain * (pitch_accel - pitch) + pitch;
 }
@@ -975,10 +988,15 @@ double attitude_heading_from_magnetometer(double mag_x, double mag_y, double mag
     const double cos_pitch = cos(pitch);
     const double sin_roll = sin(roll);
     const double cos_roll = cos(roll);
-    const double level_x = cos_pitch * mag_x + cos_roll * mag_z * sin_pitch
-        + mag_y * sin_pitch * sin_roll;
-    const double level_y = cos_roll * mag_y - mag_z * sin_roll;
-    return atan2(east * level_x - level_y * north, east * level_y + level_x * north);
+    const double cos_pitch_mag_x = cos_pitch * mag_x;
+    const double cos_roll_mag_z_sin_pitch = cos_roll * mag_z * sin_pitch;
+    const double mag_y_sin_pitch_sin_roll = mag_y * sin_pitch * sin_roll;
+    const double cos_roll_mag_y = cos_roll * mag_y;
+    const double mag_z_sin_roll = mag_z * sin_roll;
+    return atan2(cos_pitch_mag_x * east - cos_roll_mag_y * north + cos_roll_mag_z_sin_pitch * east
+        + east * mag_y_sin_pitch_sin_roll + mag_z_sin_roll * north, cos_pitch_mag_x * north
+            + cos_roll_mag_y * east + cos_roll_mag_z_sin_pitch * north - east * mag_z_sin_roll
+                + mag_y_sin_pitch_sin_roll * north);
 }
 
 float attitude_heading_from_magnetometer_f(float mag_x, float mag_y, float mag_z, float roll,
@@ -988,10 +1006,15 @@ float attitude_heading_from_magnetometer_f(float mag_x, float mag_y, float mag_z
     const float cos_pitch = cosf(pitch);
     const float sin_roll = sinf(roll);
     const float cos_roll = cosf(roll);
-    const float level_x = cos_pitch * mag_x + cos_roll * mag_z * sin_pitch
-        + mag_y * sin_pitch * sin_roll;
-    const float level_y = cos_roll * mag_y - mag_z * sin_roll;
-    return atan2f(east * level_x - level_y * north, east * level_y + level_x * north);
+    const float cos_pitch_mag_x = cos_pitch * mag_x;
+    const float cos_roll_mag_z_sin_pitch = cos_roll * mag_z * sin_pitch;
+    const float mag_y_sin_pitch_sin_roll = mag_y * sin_pitch * sin_roll;
+    const float cos_roll_mag_y = cos_roll * mag_y;
+    const float mag_z_sin_roll = mag_z * sin_roll;
+    return atan2f(cos_pitch_mag_x * east - cos_roll_mag_y * north + cos_roll_mag_z_sin_pitch * east
+        + east * mag_y_sin_pitch_sin_roll + mag_z_sin_roll * north, cos_pitch_mag_x * north
+            + cos_roll_mag_y * east + cos_roll_mag_z_sin_pitch * north - east * mag_z_sin_roll
+                + mag_y_sin_pitch_sin_roll * north);
 }
 
 double attitude_validation_factor(double mag_x, double mag_y, double mag_z, double roll,

@@ -3,7 +3,7 @@ From the derivations behind the ledger entries estimation.2.5, estimation.2.6, e
 estimation.3.2, estimation.3.3, estimation.4.1, estimation.4.2, estimation.4.3, estimation.4.4.
 """
 
-from math import atan2, cos, floor, hypot, sin, tan
+from math import atan2, cos, hypot, sin, tan
 
 
 def tilt_from_accelerometer(accel_x: float, accel_y: float, accel_z: float) -> tuple[float, float]:
@@ -86,10 +86,12 @@ def observer_step(
     roll_to_measured = atan2(-accel_y, -accel_z) - predicted_roll
     pitch_to_measured = atan2(accel_x, hypot(accel_y, accel_z)) - predicted_pitch
     roll_off = (
-        roll_to_measured - 6.283185307179586 * floor(0.15915494309189535 * roll_to_measured + 0.5)
+        roll_to_measured
+            - 6.283185307179586 * ((0.15915494309189535 * roll_to_measured + 0.5) // 1.0)
     )
     pitch_off = (
-        pitch_to_measured - 6.283185307179586 * floor(0.15915494309189535 * pitch_to_measured + 0.5)
+        pitch_to_measured
+            - 6.283185307179586 * ((0.15915494309189535 * pitch_to_measured + 0.5) // 1.0)
     )
     return (
         predicted_roll + roll_off * gain,
@@ -112,5 +114,8 @@ def correct_tilt(
     Ledger: estimation.4.3, estimation.4.4.
     """
     turn = roll_accel - roll
-    shortest_turn = turn - 6.283185307179586 * floor(0.15915494309189535 * turn + 0.5) if turn > 3.141592653589793 or turn < -3.141592653589793 else turn
+    if turn > 3.141592653589793 or turn < -3.141592653589793:
+        shortest_turn = turn - 6.283185307179586 * ((0.15915494309189535 * turn + 0.5) // 1.0)
+    else:
+        shortest_turn = turn
     return (shortest_turn * gain + roll, gain * (pitch_accel - pitch) + pitch)

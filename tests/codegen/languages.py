@@ -1,0 +1,154 @@
+"""Run the generated functions of each language over a file of vectors."""
+
+import math
+import subprocess
+from collections.abc import Callable
+from importlib import import_module
+from pathlib import Path
+
+import numpy as np
+
+from chr_notes._arrays import evaluate
+from chr_notes.codegen.__main__ import FOLDER
+from chr_notes.codegen.javascript import camel
+from chr_notes.codegen.lowering import Program, lower
+from chr_notes.codegen.rewriting import by_library
+
+from .vectors import REAL, Vector
+
+Results = list[list[float]]
+GCC = ("gcc", "-std=c99", "-O2", "-Wall", "-Wextra", "-Wconversion", "-Werror")
+PROGRAMS = {target.name: lower(target, by_library) for target in REAL}
+
+
+def python(vectors: list[Vector]) -> Results:
+    """Call the functions of floats; where `math` refuses infinity, nothing is returned."""
+    return [_python(vector) for vector in vectors]
+
+
+def _python(vector: Vector) -> list[float]:
+    target = vector.target
+    module = import_module(f"chr_notes.generated.scalar.{target.topic}")
+    try:
+        results = getattr(module, target.name)(*vector.arguments)
+    except (ValueError, ZeroDivisionError):
+        # C and JavaScript go on with NaN, or with infinity where a divisor is zero.
+        assert not all(math.isfinite(result) for result in vector.results), vector
+        return []
+    return [float(result) for result in (results if isinstance(results, tuple) else [results])]
+
+
+def numpy(vectors: list[Vector]) -> Results:
+    """Call the functions of arrays, each once with all its vectors as rows."""
+    results: dict[str, list[list[float]]] = {}
+    for name, program in PROGRAMS.items():
+        target = program.target
+        rows = np.array([v.arguments for v in vectors if v.target.name == name])
+        out = np.empty((len(rows), len(program.results)))
+        function = getattr(import_module(f"chr_notes.generated.arrays.{target.topic}"), name)
+        locked = evaluate(function, list(rows.T), list(out.T))
+        flag = np.zeros(len(rows))
+        flag[locked] = 1
+        columns = [out] if program.flag is None else [out, flag[:, np.newaxis]]
+        results[name] = np.hstack(columns).tolist()
+    remaining = {name: iter(rows) for name, rows in results.items()}
+    return [next(remaining[vector.target.name]) for vector in vectors]
+
+
+def node(file: Path, folder: Path) -> Results:
+    """Call the JavaScript functions in Node."""
+    module = (FOLDER / "javascript" / "attitude.mjs").as_uri()
+    names = ", ".join(f"{name}: attitude.{camel(name)}" for name in PROGRAMS)
+    counts = ", ".join(f"{name}: {len(p.target.arguments)}" for name, p in PROGRAMS.items())
+    script = folder / "run.mjs"
+    script.write_text(
+        f"""\
+import {{ readFileSync }} from "node:fs";
+import * as attitude from "{module}";
+const functions = {{ {names} }};
+const counts = {{ {counts} }};
+for (const line of readFileSync({str(file)!r}, "utf8").trim().split("\\n")) {{
+  const [name, ...numbers] = line.split(" ");
+  const results = functions[name](...numbers.slice(0, counts[name]).map(Number));
+  console.log([results].flat().map(Number).join(" "));
+}}
+""",
+        encoding="utf-8",
+    )
+    return _run(["node", str(script)])
+
+
+def c(file: Path, folder: Path, kind: str) -> Results:
+    """Compile the C functions with every warning an error, and call them.
+
+    Parameters
+    ----------
+    file
+        The vectors.
+    folder
+        For what is compiled.
+    kind
+        "double" or "float".
+    """
+    suffix = "" if kind == "double" else "_f"
+    calls = "\n".join(_c_call(program, kind, suffix) for program in PROGRAMS.values())
+    main = folder / f"main_{kind}.c"
+    main.write_text(
+        f"""\
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "attitude.h"
+
+int main(int count, char **names)
+{{
+    static char line[8192];
+    FILE *file = count == 2 ? fopen(names[1], "r") : NULL;
+    if (!file) return 1;
+    while (fgets(line, sizeof line, file)) {{
+        {kind} in[64];
+        {kind} out[16] = {{0}};
+        char *end = strchr(line, ' ');
+        *end = 0;
+        for (int i = 0; i < 64; i++) {{
+            in[i] = ({kind})strtod(end + 1, &end);
+            end -= *end == 0;
+        }}
+{calls}
+    }}
+    return 0;
+}}
+""",
+        encoding="utf-8",
+    )
+    source = FOLDER / "c"
+    program = folder / f"run_{kind}"
+    command = [*GCC, f"-I{source}", str(main), str(source / "attitude.c"), "-o", str(program)]
+    subprocess.run([*command, "-lm"], check=True)
+    return _run([str(program), str(file)])
+
+
+def _c_call(program: Program, kind: str, suffix: str) -> str:
+    target = program.target
+    name = f"attitude_{target.name}{suffix}"
+    given = ", ".join(f"in[{place}]" for place in range(len(target.arguments)))
+    size = len(program.results)
+    if not program.shape:
+        call = f"out[0] = {name}({given});"
+    elif program.flag is not None:
+        call = f"out[{size}] = ({kind}){name}({given}, out);"
+        size += 1
+    else:
+        call = f"{name}({given}, out);"
+    return (
+        f'        if (!strcmp(line, "{target.name}")) {{ {call} for (int i = 0; i < {size}; i++) '
+        f'printf("%.17g ", (double)out[i]); puts(""); }}'
+    )
+
+
+def _run(command: list[str]) -> Results:
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    return [[float(word) for word in line.split()] for line in done.stdout.splitlines()]
+
+
+Runner = Callable[[list[Vector]], Results]

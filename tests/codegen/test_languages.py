@@ -1,0 +1,107 @@
+"""Python, NumPy, JavaScript and C give what mpmath gives, for ordinary and for special values."""
+
+import math
+import shutil
+from pathlib import Path
+
+import pytest
+
+from . import languages
+from .reference import DOUBLE, SINGLE
+from .vectors import Vector, vectors, write
+
+# Units in the last place of the largest number that belongs to the result, see `scale`.
+ULPS = 4.0
+# Results that are angles, whose equality is that of directions: -pi and pi are one.
+ANGLES = {
+    "euler_from_matrix": 3,
+    "wrap_angle": 1,
+    "euler_from_quaternion": 3,
+    "tilt_from_accelerometer": 2,
+    "heading_from_magnetometer": 1,
+    "observer_step": 3,
+    "correct_tilt": 2,
+}
+needs_node = pytest.mark.skipif(not shutil.which("node"), reason="needs Node.js")
+needs_gcc = pytest.mark.skipif(not shutil.which("gcc"), reason="needs gcc")
+
+
+@pytest.fixture(scope="module")
+def double() -> list[Vector]:
+    return vectors(DOUBLE)
+
+
+@pytest.fixture(scope="module")
+def file(double: list[Vector], tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("vectors") / "double.txt"
+    write(path, double)
+    return path
+
+
+def scale(vector: Vector) -> float:
+    """The largest number of the result, and of the sums that it comes from.
+
+    Results of attitudes are rotations or angles, whose elements are known to the precision of the
+    largest. The other functions add up their arguments.
+    """
+    target = vector.target
+    adds = target.topic not in ("euler", "quaternions") or target.name == "quaternion_rates"
+    sums = vector.arguments if adds else ()
+    numbers = [abs(float(number)) for number in (*vector.results, *sums)]
+    return max((number for number in numbers if math.isfinite(number)), default=1.0)
+
+
+def ulps_off(vector: Vector, got: list[float], epsilon: float) -> float:
+    """How far a result is off; infinity where one is NaN or infinite and the other is not."""
+    unit = epsilon * max(scale(vector), 1e-300)
+    worst = 0.0
+    for place, (number, expected) in enumerate(zip(got, vector.results, strict=True)):
+        if not math.isfinite(number) or not math.isfinite(expected):
+            same = number == expected or (math.isnan(number) and math.isnan(expected))
+            worst = max(worst, 0.0 if same else math.inf)
+            continue
+        off = abs(float(number - expected))
+        if place < ANGLES.get(vector.target.name, 0):
+            off = min(off, abs(off - 2 * math.pi))
+        worst = max(worst, off / unit)
+    return worst
+
+
+def check(made: list[Vector], results: languages.Results, epsilon: float) -> None:
+    assert len(results) == len(made)
+    wrong = [
+        (round(ulps, 1), vector.target.name, vector.arguments, got, [*map(float, vector.results)])
+        for vector, got in zip(made, results, strict=True)
+        if got and (ulps := ulps_off(vector, got, epsilon)) > ULPS
+    ]
+    assert not wrong, "\n".join(map(str, wrong[:20]))
+
+
+def test_python(double: list[Vector]) -> None:
+    results = languages.python(double)
+    check(double, results, DOUBLE.epsilon)
+    refused = [vector for vector, got in zip(double, results, strict=True) if not got]
+    # `math` raises where infinity has no sine, and Python where a divisor is zero.
+    for vector in refused:
+        assert any(math.isinf(a) or a == 0 for a in vector.arguments), vector
+
+
+def test_numpy(double: list[Vector]) -> None:
+    check(double, languages.numpy(double), DOUBLE.epsilon)
+
+
+@needs_node
+def test_javascript(double: list[Vector], file: Path, tmp_path: Path) -> None:
+    check(double, languages.node(file, tmp_path), DOUBLE.epsilon)
+
+
+@needs_gcc
+def test_c_in_double_precision(double: list[Vector], file: Path, tmp_path: Path) -> None:
+    check(double, languages.c(file, tmp_path, "double"), DOUBLE.epsilon)
+
+
+@needs_gcc
+def test_c_in_single_precision(tmp_path: Path) -> None:
+    single = vectors(SINGLE)
+    write(tmp_path / "single.txt", single)
+    check(single, languages.c(tmp_path / "single.txt", tmp_path, "float"), SINGLE.epsilon)
