@@ -169,6 +169,10 @@ CONTRADICTION = (
     "north one to the right of the nose, where south is. The sensors use the reading of section "
     "4: they send Euler angles made by its formulas, together with the quaternion."
 )
+ALSO = (
+    "Sections 3 and 4 of the note contradict each other, see quaternions.3.1. The sensors use the "
+    "reading of section 4."
+)
 _S, _T = symbols("s t", real=True)
 _TILT, _HEADING = symbols("tau eta", real=True)
 _UNIT_AXIS = ImmutableMatrix([sin(_TILT) * cos(_HEADING), sin(_TILT) * sin(_HEADING), cos(_TILT)])
@@ -318,7 +322,7 @@ SETTLED = (
             ),
         ),
         remark="The elements are right; the symbol in front of them names the other direction. "
-        + CONTRADICTION,
+        + ALSO,
     ),
     Case(
         _BY_ID["quaternions.3.4"],
@@ -339,8 +343,7 @@ SETTLED = (
             ),
         ),
         remark="R stands here for the matrix that the note has just defined under that symbol. "
-        "With the matrix that the symbol names, its transpose, the line would be right. "
-        + CONTRADICTION,
+        "With the matrix that the symbol names, its transpose, the line would be right. " + ALSO,
     ),
     Case(
         _BY_ID["quaternions.3.a"],
@@ -370,7 +373,7 @@ SETTLED = (
         given=(UNIT,),
         readings=_readings({**TO_INERTIAL, **ELEMENTS}),
         remark="The sentence says body to inertial, and that is where the products and the printed "
-        "matrix lead. The formulas before and after it say the opposite. " + CONTRADICTION,
+        "matrix lead. The formulas before and after it say the opposite. " + ALSO,
     ),
     Case(
         _BY_ID["quaternions.4.1"],
@@ -380,7 +383,7 @@ SETTLED = (
         readings=_readings({**MEANING, **ELEMENTS}),
         steps=_arctan_steps(OWN_ANGLES[0], printed.ROLL_PARTS),
         remark="Right for a roll between −90° and 90°. Beyond, in an aircraft on its back, it is "
-        "off by 180°; the note then says to use atan2. " + CONTRADICTION,
+        "off by 180°; the note then says to use atan2. " + ALSO,
     ),
     Case(
         _BY_ID["quaternions.4.2"],
@@ -388,8 +391,7 @@ SETTLED = (
         given=(UNIT,),
         readings=_readings({**MEANING, **ELEMENTS}),
         remark="Pitch lies between −90° and 90°, as the arcsine does. In rounded numbers the "
-        "argument can exceed one; atan2 of the sine and cosine of pitch avoids that. "
-        + CONTRADICTION,
+        "argument can exceed one; atan2 of the sine and cosine of pitch avoids that. " + ALSO,
     ),
     Case(
         _BY_ID["quaternions.4.3"],
@@ -399,7 +401,7 @@ SETTLED = (
         readings=_readings({**MEANING, **ELEMENTS}),
         steps=_arctan_steps(OWN_ANGLES[2], printed.YAW_PARTS),
         remark="Right for a heading between west and east by way of north. For any other it is off "
-        "by 180°; the note then says to use atan2. " + CONTRADICTION,
+        "by 180°; the note then says to use atan2. " + ALSO,
     ),
     Case(
         _BY_ID["quaternions.4.b"],

@@ -2,7 +2,14 @@
 
 from chr_notes.plots.clouds import draw_cloud, draw_ellipsoid
 from chr_notes.plots.figure import Picture, show
-from chr_notes.plots.frames import draw_aircraft, draw_arc, draw_frame, draw_vector, world
+from chr_notes.plots.frames import (
+    draw_aircraft,
+    draw_arc,
+    draw_frame,
+    draw_path,
+    draw_vector,
+    world,
+)
 from chr_notes.plots.growth import draw_growth
 from chr_notes.plots.series import draw_angles
 
@@ -15,6 +22,7 @@ __all__ = [
     "draw_ellipsoid",
     "draw_frame",
     "draw_growth",
+    "draw_path",
     "draw_vector",
     "show",
     "world",

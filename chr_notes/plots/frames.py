@@ -145,6 +145,28 @@ def draw_vector(
     return axes
 
 
+def draw_path(
+    axes: Any,  # noqa: ANN401
+    points: ArrayLike,
+    *,
+    colour: str = "muted",
+) -> Any:  # noqa: ANN401
+    """Draw the line along which a point has moved.
+
+    Parameters
+    ----------
+    axes
+        From `world`.
+    points
+        Its places in inertial components, shape (N, 3).
+    colour
+        Name in the palette.
+    """
+    line = np.asarray(points, dtype=np.float64) @ _DRAWN_FROM_NED
+    axes.plot(*line.T, color=PALETTE[colour].light, linewidth=1.2)
+    return axes
+
+
 def draw_aircraft(axes: Any, matrix: ArrayLike) -> Any:  # noqa: ANN401
     """Draw a small aircraft.
 

@@ -48,3 +48,11 @@ def test_the_label_of_a_vector_stands_beyond_its_tip() -> None:
     assert placed[0] / vector[0] > 1
     assert text.get_horizontalalignment() == "left"
     plt.close(axes.figure)
+
+
+def test_a_path_is_drawn_in_the_same_frame_as_the_axes() -> None:
+    points = np.array([[0.1, 0.2, 0.3], [0.4, 0.5, 0.6]])
+    axes = plots.draw_path(plots.world(), points)
+    drawn = np.array(axes.lines[0].get_data_3d()).T * [1, -1, -1]
+    np.testing.assert_allclose(drawn, points)
+    plt.close(axes.figure)
