@@ -3,10 +3,11 @@
 Both run the same source and give the same numbers.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from functools import cache
 from importlib import import_module
 from importlib.util import find_spec
+from itertools import repeat
 from types import FunctionType
 from typing import Any
 
@@ -51,11 +52,16 @@ def run(
         return kept.T
     for start in range(0, count, _CHUNK):
         part = slice(start, start + _CHUNK)
-        lists = [each[part].tolist() for each in inputs]
-        rows = [[0.0] * len(lists[0]) for _ in state]
+        lists = [_listed(each[part]) for each in inputs]
+        rows = [[0.0] * len(inputs[0][part]) for _ in state]
         state = loop(*state, *constants, *lists, *rows)
         kept[:, part] = rows
     return kept.T
+
+
+def _listed(values: Floats) -> Iterable[float]:
+    """Give the values as Python's own numbers, once for all where they are broadcast."""
+    return values.tolist() if values.strides[0] else repeat(float(values[0]), len(values))
 
 
 @cache

@@ -35,6 +35,8 @@ def complete(array: Floats) -> NDArray[np.bool_]:
 def held_out(name: str, value: ArrayLike) -> tuple[Floats, NDArray[np.bool_]]:
     """Take a recording with the rows that hold NaN or infinity made NaN all over, and say which."""
     array = samples(name, value)
+    if np.isfinite(array).all():
+        return array, np.zeros(len(array), dtype=np.bool_)
     missing = ~complete(array)
     return np.where(missing[:, np.newaxis], np.nan, array), missing
 

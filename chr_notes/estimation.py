@@ -21,6 +21,8 @@ from chr_notes.generated.arrays import sensors
 from chr_notes.generated.loops import estimation as loops
 from chr_notes.quaternions import euler_from_quaternion, quaternion_from_euler
 
+_LEAST, _MOST = 1e-200, 1e200  # between these no square of a square root loses digits
+
 
 def tilt_from_accelerometer(accel: ArrayLike) -> Floats:
     """Tell roll and pitch from which way an accelerometer at rest reads gravity.
@@ -49,15 +51,19 @@ def tilt_from_accelerometer(accel: ArrayLike) -> Floats:
     Ledger: estimation.2.5, estimation.2.6, validation.3, validation.4.
     """
     reading = np.asarray(floats("accel", accel, 3), dtype=np.float64)
-    largest = np.max(np.abs(reading), axis=-1, keepdims=True)
-    with np.errstate(invalid="ignore"):
-        # No square overflows or vanishes after this; 0/0 makes NaN of a reading of zero. Adding
-        # zero to minus the reading leaves no minus zero, whose angle would be -180° or ±180°.
-        direction = -(0.0 - reading / largest)
+    squares = np.einsum("...i,...i->...", reading, reading)
+    # What is very large, very small, zero or NaN is scaled first; 0/0 makes NaN of a zero.
+    scaled = ~((squares > _LEAST) & (squares < _MOST))
+    if scaled.any():
+        largest = np.max(np.abs(reading), axis=-1, keepdims=True)
+        with np.errstate(invalid="ignore"):
+            reading = np.where(scaled[..., np.newaxis], reading / largest, reading)
     out = np.empty((*reading.shape[:-1], 2))
-    evaluate(generated.tilt_from_accelerometer, components(direction), components(out))
-    roll = out[..., 0]
+    evaluate(generated.tilt_from_accelerometer, components(reading), components(out))
+    roll, (_, y, z) = out[..., 0], components(reading)
+    # Of a zero atan2 takes the sign into account, which means nothing here.
     np.copyto(roll, np.pi, where=roll == -np.pi)
+    np.copyto(roll, 0.0, where=(y == 0) & (z == 0))
     return out
 
 
@@ -158,8 +164,12 @@ def fixed_gain_observer(
 
     Each sample moves the prediction towards the tilt that the accelerometer shows, by the gain
     times the difference; the difference of rolls goes the shorter way round. Yaw comes from the
-    gyros alone. Where the prediction would come within 15° of straight up or down, where the
-    rates of the angles grow without bound, it is made by an exact turn instead.
+    gyros alone.
+
+    Within 15° of straight up or down two things are done otherwise, because the rates of the
+    angles grow without bound there, and roll and yaw turn about nearly the same axis: the
+    prediction is an exact turn, and a correction of roll changes yaw so that the body keeps its
+    heading.
 
     Parameters
     ----------
@@ -268,7 +278,7 @@ def observe(
     Yields
     ------
     Estimate
-        After each sample. Through a row without rates the attitude stays as it was.
+        After each sample. One without rates is predicted to stay as it was.
 
     Raises
     ------
@@ -322,10 +332,20 @@ def check_gain(name: str, gain: float) -> None:
 
 
 def in_range(euler: Floats) -> Floats:
-    """Write the same attitudes with roll and yaw in [-pi, pi) and pitch in [-pi/2, pi/2]."""
-    out = wrap_angle(euler)
-    steep = np.abs(out[:, 1]) > np.pi / 2
+    """Write the same attitudes with roll and yaw in [-pi, pi) and pitch in [-pi/2, pi/2].
+
+    Parameters
+    ----------
+    euler
+        Roll, pitch, yaw in radians, shape (N, 3); it is changed.
+    """
+    roll, pitch, yaw = euler.T
+    for angle in (roll, yaw):
+        beyond = (angle < -np.pi) | (angle >= np.pi)
+        if beyond.any():
+            angle[beyond] = wrap_angle(angle[beyond])
+    steep = np.abs(pitch) > np.pi / 2
     if steep.any():
-        turned = quaternion_from_euler(out[steep])
-        out[steep] = euler_from_quaternion(turned, on_gimbal_lock="ignore")
-    return out
+        turned = quaternion_from_euler(euler[steep])
+        euler[steep] = euler_from_quaternion(turned, on_gimbal_lock="ignore")
+    return np.ascontiguousarray(euler)

@@ -10,8 +10,8 @@ _QUATERNION = ("a", "b", "c", "d")
 _VELOCITY = tuple(argument.name for argument in given.VELOCITY)
 _POSITION = tuple(argument.name for argument in given.POSITION)
 
-# Beyond this pitch a step by the rates of the angles, which grow without bound towards 90°, is
-# replaced by an exact turn.
+# Beyond this pitch the rates of the angles grow without bound, so an exact turn replaces the step
+# by them; and roll and yaw turn about nearly the same axis, so a correction of one moves both.
 _STEEP = radians(75.0)
 _EXACT_TURN = (
     ("quaternion_from_euler", _QUATERNION),
@@ -53,7 +53,13 @@ LOOPS = (
                 within=("pitch", _STEEP),
                 otherwise=_EXACT_TURN,
             ),
-            Stage("correct_tilt", ("roll", "pitch"), needs="roll_accel"),
+            Stage(
+                "correct_tilt",
+                ("roll", "pitch"),
+                needs="roll_accel",
+                within=("pitch", _STEEP),
+                otherwise=(("correct_steep_tilt", _ANGLES),),
+            ),
         ),
     ),
     Loop(

@@ -6,6 +6,8 @@ a call takes as long as the arithmetic; the rare ones are called.
 
 from dataclasses import dataclass
 
+from sympy import Expr, Symbol
+
 from chr_notes.codegen import python
 from chr_notes.codegen.expressions import infix
 from chr_notes.codegen.header import WIDTH, in_lines, made_how
@@ -87,8 +89,8 @@ def module(loops: tuple[Loop, ...], lowered: tuple[Program, ...]) -> str:
     body = "\n\n\n".join(bodies)
     how = made_how(tuple(programs[name] for name in sorted(used)))
     head = '"""' + "\n".join(how) + '\n"""\n\n'
-    abc = "from collections.abc import MutableSequence, Sequence\n"
-    return f"{head}{abc}{python.imports(body)}\nSamples = Sequence[float]\n\n\n{body}\n"
+    abc = "from collections.abc import Iterable, MutableSequence\n"
+    return f"{head}{abc}{python.imports(body)}\nSamples = Iterable[float]\n\n\n{body}\n"
 
 
 def _loop(loop: Loop, programs: dict[str, Program]) -> str:
@@ -122,26 +124,51 @@ def _stage(stage: Stage, loop: Loop, programs: dict[str, Program]) -> list[str]:
     program = programs[stage.target]
     known = {*loop.state, *(argument.name for argument in (*loop.constants, *loop.inputs))}
     _check(program.target, known)
-    new = [f"new_{name}" for name in stage.sets]
+    results = dict(zip(stage.sets, program.results, strict=True))
     lines = [f"if {stage.needs} == {stage.needs}:"]
     for step in program.steps:
         lines += python.step_lines(step)
-    for name, value in zip(new, program.results, strict=True):
-        lines.append(f"    {name} = {infix(value, python.PYTHON)}")
-    taken = [f"{name} = {name_}" for name, name_ in zip(stage.sets, new, strict=True)]
     if stage.within is None:
-        return [*lines, *(f"    {line}" for line in taken)]
+        return [*lines, *(f"    {line}" for line in _assignments(results))]
+    # The result that decides is computed first, the others only where they count.
     name, bound = stage.within
-    lines += [f"    if {-bound!r} < new_{name} < {bound!r}:"]
+    deciding = Symbol(f"new_{name}", real=True)
+    lines.append(f"    {deciding} = {infix(results[name], python.PYTHON)}")
+    lines.append(f"    if {-bound!r} < {deciding} < {bound!r}:")
+    taken = _assignments({**results, name: deciding})
     lines += [f"        {line}" for line in taken]
     lines.append("    else:")
-    for called, results in stage.otherwise:
+    for called, names in stage.otherwise:
         target = programs[called].target
         _check(target, known)
-        known |= set(results)
+        known |= set(names)
         flag = ["_"] if programs[called].flag is not None else []
         call = f"{called}({', '.join(argument.name for argument in target.arguments)})"
-        lines.append(f"        {', '.join([*results, *flag])} = {call}")
+        lines.append(f"        {', '.join([*names, *flag])} = {call}")
+    return lines
+
+
+def _assignments(results: dict[str, Expr]) -> list[str]:
+    """Assign new values to the state, in an order in which none is needed after it changed."""
+    waiting = dict(results)
+    lines: list[str] = []
+    while waiting:
+        free = next(
+            (
+                name
+                for name in waiting
+                if not any(
+                    Symbol(name, real=True) in value.free_symbols
+                    for other, value in waiting.items()
+                    if other != name
+                )
+            ),
+            None,
+        )
+        if free is None:
+            values = [infix(value, python.PYTHON) for value in waiting.values()]
+            return [*lines, *in_lines(f"{', '.join(waiting)} = (", values, ")")]
+        lines.append(f"{free} = {infix(waiting.pop(free), python.PYTHON)}")
     return lines
 
 

@@ -114,6 +114,13 @@ TARGETS = (
         ("estimation.4.3", "estimation.4.4"),
     ),
     Target(
+        "correct_steep_tilt",
+        "estimation",
+        "Roll and pitch, radians, so moved, and yaw, changed so that the heading stays",
+        (*given.ANGLES, given.ROLL_ACCEL, given.PITCH_ACCEL, given.GAIN),
+        filter_forms.correct_steep_tilt,
+    ),
+    Target(
         "heading_from_magnetometer",
         "validation",
         "Yaw, radians",

@@ -31,7 +31,7 @@ from sympy import (
     sqrt,
 )
 
-from chr_notes.derivations.euler import Z, rotation
+from chr_notes.derivations.euler import X, Z, rotation
 from chr_notes.derivations.sensors import specific_force
 from chr_notes.symbols import ACCELEROMETER, Angle, AngularRate, T, g, m
 
@@ -104,6 +104,16 @@ def shortest_turn(turn: Expr) -> Expr:
 def update_on_circle(prediction: Expr = predicted, measurement: Expr = measured) -> Expr:
     """`update` for an angle that goes all the way round: counted from the prediction."""
     return prediction + update(Rational(0), shortest_turn(measurement - prediction))
+
+
+def yaw_for_roll(change: Expr) -> Expr:
+    """Change of yaw that undoes what a small change of roll turns the body about the vertical.
+
+    Roll turns the body about its own x-axis, yaw about the vertical. The part of the x-axis that
+    points down says how much of the one is also the other; straight up or down it is all of it.
+    """
+    down = (rotation("B", "I") * X).dot(Z)
+    return -down * change
 
 
 @cache

@@ -8,7 +8,7 @@ from sympy.codegen.cfunctions import hypot
 from chr_notes.derivations import estimation, validation
 from chr_notes.derivations.computation import Choice, Computation, Let, otherwise
 from chr_notes.derivations.forms.euler import euler_rates
-from chr_notes.symbols import EULER, MAGNETOMETER, Angle, phi, theta
+from chr_notes.symbols import EULER, MAGNETOMETER, Angle, phi, psi, theta
 
 # Roll and pitch that the accelerometer shows.
 ROLL_ACCEL, PITCH_ACCEL = symbols("phi_accel theta_accel", real=True, cls=Angle)
@@ -76,6 +76,18 @@ def correct_tilt() -> Computation:
             Choice((shortest,), ((beyond, (estimation.shortest_turn(turn),)), otherwise(turn))),
         ),
         ImmutableMatrix([phi + estimation.update(0, shortest), pitch]),
+    )
+
+
+@cache
+def correct_steep_tilt() -> Computation:
+    """Roll, pitch and yaw so corrected: a correction of roll leaves the body's heading alone."""
+    tilt_alone = correct_tilt()
+    change = Symbol("roll_change", real=True)
+    roll, pitch = tilt_alone.results
+    return Computation(
+        (*tilt_alone.steps, Let(change, roll - phi)),
+        ImmutableMatrix([phi + change, pitch, psi + estimation.yaw_for_roll(change)]),
     )
 
 

@@ -259,3 +259,56 @@ def correct_tilt(
     subtract(pitch_accel, pitch, out=work[0])
     multiply(gain, work[0], out=work[0])
     add(work[0], pitch, out=out[1])
+
+
+def correct_steep_tilt(
+    roll: Block,
+    pitch: Block,
+    yaw: Block,
+    roll_accel: Block,
+    pitch_accel: Block,
+    gain: Block,
+    out: Sequence[Block],
+    work: Sequence[Block],
+) -> None:
+    """Roll and pitch, radians, so moved, and yaw, changed so that the heading stays (3).
+
+    roll: roll about the body x-axis, radians
+    pitch: pitch about the vehicle-1 y-axis, radians
+    yaw: yaw about the inertial z-axis, radians
+    roll_accel: roll that the accelerometer shows, radians
+    pitch_accel: pitch that the accelerometer shows, radians
+    gain: weight of the accelerometer, from 0 to 1
+    out: 3 arrays for the elements
+    work: 16 arrays for what is computed on the way
+    """
+    # tan_half_pitch = tan(0.5 * pitch)
+    multiply(pitch, 0.5, out=work[0])
+    tan_half_pitch = tan(work[0], out=work[0])
+    # one_plus_cos_pitch = 2.0 / (tan_half_pitch * tan_half_pitch + 1.0)
+    square(tan_half_pitch, out=work[1])
+    add(work[1], 1.0, out=work[1])
+    one_plus_cos_pitch = divide(2.0, work[1], out=work[1])
+    sin_pitch = multiply(one_plus_cos_pitch, tan_half_pitch, out=work[0])
+    # turn = roll_accel - roll
+    turn = subtract(roll_accel, roll, out=work[1])
+    multiply(0.15915494309189535, turn, out=work[2])
+    add(work[2], 0.5, out=work[2])
+    floor(work[2], out=work[2])
+    multiply(6.283185307179586, work[2], out=work[2])
+    shortest_turn = subtract(turn, work[2], out=work[2])
+    condition_7 = greater(turn, 3.141592653589793)
+    condition_8 = less(turn, -3.141592653589793)
+    condition_9 = logical_or(condition_7, condition_8)
+    condition_10 = logical_not(condition_9)
+    if condition_10.any():
+        copyto(shortest_turn, turn, where=condition_10)
+    roll_change = multiply(shortest_turn, gain, out=work[1])
+    add(roll, roll_change, out=out[0])
+    # out[1] = gain * (pitch_accel - pitch) + pitch
+    subtract(pitch_accel, pitch, out=work[2])
+    multiply(gain, work[2], out=work[2])
+    add(work[2], pitch, out=out[1])
+    # out[2] = roll_change * sin_pitch + yaw
+    multiply(roll_change, sin_pitch, out=work[0])
+    add(work[0], yaw, out=out[2])

@@ -981,6 +981,32 @@ void attitude_correct_tilt_f(float roll, float pitch, float roll_accel, float pi
     out[1] = gain * (pitch_accel - pitch) + pitch;
 }
 
+void attitude_correct_steep_tilt(double roll, double pitch, double yaw, double roll_accel,
+    double pitch_accel, double gain, double out[3])
+{
+    const double sin_pitch = sin(pitch);
+    const double turn = roll_accel - roll;
+    const double shortest_turn = turn > 3.141592653589793 || turn < -3.141592653589793 ? turn
+        - 6.283185307179586 * floor(0.15915494309189535 * turn + 0.5) : turn;
+    const double roll_change = shortest_turn * gain;
+    out[0] = roll + roll_change;
+    out[1] = gain * (pitch_accel - pitch) + pitch;
+    out[2] = roll_change * sin_pitch + yaw;
+}
+
+void attitude_correct_steep_tilt_f(float roll, float pitch, float yaw, float roll_accel,
+    float pitch_accel, float gain, float out[3])
+{
+    const float sin_pitch = sinf(pitch);
+    const float turn = roll_accel - roll;
+    const float shortest_turn = turn > 3.141592653589793f || turn < -3.141592653589793f ? turn
+        - 6.283185307179586f * floorf(0.15915494309189535f * turn + 0.5f) : turn;
+    const float roll_change = shortest_turn * gain;
+    out[0] = roll + roll_change;
+    out[1] = gain * (pitch_accel - pitch) + pitch;
+    out[2] = roll_change * sin_pitch + yaw;
+}
+
 double attitude_heading_from_magnetometer(double mag_x, double mag_y, double mag_z, double roll,
     double pitch, double north, double east)
 {

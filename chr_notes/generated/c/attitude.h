@@ -560,6 +560,20 @@ void attitude_correct_tilt_f(float roll, float pitch, float roll_accel, float pi
     float gain, float out[2]);
 
 /*
+ * Roll and pitch, radians, so moved, and yaw, changed so that the heading stays (3).
+ * roll: roll about the body x-axis, radians
+ * pitch: pitch about the vehicle-1 y-axis, radians
+ * yaw: yaw about the inertial z-axis, radians
+ * roll_accel: roll that the accelerometer shows, radians
+ * pitch_accel: pitch that the accelerometer shows, radians
+ * gain: weight of the accelerometer, from 0 to 1
+ */
+void attitude_correct_steep_tilt(double roll, double pitch, double yaw, double roll_accel,
+    double pitch_accel, double gain, double out[3]);
+void attitude_correct_steep_tilt_f(float roll, float pitch, float yaw, float roll_accel,
+    float pitch_accel, float gain, float out[3]);
+
+/*
  * Yaw, radians.
  * mag_x: reading of the magnetometer along x, any unit
  * mag_y: reading of the magnetometer along y, any unit

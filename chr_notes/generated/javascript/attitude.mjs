@@ -954,6 +954,25 @@ export function correctTilt(roll, pitch, rollAccel, pitchAccel, gain) {
 }
 
 /**
+ * Roll and pitch, radians, so moved, and yaw, changed so that the heading stays (3).
+ * @param {number} roll roll about the body x-axis, radians
+ * @param {number} pitch pitch about the vehicle-1 y-axis, radians
+ * @param {number} yaw yaw about the inertial z-axis, radians
+ * @param {number} rollAccel roll that the accelerometer shows, radians
+ * @param {number} pitchAccel pitch that the accelerometer shows, radians
+ * @param {number} gain weight of the accelerometer, from 0 to 1
+ * @returns {number[]}
+ */
+export function correctSteepTilt(roll, pitch, yaw, rollAccel, pitchAccel, gain) {
+  const sinPitch = Math.sin(pitch);
+  const turn = rollAccel - roll;
+  const shortestTurn = turn > 3.141592653589793 || turn < -3.141592653589793 ? turn
+      - 6.283185307179586 * Math.floor(0.15915494309189535 * turn + 0.5) : turn;
+  const rollChange = shortestTurn * gain;
+  return [roll + rollChange, gain * (pitchAccel - pitch) + pitch, rollChange * sinPitch + yaw];
+}
+
+/**
  * Yaw, radians.
  * @param {number} magX reading of the magnetometer along x, any unit
  * @param {number} magY reading of the magnetometer along y, any unit

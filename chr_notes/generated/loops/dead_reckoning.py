@@ -2,9 +2,9 @@
 From the derivations behind the ledger entries dead_reckoning.3.3, dead_reckoning.3.4.
 """
 
-from collections.abc import MutableSequence, Sequence
+from collections.abc import Iterable, MutableSequence
 
-Samples = Sequence[float]
+Samples = Iterable[float]
 
 
 def dead_reckon(
@@ -41,19 +41,13 @@ def dead_reckon(
         accel_north_samples, accel_east_samples, accel_down_samples, dt_samples
     ):
         if dt == dt:
-            new_position_north = dt * velocity_north + position_north
-            new_position_east = dt * velocity_east + position_east
-            new_position_down = dt * velocity_down + position_down
-            position_north = new_position_north
-            position_east = new_position_east
-            position_down = new_position_down
+            position_north = dt * velocity_north + position_north
+            position_east = dt * velocity_east + position_east
+            position_down = dt * velocity_down + position_down
         if accel_north == accel_north:
-            new_velocity_north = accel_north * dt + velocity_north
-            new_velocity_east = accel_east * dt + velocity_east
-            new_velocity_down = accel_down * dt + velocity_down
-            velocity_north = new_velocity_north
-            velocity_east = new_velocity_east
-            velocity_down = new_velocity_down
+            velocity_north = accel_north * dt + velocity_north
+            velocity_east = accel_east * dt + velocity_east
+            velocity_down = accel_down * dt + velocity_down
         velocity_north_kept[sample] = velocity_north
         velocity_east_kept[sample] = velocity_east
         velocity_down_kept[sample] = velocity_down

@@ -4,11 +4,11 @@ estimation.4.3, estimation.4.4, quaternions.4.1, quaternions.4.2, quaternions.4.
 quaternions.4.b.
 """
 
-from collections.abc import MutableSequence, Sequence
-from math import atan2, cos, sin, sqrt, tan
+from collections.abc import Iterable, MutableSequence
+from math import atan2, cos, floor, sin, sqrt, tan
 
 
-Samples = Sequence[float]
+Samples = Iterable[float]
 
 
 def quaternion_from_euler(
@@ -106,6 +106,25 @@ def euler_from_quaternion(
     return (roll, pitch, yaw, locked)
 
 
+def correct_steep_tilt(
+    roll: float, pitch: float, yaw: float, roll_accel: float, pitch_accel: float, gain: float
+) -> tuple[float, float, float]:
+    """Roll and pitch, radians, so moved, and yaw, changed so that the heading stays (3).
+
+    roll: roll about the body x-axis, radians
+    pitch: pitch about the vehicle-1 y-axis, radians
+    yaw: yaw about the inertial z-axis, radians
+    roll_accel: roll that the accelerometer shows, radians
+    pitch_accel: pitch that the accelerometer shows, radians
+    gain: weight of the accelerometer, from 0 to 1
+    """
+    sin_pitch = sin(pitch)
+    turn = roll_accel - roll
+    shortest_turn = turn - 6.283185307179586 * floor(0.15915494309189535 * turn + 0.5) if turn > 3.141592653589793 or turn < -3.141592653589793 else turn
+    roll_change = shortest_turn * gain
+    return (roll + roll_change, gain * (pitch_accel - pitch) + pitch, roll_change * sin_pitch + yaw)
+
+
 def integrate_angles(
     roll: float,
     pitch: float,
@@ -138,12 +157,9 @@ def integrate_angles(
             sin_roll = sin(roll)
             cos_roll = cos(roll)
             rate_across = cos_roll * r + q * sin_roll
-            new_roll = dt * (p + rate_across * tan_pitch) + roll
-            new_pitch = dt * (cos_roll * q - r * sin_roll) + pitch
-            new_yaw = dt * rate_across * sec_pitch + yaw
-            roll = new_roll
-            pitch = new_pitch
-            yaw = new_yaw
+            roll = dt * (p + rate_across * tan_pitch) + roll
+            pitch = dt * (cos_roll * q - r * sin_roll) + pitch
+            yaw = dt * rate_across * sec_pitch + yaw
         roll_kept[sample] = roll
         pitch_kept[sample] = pitch
         yaw_kept[sample] = yaw
@@ -188,14 +204,12 @@ def integrate_quaternion(
             turn_b = common_2 * p
             turn_c = common_2 * q
             turn_d = common_2 * r
-            new_a = a * turn_a - b * turn_b - c * turn_c - d * turn_d
-            new_b = a * turn_b + b * turn_a + c * turn_d - d * turn_c
-            new_c = a * turn_c - b * turn_d + c * turn_a + d * turn_b
-            new_d = a * turn_d + b * turn_c - c * turn_b + d * turn_a
-            a = new_a
-            b = new_b
-            c = new_c
-            d = new_d
+            a, b, c, d = (
+                a * turn_a - b * turn_b - c * turn_c - d * turn_d,
+                a * turn_b + b * turn_a + c * turn_d - d * turn_c,
+                a * turn_c - b * turn_d + c * turn_a + d * turn_b,
+                a * turn_d + b * turn_c - c * turn_b + d * turn_a,
+            )
         a_kept[sample] = a
         b_kept[sample] = b
         c_kept[sample] = c
@@ -244,27 +258,24 @@ def fixed_gain_observer(
             sin_roll = sin(roll)
             cos_roll = cos(roll)
             rate_across = cos_roll * r + q * sin_roll
-            new_roll = dt * (p + rate_across * tan_pitch) + roll
             new_pitch = dt * (cos_roll * q - r * sin_roll) + pitch
-            new_yaw = dt * rate_across * sec_pitch + yaw
             if -1.3089969389957472 < new_pitch < 1.3089969389957472:
-                roll = new_roll
+                roll = dt * (p + rate_across * tan_pitch) + roll
                 pitch = new_pitch
-                yaw = new_yaw
+                yaw = dt * rate_across * sec_pitch + yaw
             else:
                 a, b, c, d = quaternion_from_euler(roll, pitch, yaw)
                 a, b, c, d = quaternion_after_constant_rates(a, b, c, d, p, q, r, dt)
                 roll, pitch, yaw, _ = euler_from_quaternion(a, b, c, d)
         if roll_accel == roll_accel:
             turn = roll_accel - roll
-            if turn > 3.141592653589793 or turn < -3.141592653589793:
-                shortest_turn = turn - 6.283185307179586 * ((0.15915494309189535 * turn + 0.5) // 1.0)
-            else:
-                shortest_turn = turn
-            new_roll = shortest_turn * gain + roll
+            shortest_turn = turn - 6.283185307179586 * floor(0.15915494309189535 * turn + 0.5) if turn > 3.141592653589793 or turn < -3.141592653589793 else turn
             new_pitch = gain * (pitch_accel - pitch) + pitch
-            roll = new_roll
-            pitch = new_pitch
+            if -1.3089969389957472 < new_pitch < 1.3089969389957472:
+                roll = shortest_turn * gain + roll
+                pitch = new_pitch
+            else:
+                roll, pitch, yaw = correct_steep_tilt(roll, pitch, yaw, roll_accel, pitch_accel, gain)
         roll_kept[sample] = roll
         pitch_kept[sample] = pitch
         yaw_kept[sample] = yaw

@@ -119,3 +119,22 @@ def correct_tilt(
     else:
         shortest_turn = turn
     return (shortest_turn * gain + roll, gain * (pitch_accel - pitch) + pitch)
+
+
+def correct_steep_tilt(
+    roll: float, pitch: float, yaw: float, roll_accel: float, pitch_accel: float, gain: float
+) -> tuple[float, float, float]:
+    """Roll and pitch, radians, so moved, and yaw, changed so that the heading stays (3).
+
+    roll: roll about the body x-axis, radians
+    pitch: pitch about the vehicle-1 y-axis, radians
+    yaw: yaw about the inertial z-axis, radians
+    roll_accel: roll that the accelerometer shows, radians
+    pitch_accel: pitch that the accelerometer shows, radians
+    gain: weight of the accelerometer, from 0 to 1
+    """
+    sin_pitch = sin(pitch)
+    turn = roll_accel - roll
+    shortest_turn = turn - 6.283185307179586 * floor(0.15915494309189535 * turn + 0.5) if turn > 3.141592653589793 or turn < -3.141592653589793 else turn
+    roll_change = shortest_turn * gain
+    return (roll + roll_change, gain * (pitch_accel - pitch) + pitch, roll_change * sin_pitch + yaw)

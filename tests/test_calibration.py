@@ -1,0 +1,175 @@
+"""Calibration from data, simulated and recorded."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from numpy.testing import assert_allclose
+from numpy.typing import NDArray
+
+from chr_notes import (
+    MagnetometerCalibration,
+    ThreeAxisCalibration,
+    fit_accelerometer,
+    fit_gyro_bias,
+    fit_magnetometer,
+    stillest_stretch,
+)
+
+Floats = NDArray[np.float64]
+seeds = st.integers(0, 2**32 - 1)
+UPRIGHT = np.stack([np.eye(3), -np.eye(3)], axis=1).reshape(6, 3)  # x up, x down, y up, ...
+
+
+def recorded(shared: Path, file: str) -> Floats:
+    return np.loadtxt(shared / "data" / file, delimiter=",", skiprows=1)
+
+
+@given(seeds)
+def test_iron_is_found_up_to_a_rotation(seed: int) -> None:
+    generator = np.random.default_rng(seed)
+    soft_iron = np.eye(3) + generator.uniform(-0.2, 0.2, (3, 3))
+    iron = MagnetometerCalibration(soft_iron, generator.uniform(-50, 50, 3))
+    field = generator.normal(size=(200, 3))
+    field *= 50 / np.linalg.norm(field, axis=1, keepdims=True)
+    found = fit_magnetometer(iron.measure(field))
+    norms = np.linalg.norm(found.correct(iron.measure(field)), axis=1)
+    assert_allclose(norms, norms[0], rtol=1e-8)
+    assert_allclose(found.soft_iron, found.soft_iron.T, atol=1e-12)
+    assert_allclose(np.linalg.det(found.soft_iron), 1)
+    # What the iron left, undone by what was found, is a rotation and a scale.
+    rest = soft_iron @ np.linalg.inv(found.soft_iron)
+    assert_allclose(rest @ rest.T, np.cbrt(np.linalg.det(rest)) ** 2 * np.eye(3), atol=1e-7)
+
+
+@pytest.mark.parametrize(
+    ("file", "columns", "largest"),
+    [("bazhin_mag_cloud.csv", [0, 1, 2], 0.022), ("ckexplorer_acc_mag_log.csv", [3, 4, 5], 0.014)],
+)
+def test_recorded_fields_are_calibrated(
+    shared: Path, file: str, columns: list[int], largest: float
+) -> None:
+    samples = recorded(shared, file)[:, columns]
+    norms = np.linalg.norm(fit_magnetometer(samples).correct(samples), axis=1)
+    assert np.std(norms) / np.mean(norms) <= largest
+
+
+def test_a_cloud_that_is_no_ellipsoid_is_refused() -> None:
+    with pytest.raises(ValueError, match="samples: expected at least 10 rows"):
+        fit_magnetometer(np.eye(3))
+
+
+@given(seeds, st.floats(1.0, 20.0))
+def test_six_positions_give_the_model(seed: int, gravity: float) -> None:
+    generator = np.random.default_rng(seed)
+    misalignment = np.eye(3) + generator.uniform(-0.1, 0.1, (3, 3))
+    np.fill_diagonal(misalignment, 1.0)
+    sensitivity = generator.uniform(0.5, 2000.0) * generator.uniform(0.8, 1.2, 3)
+    bias = generator.normal(size=3)
+    sensor = ThreeAxisCalibration(misalignment, sensitivity, bias)
+    found = fit_accelerometer(sensor.measure(gravity * UPRIGHT), gravity)
+    assert_allclose(found.misalignment, misalignment, atol=1e-9)
+    assert_allclose(found.sensitivity[0], sensitivity, rtol=1e-9)
+    assert_allclose(found.bias[0], bias, atol=1e-8)
+
+
+def test_a_recorded_session_of_six_positions(shared: Path) -> None:
+    session = recorded(shared, "imucal_ferraris_session.csv")[:, 4:]
+    listed = json.loads((shared / "data" / "imucal_ferraris_session_list.json").read_text())
+    stretches = [listed[name] for name in ("x_p", "x_a", "y_p", "y_a", "z_p", "z_a")]
+    readings = np.array([session[s["start"] : s["end"]].mean(axis=0) for s in stretches])
+    before = np.linalg.norm(readings, axis=1) / 9.81
+    after = np.linalg.norm(fit_accelerometer(readings, 9.81).correct(readings), axis=1) / 9.81
+    assert np.abs(before - 1).max() > 0.05
+    assert np.abs(after - 1).max() < 0.001
+
+
+POSITIONS = 9.81 * UPRIGHT
+REFUSED_POSITIONS = {
+    "five": (POSITIONS[:5], 9.81, r"readings: expected shape \(\.\.\., 6, 3\), got \(5, 3\)"),
+    "sessions": (
+        POSITIONS[np.newaxis],
+        9.81,
+        r"readings: expected shape \(6, 3\), got \(1, 6, 3\)",
+    ),
+    "NaN": (
+        np.where(UPRIGHT == -1, np.nan, POSITIONS),
+        9.81,
+        r"readings: expected numbers, got NaN or infinity in position -x",
+    ),
+    "no gravity": (POSITIONS, 0.0, r"gravity: expected a positive number, got 0\.0"),
+    "all the same": (np.ones((6, 3)), 9.81, "the x-axis to change most between x up and x down"),
+    "another order": (
+        POSITIONS[[0, 1, 4, 5, 2, 3]],
+        9.81,
+        r"y-axis to change most between y up and y down, got a change of 0 there and of 19\.62",
+    ),
+}
+
+
+@pytest.mark.parametrize(
+    ("readings", "gravity", "message"), REFUSED_POSITIONS.values(), ids=REFUSED_POSITIONS
+)
+def test_positions_that_tell_nothing_are_refused(
+    readings: Floats, gravity: float, message: str
+) -> None:
+    with pytest.raises(ValueError, match=message):
+        fit_accelerometer(readings, gravity)
+
+
+def test_bias_is_the_mean_of_what_is_there() -> None:
+    rates = np.random.default_rng(0).normal([0.1, -0.2, 0.3], 0.001, (1000, 3))
+    holed = np.insert(rates, [10, 500], np.nan, axis=0)
+    assert_allclose(fit_gyro_bias(holed), rates.mean(axis=0))
+
+
+def test_bias_of_a_recording_at_rest(shared: Path) -> None:
+    rates = np.radians(recorded(shared, "mpu6050_static_449s_raw.csv")[:, 4:] / 131)
+    error = fit_gyro_bias(rates) - rates.mean(axis=0)
+    assert np.abs(np.degrees(error)).max() < 0.002
+    # The bias drifts by more than that even at rest: two minutes know only their own.
+    error = fit_gyro_bias(rates[stillest_stretch(rates, 12_000)]) - rates.mean(axis=0)
+    assert 0.002 < np.abs(np.degrees(error)).max() < 0.01
+
+
+def test_a_gyro_that_moves_or_is_silent_has_no_bias_to_find() -> None:
+    time = np.linspace(0, 10, 500)[:, np.newaxis]
+    with pytest.raises(
+        ValueError,
+        match=r"a standard deviation of at most 0\.02 rad/s, got 0\.666 rad/s about the y-axis",
+    ):
+        fit_gyro_bias(np.sin(time) * [0.0, 1.0, 0.5])
+    with pytest.raises(ValueError, match="at least one row without NaN, got none"):
+        fit_gyro_bias(np.full((5, 3), np.nan))
+    with pytest.raises(ValueError, match=r"body_rates: expected shape \(N, 3\), got \(3,\)"):
+        fit_gyro_bias(np.zeros(3))
+
+
+def test_the_stillest_stretch_is_where_it_was_put() -> None:
+    rates = np.random.default_rng(1).normal(0, 0.1, (1000, 3)) + 50
+    rates[400:500] = rates[400:500] / 1000 + 50
+    assert stillest_stretch(rates, 100) == slice(400, 500)
+    rates[450] = np.nan
+    found = stillest_stretch(rates, 40)
+    assert found.start >= 400
+    assert found.stop <= 500
+    assert not found.start <= 450 < found.stop
+
+
+def test_the_stillest_stretch_is_that_of_a_plain_search() -> None:
+    rates = np.random.default_rng(2).normal(0, 0.1, (60, 3))
+    spreads = [rates[a : a + 7].var(axis=0).sum() for a in range(54)]
+    best = int(np.argmin(spreads))
+    assert stillest_stretch(rates, 7) == slice(best, best + 7)
+
+
+def test_a_stretch_that_is_not_there_is_refused() -> None:
+    with pytest.raises(
+        ValueError, match="length: expected from 2 to the 5 samples there are, got 6"
+    ):
+        stillest_stretch(np.zeros((5, 3)), 6)
+    with pytest.raises(ValueError, match="expected 3 samples in a row without NaN, got none"):
+        stillest_stretch([[0, 0, 0], [0, 0, 0], [np.nan, 0, 0], [0, 0, 0], [0, 0, 0]], 3)
