@@ -22,12 +22,8 @@ from chr_notes.ellipsoid import (
 )
 from chr_notes.errors import GimbalLockError, GimbalLockWarning
 from chr_notes.estimation import (
-    Estimate,
     accelerometer_at_rest,
-    fixed_gain_observer,
     integrate_gyro,
-    observe,
-    observe_sample,
     tilt_from_accelerometer,
 )
 from chr_notes.euler import (
@@ -44,6 +40,7 @@ from chr_notes.monitor import (
     Watch,
     monitored_observer,
 )
+from chr_notes.observer import Estimate, fixed_gain_observer, observe, observe_sample
 from chr_notes.quaternions import (
     axis_angle_from_quaternion,
     euler_from_quaternion,

@@ -8,9 +8,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from chr_notes._arrays import Floats
 from chr_notes._samples import held_out, periods, same_length
-from chr_notes.estimation import check_gain, first_attitude, in_range, tilt_from_accelerometer
+from chr_notes.estimation import in_range, tilt_from_accelerometer
 from chr_notes.generated.loops.estimation import fixed_gain_observer
 from chr_notes.generated.scalar.validation import validation_factor
+from chr_notes.observer import check_gain, first_attitude
 from chr_notes.validation import direction, part_down
 
 if TYPE_CHECKING:

@@ -1,7 +1,5 @@
-"""Tilt, gyro integration and the fixed-gain observer."""
+"""Tilt, and gyros alone."""
 
-import itertools
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -13,33 +11,20 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 import chr_notes
-from chr_notes import fixed_gain_observer, integrate_gyro, observe, tilt_from_accelerometer
+from chr_notes import integrate_gyro, tilt_from_accelerometer
 from chr_notes.derivations import estimation as derived
 from chr_notes.simulated_sensors import SensorErrors, spoil
-from chr_notes.simulation import at_rest, ideal_readings, swing, trajectory
+from chr_notes.simulation import at_rest, swing, trajectory
 from chr_notes.symbols import T
+
+from .attitudes import apart, turns
 
 Floats = NDArray[np.float64]
 seeds = st.integers(0, 2**32 - 1)
 roll_angles = st.floats(-np.pi, np.pi)
 off_the_pole = st.floats(-1.55, 1.55)
 LEVEL = np.array([0.0, 0.0, -9.80665])
-
-
-def turns(euler: Any) -> Rotation:  # noqa: ANN401
-    """Attitudes as rotations, from body to inertial."""
-    return Rotation.from_matrix(np.swapaxes(chr_notes.matrix_from_euler(euler), -1, -2))
-
-
-def apart(first: Any, second: Any) -> Floats:  # noqa: ANN401
-    """Angles between attitudes."""
-    return np.asarray((turns(first).inv() * turns(second)).magnitude())
-
-
-def inclinations_apart(first: Any, second: Any) -> Floats:  # noqa: ANN401
-    """Angles between the directions down of attitudes."""
-    one, other = (chr_notes.matrix_from_euler(each)[..., 2] for each in (first, second))
-    return np.arctan2(np.linalg.norm(np.cross(one, other), axis=-1), np.sum(one * other, axis=-1))
+PERIOD = 0.01
 
 
 # Tilt
@@ -159,184 +144,6 @@ def test_gyro_samples_with_nan_are_held_out() -> None:
         assert_array_equal(np.delete(found, [4, 11], axis=0), expected)
 
 
-# Observer
-
-
-@given(seeds)
-@settings(max_examples=20)
-def test_no_gain_leaves_the_gyros_and_full_gain_the_accelerometer(seed: int) -> None:
-    generator = np.random.default_rng(seed)
-    rates = generator.normal(0, 0.3, (30, 3))
-    forces = LEVEL + generator.normal(0, 3.0, (30, 3))
-    steps = generator.uniform(0.001, 0.02, 30)
-    alone = fixed_gain_observer(rates, forces, steps, 0.0, (0.1, 0.2, 0.3))
-    assert_allclose(alone, integrate_gyro(rates, steps, (0.1, 0.2, 0.3)), atol=1e-13)
-    led = fixed_gain_observer(rates, forces, steps, 1.0)
-    tilt = tilt_from_accelerometer(forces)
-    assert_allclose(np.exp(1j * led[:, :2]), np.exp(1j * tilt), atol=1e-12)
-
-
-@given(st.floats(0.01, 1.0), roll_angles, off_the_pole, roll_angles, st.floats(-1.5, 1.5))
-@settings(max_examples=50)
-def test_a_still_sensor_converges_to_its_tilt(
-    gain: float, roll: float, pitch: float, first_roll: float, first_pitch: float
-) -> None:
-    count = int(30 / gain)
-    forces = np.tile(chr_notes.accelerometer_at_rest([roll, pitch, 0.0]), (count, 1))
-    initial = (first_roll, first_pitch, 0.5)
-    found = fixed_gain_observer(np.zeros((count, 3)), forces, 0.01, gain, initial)
-    assert inclinations_apart(found[-1], [roll, pitch, 0.0]) < 1e-8
-    if max(abs(pitch), abs(first_pitch)) < np.radians(75):
-        assert_allclose(found[-1, 2], 0.5)
-    # The way there is the shorter one, by the same share each sample.
-    off = np.angle(np.exp(1j * (found[:, 0] - roll)))
-    start = np.angle(np.exp(1j * (first_roll - roll)))
-    if abs(abs(start) - np.pi) > 1e-6:
-        assert_allclose(off[:20], start * (1 - gain) ** np.arange(1, 21)[: len(off)], atol=1e-8)
-
-
-@given(seeds, st.floats(-3.0, 3.0))
-@settings(max_examples=20)
-def test_turning_the_world_about_the_vertical_changes_yaw_alone(seed: int, turn: float) -> None:
-    generator = np.random.default_rng(seed)
-    rates = generator.normal(0, 0.5, (200, 3))
-    forces = LEVEL + generator.normal(0, 4.0, (200, 3))
-    initial = np.array([0.3, -0.2, 0.1])
-    one = fixed_gain_observer(rates, forces, 0.02, 0.05, initial)
-    other = fixed_gain_observer(rates, forces, 0.02, 0.05, initial + np.array([0, 0, turn]))
-    assert_allclose(other[:, :2], one[:, :2], atol=1e-9)
-    assert_allclose(np.exp(1j * (other[:, 2] - one[:, 2])), np.exp(1j * turn), atol=1e-9)
-
-
-@given(seeds, st.floats(1e-3, 1e3))
-@settings(max_examples=20)
-def test_the_scale_of_the_accelerometer_does_not_matter(seed: int, scale: float) -> None:
-    generator = np.random.default_rng(seed)
-    rates, forces = generator.normal(size=(2, 50, 3))
-    one = fixed_gain_observer(rates, forces, 0.01, 0.1)
-    assert_allclose(fixed_gain_observer(rates, scale * forces, 0.01, 0.1), one, atol=1e-11)
-
-
-def test_rolls_near_180_degrees_are_averaged_the_short_way() -> None:
-    roll = np.radians(179.9) + np.radians(5) * np.random.default_rng(0).normal(size=2000)
-    forces = chr_notes.accelerometer_at_rest(np.stack([roll, 0 * roll, 0 * roll], axis=1))
-    found = fixed_gain_observer(np.zeros((2000, 3)), forces, 0.01, 0.02)
-    assert inclinations_apart(found[200:], np.radians([179.9, 0, 0])).max() < np.radians(3)
-    assert (found[:, 0] >= -np.pi).all()
-    assert (found[:, 0] < np.pi).all()
-
-
-@pytest.mark.parametrize("gain", [0.005, 0.02, 0.2])
-def test_a_loop_through_the_pole_is_followed(gain: float) -> None:
-    time = np.arange(0, 20, 0.005)
-    loop = swing(time, [0.2, 0.0, 0.3], [0.1, 0.0, 0.1], slope=[0.0, np.pi / 5, 0.0])
-    truth = trajectory(time, loop, at_rest(time))
-    ideal = ideal_readings(truth)
-    found = fixed_gain_observer(ideal.body_rates, ideal.accel, 0.005, gain, truth.euler[0])
-    # 0.2° is the half step by which the rates, read at the end of each step, are late.
-    assert apart(found, truth.euler).max() < np.radians(0.5)
-
-
-def test_straight_up_nothing_breaks() -> None:
-    forces = np.tile([9.81, 0.0, 0.0], (200, 1))
-    rates = np.random.default_rng(0).normal(0, 0.01, (200, 3))
-    found = fixed_gain_observer(rates, forces, 0.01, 0.1, (1.0, np.pi / 2, 0.0))
-    assert inclinations_apart(found, [0, np.pi / 2, 0]).max() < 0.01
-
-
-def test_samples_with_nan_are_held_out() -> None:
-    generator = np.random.default_rng(1)
-    rates = generator.normal(0, 0.3, (40, 3))
-    forces = LEVEL + generator.normal(0, 1.0, (40, 3))
-    gyro_holes, accel_holes = rates.copy(), forces.copy()
-    gyro_holes[10, 1] = np.inf
-    accel_holes[20, 2] = np.nan
-    accel_holes[30] = 0.0
-    found = fixed_gain_observer(gyro_holes, accel_holes, 0.01, 0.1)
-    assert np.flatnonzero(np.isnan(found).any(axis=1)).tolist() == [10]
-    whole = fixed_gain_observer(rates, forces, 0.01, 0.1)
-    assert_array_equal(found[:10], whole[:10])
-    assert apart(found[11:], whole[11:]).max() < 0.05
-    # Where the accelerometer is missing, the gyros go on alone.
-    for hole in (20, 30):
-        alone = integrate_gyro(rates[[hole]], 0.01, found[hole - 1])
-        assert_allclose(found[hole], alone[0], atol=1e-15)
-
-
-def test_the_start_is_the_first_tilt_that_is_shown() -> None:
-    forces = np.array([[np.nan, 0, 0], [0, 0, 0], [0, -1, -1], [0, 0, -1]])
-    found = fixed_gain_observer(np.zeros((4, 3)), forces, 0.01, 0.5)
-    assert_allclose(np.degrees(found[:, 0]), [45, 45, 45, 22.5])
-
-
-def test_steps_may_vary() -> None:
-    rates = np.tile([0.1, 0.0, 0.0], (3, 1))
-    found = fixed_gain_observer(rates, np.full((3, 3), np.nan), [0.1, 0.3, 0.0], 0.5, (0, 0, 0))
-    assert_allclose(found[:, 0], [0.01, 0.04, 0.04])
-
-
-def test_a_stream_gives_the_same_numbers() -> None:
-    generator = np.random.default_rng(2)
-    rates = generator.normal(0, 2.0, (300, 3))
-    forces = LEVEL + generator.normal(0, 3.0, (300, 3))
-    rates[50], forces[100], forces[0] = np.nan, np.nan, np.nan
-    steps = generator.uniform(0.001, 0.02, 300)
-    # The array form starts from the first tilt, the stream when that comes.
-    expected = fixed_gain_observer(rates[1:], forces[1:], steps[1:], 0.05)
-    given = zip(rates, forces, steps, strict=True)
-    streamed = list(observe(given, 0.05))
-    assert [each.held_out for each in (streamed[0], streamed[49], streamed[-1])] == [1, 2, 3]
-    found = np.array([each.euler for each in streamed])
-    assert_allclose(np.delete(found, 49, axis=0), np.delete(expected, 49, axis=0), atol=1e-12)
-    # What the array leaves open, a stream answers: predicted to stay, and corrected.
-    still = fixed_gain_observer(np.zeros((1, 3)), forces[[50]], steps[50], 0.05, found[48])
-    assert_allclose(found[49], still[0], atol=1e-15)
-
-
-def test_a_stream_is_read_no_further_than_asked() -> None:
-    endless = ((np.zeros(3), LEVEL, 0.01) for _ in itertools.count())
-    assert len(list(itertools.islice(observe(endless, 0.1), 3))) == 3
-
-
-# What the derivations say of the errors
-
-PERIOD, GAIN = 0.01, 0.05
-
-
-def at(formula: Any, **values: float) -> float:  # noqa: ANN401
-    """Evaluate a derived formula at the period and gain of these tests."""
-    known = {derived.bias: "bias", derived.gyro_noise: "gyro", derived.accel_noise: "accel"}
-    named = {symbol: values[name] for symbol, name in known.items() if name in values}
-    return float(formula.subs({derived.L: GAIN, T: PERIOD, **named}))
-
-
-def test_a_gyro_bias_leaves_the_error_that_is_derived() -> None:
-    bias = 0.02
-    rates = np.tile([bias, 0.0, 0.0], (500, 1))
-    found = fixed_gain_observer(rates, np.tile(LEVEL, (500, 1)), PERIOD, GAIN)
-    assert_allclose(found[-1, 0], at(derived.steady_bias_error(), bias=bias), rtol=1e-9)
-    on_the_way = derived.error_after().subs({derived.n: 7, derived.start_error: 0})
-    assert_allclose(found[6, 0], at(on_the_way, bias=bias), rtol=1e-12)
-
-
-def test_noise_leaves_the_variance_that_is_derived() -> None:
-    time = PERIOD * np.arange(400_000)
-    still = np.zeros((len(time), 3))
-    density, force_density = 0.002, 0.01
-    rates = spoil(still, time, SensorErrors(noise_density=density), seed=1)
-    forces = spoil(still + LEVEL, time, SensorErrors(noise_density=force_density), seed=2)
-    found = fixed_gain_observer(rates, forces, PERIOD, GAIN, (0, 0, 0))[1000:]
-    expected = at(
-        derived.steady_variance(),
-        gyro=density / np.sqrt(PERIOD),
-        accel=force_density / np.sqrt(PERIOD) / 9.80665,
-    )
-    # The error remembers (1 - L)^k of itself, which leaves this relative error of a variance.
-    kept = (1 - GAIN) ** 2
-    uncertainty = np.sqrt(2 * (1 + kept) / (1 - kept) / len(found))
-    assert_allclose(found[:, :2].var(axis=0), expected, rtol=4 * uncertainty)
-
-
 def test_gyro_noise_alone_makes_a_walk_as_derived() -> None:
     count, density = 400, 0.05
     ends = []
@@ -347,41 +154,11 @@ def test_gyro_noise_alone_makes_a_walk_as_derived() -> None:
         )  # fmt: skip
         ends.append(integrate_gyro(rates, PERIOD)[-1])
     variance = derived.gyro_variance_after().subs(derived.n, count)
-    expected = at(variance, gyro=density / np.sqrt(PERIOD))
+    known = {derived.gyro_noise: density / np.sqrt(PERIOD), T: PERIOD}
+    expected = float(variance.subs(known))
     # 900 ends know a variance to 4.7 %; the walks bend a little, being of 6 degrees.
     assert_allclose(np.var(ends), expected, rtol=0.2)
 
-
-def test_vibration_comes_through_as_derived() -> None:
-    frequency, amplitude = 7.0, 0.01
-    angle = 2 * np.pi * frequency * PERIOD * np.arange(20_000)
-    tilt = amplitude * np.sin(angle)
-    forces = chr_notes.accelerometer_at_rest(np.stack([tilt, 0 * tilt, 0 * tilt], axis=1))
-    found = fixed_gain_observer(np.zeros_like(forces), forces, PERIOD, GAIN)[1000:, 0]
-    share = derived.vibration_share().subs(derived.omega, 2 * np.pi * frequency)
-    assert_allclose(found.var(), at(share) * amplitude**2 / 2, rtol=1e-3)
-
-
-# Recordings
-
-
-def test_inclination_on_a_recording_with_optical_truth(shared: Path) -> None:
-    file = shared / "data" / "broad_01_slow_rotation_A_95hz_ned.csv"
-    columns = np.genfromtxt(file, delimiter=",", skip_header=1)
-    rates, forces, truth = columns[:, 1:4], columns[:, 4:7], np.radians(columns[:, 14:17])
-    scored = (columns[:, 17] == 1) & np.isfinite(truth).all(axis=1)
-    steps = np.diff(columns[:, 0], prepend=columns[0, 0])
-
-    def rms_deg(estimate: Floats) -> float:
-        off = inclinations_apart(estimate[scored], truth[scored])
-        return float(np.degrees(np.sqrt(np.mean(off**2))))
-
-    assert rms_deg(fixed_gain_observer(rates, forces, steps, 0.02)) <= 0.90
-    assert rms_deg(fixed_gain_observer(rates, forces, steps, 1.0)) > 5
-    assert rms_deg(integrate_gyro(rates, steps, truth[0])) > 15
-
-
-# What is refused
 
 N3 = np.zeros((5, 3))
 REFUSED = {
@@ -397,10 +174,6 @@ REFUSED = {
         lambda: integrate_gyro(N3, np.ones(4)),
         r"dt: expected a number or shape \(5,\), got \(4,\)",
     ),
-    "a negative step": (
-        lambda: fixed_gain_observer(N3, N3 + LEVEL, [1, 1, -1, 1, 1], 0.1),
-        r"dt: expected seconds, not negative, got -1\.0 at 2",
-    ),
     "a step of NaN": (
         lambda: integrate_gyro(N3, np.nan),
         r"dt: expected seconds, not negative, got nan at 0",
@@ -412,30 +185,6 @@ REFUSED = {
     "an initial attitude of NaN": (
         lambda: integrate_gyro(N3, 0.01, (0.0, np.nan, 0.0)),
         r"initial: expected three finite numbers, got \[0\.0, nan, 0\.0\]",
-    ),
-    "an initial quaternion": (
-        lambda: fixed_gain_observer(N3, N3 + LEVEL, 0.01, 0.1, (1, 0, 0, 0)),
-        r"initial: expected shape \(\.\.\., 3\), got \(4,\)",
-    ),
-    "sensors of different lengths": (
-        lambda: fixed_gain_observer(N3, N3[:4] + LEVEL, 0.01, 0.1),
-        r"expected as many rows in each of body_rates, accel, got 5, 4",
-    ),
-    "a gain above 1": (
-        lambda: fixed_gain_observer(N3, N3 + LEVEL, 0.01, 1.1),
-        r"gain: expected a number from 0 to 1, got 1\.1",
-    ),
-    "a gain of NaN": (
-        lambda: fixed_gain_observer(N3, N3 + LEVEL, 0.01, np.nan),
-        r"gain: expected a number from 0 to 1, got nan",
-    ),
-    "nothing to start from": (
-        lambda: fixed_gain_observer(N3, N3, 0.01, 0.1),
-        "accel: expected a sample that shows a tilt to start from, got none; pass initial",
-    ),
-    "a wrong gain for a stream": (
-        lambda: list(observe([(np.zeros(3), LEVEL, 0.01)], -0.1)),
-        r"gain: expected a number from 0 to 1, got -0\.1",
     ),
     "tilt from a pair": (
         lambda: tilt_from_accelerometer([1.0, 2.0]),
@@ -458,4 +207,3 @@ def test_no_samples_give_no_estimates() -> None:
     empty = np.zeros((0, 3))
     assert integrate_gyro(empty, 0.01).shape == (0, 3)
     assert integrate_gyro(empty, 0.01, method="quaternion").shape == (0, 3)
-    assert fixed_gain_observer(empty, empty, 0.01, 0.1).shape == (0, 3)

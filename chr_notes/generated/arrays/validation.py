@@ -53,39 +53,26 @@ def heading_from_magnetometer(
     one_plus_cos_roll = divide(2.0, work[3], out=work[3])
     sin_roll = multiply(one_plus_cos_roll, tan_half_roll, out=work[2])
     cos_roll = subtract(one_plus_cos_roll, 1.0, out=work[3])
-    cos_pitch_mag_x = multiply(cos_pitch, mag_x, out=work[1])
-    # cos_roll_mag_z_sin_pitch = cos_roll * mag_z * sin_pitch
+    # level_x = cos_pitch * mag_x + cos_roll * mag_z * sin_pitch + mag_y * sin_pitch * sin_roll
+    multiply(cos_pitch, mag_x, out=work[1])
     multiply(cos_roll, mag_z, out=work[4])
-    cos_roll_mag_z_sin_pitch = multiply(work[4], sin_pitch, out=work[4])
-    # mag_y_sin_pitch_sin_roll = mag_y * sin_pitch * sin_roll
+    multiply(work[4], sin_pitch, out=work[4])
+    add(work[1], work[4], out=work[1])
     multiply(mag_y, sin_pitch, out=work[0])
-    mag_y_sin_pitch_sin_roll = multiply(work[0], sin_roll, out=work[0])
-    cos_roll_mag_y = multiply(cos_roll, mag_y, out=work[3])
-    mag_z_sin_roll = multiply(mag_z, sin_roll, out=work[2])
-    # out[0] = atan2(cos_pitch_mag_x * east - cos_roll_mag_y * north
-    #     + cos_roll_mag_z_sin_pitch * east + east * mag_y_sin_pitch_sin_roll
-    #         + mag_z_sin_roll * north, cos_pitch_mag_x * north + cos_roll_mag_y * east
-    #             + cos_roll_mag_z_sin_pitch * north - east * mag_z_sin_roll
-    #                 + mag_y_sin_pitch_sin_roll * north)
-    multiply(cos_pitch_mag_x, east, out=work[5])
-    multiply(cos_roll_mag_y, north, out=work[6])
-    subtract(work[5], work[6], out=work[5])
-    multiply(cos_roll_mag_z_sin_pitch, east, out=work[6])
-    add(work[5], work[6], out=work[5])
-    multiply(east, mag_y_sin_pitch_sin_roll, out=work[6])
-    add(work[5], work[6], out=work[5])
-    multiply(mag_z_sin_roll, north, out=work[6])
-    add(work[5], work[6], out=work[5])
-    multiply(cos_pitch_mag_x, north, out=work[1])
-    multiply(cos_roll_mag_y, east, out=work[3])
-    add(work[1], work[3], out=work[1])
-    multiply(cos_roll_mag_z_sin_pitch, north, out=work[3])
-    add(work[1], work[3], out=work[1])
-    multiply(east, mag_z_sin_roll, out=work[2])
-    subtract(work[1], work[2], out=work[1])
-    multiply(mag_y_sin_pitch_sin_roll, north, out=work[0])
+    multiply(work[0], sin_roll, out=work[0])
+    level_x = add(work[1], work[0], out=work[0])
+    # level_y = cos_roll * mag_y - mag_z * sin_roll
+    multiply(cos_roll, mag_y, out=work[1])
+    multiply(mag_z, sin_roll, out=work[2])
+    level_y = subtract(work[1], work[2], out=work[1])
+    # out[0] = atan2(east * level_x - level_y * north, east * level_y + level_x * north)
+    multiply(east, level_x, out=work[2])
+    multiply(level_y, north, out=work[3])
+    subtract(work[2], work[3], out=work[2])
+    multiply(east, level_y, out=work[1])
+    multiply(level_x, north, out=work[0])
     add(work[1], work[0], out=work[0])
-    arctan2(work[5], work[0], out=out[0])
+    arctan2(work[2], work[0], out=out[0])
 
 
 def validation_factor(

@@ -986,8 +986,12 @@ void attitude_correct_steep_tilt(double roll, double pitch, double yaw, double r
 {
     const double sin_pitch = sin(pitch);
     const double turn = roll_accel - roll;
-    const double shortest_turn = turn > 3.141592653589793 || turn < -3.141592653589793 ? turn
-        - 6.283185307179586 * floor(0.15915494309189535 * turn + 0.5) : turn;
+    double shortest_turn;
+    if (turn > 3.141592653589793 || turn < -3.141592653589793) {
+        shortest_turn = turn - 6.283185307179586 * floor(0.15915494309189535 * turn + 0.5);
+    } else {
+        shortest_turn = turn;
+    }
     const double roll_change = shortest_turn * gain;
     out[0] = roll + roll_change;
     out[1] = gain * (pitch_accel - pitch) + pitch;
@@ -999,8 +1003,12 @@ void attitude_correct_steep_tilt_f(float roll, float pitch, float yaw, float rol
 {
     const float sin_pitch = sinf(pitch);
     const float turn = roll_accel - roll;
-    const float shortest_turn = turn > 3.141592653589793f || turn < -3.141592653589793f ? turn
-        - 6.283185307179586f * floorf(0.15915494309189535f * turn + 0.5f) : turn;
+    float shortest_turn;
+    if (turn > 3.141592653589793f || turn < -3.141592653589793f) {
+        shortest_turn = turn - 6.283185307179586f * floorf(0.15915494309189535f * turn + 0.5f);
+    } else {
+        shortest_turn = turn;
+    }
     const float roll_change = shortest_turn * gain;
     out[0] = roll + roll_change;
     out[1] = gain * (pitch_accel - pitch) + pitch;
@@ -1014,15 +1022,10 @@ double attitude_heading_from_magnetometer(double mag_x, double mag_y, double mag
     const double cos_pitch = cos(pitch);
     const double sin_roll = sin(roll);
     const double cos_roll = cos(roll);
-    const double cos_pitch_mag_x = cos_pitch * mag_x;
-    const double cos_roll_mag_z_sin_pitch = cos_roll * mag_z * sin_pitch;
-    const double mag_y_sin_pitch_sin_roll = mag_y * sin_pitch * sin_roll;
-    const double cos_roll_mag_y = cos_roll * mag_y;
-    const double mag_z_sin_roll = mag_z * sin_roll;
-    return atan2(cos_pitch_mag_x * east - cos_roll_mag_y * north + cos_roll_mag_z_sin_pitch * east
-        + east * mag_y_sin_pitch_sin_roll + mag_z_sin_roll * north, cos_pitch_mag_x * north
-            + cos_roll_mag_y * east + cos_roll_mag_z_sin_pitch * north - east * mag_z_sin_roll
-                + mag_y_sin_pitch_sin_roll * north);
+    const double level_x = cos_pitch * mag_x + cos_roll * mag_z * sin_pitch
+        + mag_y * sin_pitch * sin_roll;
+    const double level_y = cos_roll * mag_y - mag_z * sin_roll;
+    return atan2(east * level_x - level_y * north, east * level_y + level_x * north);
 }
 
 float attitude_heading_from_magnetometer_f(float mag_x, float mag_y, float mag_z, float roll,
@@ -1032,15 +1035,10 @@ float attitude_heading_from_magnetometer_f(float mag_x, float mag_y, float mag_z
     const float cos_pitch = cosf(pitch);
     const float sin_roll = sinf(roll);
     const float cos_roll = cosf(roll);
-    const float cos_pitch_mag_x = cos_pitch * mag_x;
-    const float cos_roll_mag_z_sin_pitch = cos_roll * mag_z * sin_pitch;
-    const float mag_y_sin_pitch_sin_roll = mag_y * sin_pitch * sin_roll;
-    const float cos_roll_mag_y = cos_roll * mag_y;
-    const float mag_z_sin_roll = mag_z * sin_roll;
-    return atan2f(cos_pitch_mag_x * east - cos_roll_mag_y * north + cos_roll_mag_z_sin_pitch * east
-        + east * mag_y_sin_pitch_sin_roll + mag_z_sin_roll * north, cos_pitch_mag_x * north
-            + cos_roll_mag_y * east + cos_roll_mag_z_sin_pitch * north - east * mag_z_sin_roll
-                + mag_y_sin_pitch_sin_roll * north);
+    const float level_x = cos_pitch * mag_x + cos_roll * mag_z * sin_pitch
+        + mag_y * sin_pitch * sin_roll;
+    const float level_y = cos_roll * mag_y - mag_z * sin_roll;
+    return atan2f(east * level_x - level_y * north, east * level_y + level_x * north);
 }
 
 double attitude_validation_factor(double mag_x, double mag_y, double mag_z, double roll,

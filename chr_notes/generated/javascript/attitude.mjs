@@ -966,8 +966,12 @@ export function correctTilt(roll, pitch, rollAccel, pitchAccel, gain) {
 export function correctSteepTilt(roll, pitch, yaw, rollAccel, pitchAccel, gain) {
   const sinPitch = Math.sin(pitch);
   const turn = rollAccel - roll;
-  const shortestTurn = turn > 3.141592653589793 || turn < -3.141592653589793 ? turn
-      - 6.283185307179586 * Math.floor(0.15915494309189535 * turn + 0.5) : turn;
+  let shortestTurn;
+  if (turn > 3.141592653589793 || turn < -3.141592653589793) {
+    shortestTurn = turn - 6.283185307179586 * Math.floor(0.15915494309189535 * turn + 0.5);
+  } else {
+    shortestTurn = turn;
+  }
   const rollChange = shortestTurn * gain;
   return [roll + rollChange, gain * (pitchAccel - pitch) + pitch, rollChange * sinPitch + yaw];
 }
@@ -989,14 +993,9 @@ export function headingFromMagnetometer(magX, magY, magZ, roll, pitch, north, ea
   const cosPitch = Math.cos(pitch);
   const sinRoll = Math.sin(roll);
   const cosRoll = Math.cos(roll);
-  const cosPitchMagX = cosPitch * magX;
-  const cosRollMagZSinPitch = cosRoll * magZ * sinPitch;
-  const magYSinPitchSinRoll = magY * sinPitch * sinRoll;
-  const cosRollMagY = cosRoll * magY;
-  const magZSinRoll = magZ * sinRoll;
-  return Math.atan2(cosPitchMagX * east - cosRollMagY * north + cosRollMagZSinPitch * east
-      + east * magYSinPitchSinRoll + magZSinRoll * north, cosPitchMagX * north + cosRollMagY * east
-          + cosRollMagZSinPitch * north - east * magZSinRoll + magYSinPitchSinRoll * north);
+  const levelX = cosPitch * magX + cosRoll * magZ * sinPitch + magY * sinPitch * sinRoll;
+  const levelY = cosRoll * magY - magZ * sinRoll;
+  return Math.atan2(east * levelX - levelY * north, east * levelY + levelX * north);
 }
 
 /**

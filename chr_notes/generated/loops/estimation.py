@@ -5,7 +5,7 @@ quaternions.4.b.
 """
 
 from collections.abc import Iterable, MutableSequence
-from math import atan2, cos, floor, sin, sqrt, tan
+from math import atan2, cos, sin, sqrt, tan
 
 
 Samples = Iterable[float]
@@ -120,7 +120,10 @@ def correct_steep_tilt(
     """
     sin_pitch = sin(pitch)
     turn = roll_accel - roll
-    shortest_turn = turn - 6.283185307179586 * floor(0.15915494309189535 * turn + 0.5) if turn > 3.141592653589793 or turn < -3.141592653589793 else turn
+    if turn > 3.141592653589793 or turn < -3.141592653589793:
+        shortest_turn = turn - 6.283185307179586 * ((0.15915494309189535 * turn + 0.5) // 1.0)
+    else:
+        shortest_turn = turn
     roll_change = shortest_turn * gain
     return (roll + roll_change, gain * (pitch_accel - pitch) + pitch, roll_change * sin_pitch + yaw)
 
@@ -269,7 +272,10 @@ def fixed_gain_observer(
                 roll, pitch, yaw, _ = euler_from_quaternion(a, b, c, d)
         if roll_accel == roll_accel:
             turn = roll_accel - roll
-            shortest_turn = turn - 6.283185307179586 * floor(0.15915494309189535 * turn + 0.5) if turn > 3.141592653589793 or turn < -3.141592653589793 else turn
+            if turn > 3.141592653589793 or turn < -3.141592653589793:
+                shortest_turn = turn - 6.283185307179586 * ((0.15915494309189535 * turn + 0.5) // 1.0)
+            else:
+                shortest_turn = turn
             new_pitch = gain * (pitch_accel - pitch) + pitch
             if -1.3089969389957472 < new_pitch < 1.3089969389957472:
                 roll = shortest_turn * gain + roll

@@ -135,6 +135,9 @@ def correct_steep_tilt(
     """
     sin_pitch = sin(pitch)
     turn = roll_accel - roll
-    shortest_turn = turn - 6.283185307179586 * floor(0.15915494309189535 * turn + 0.5) if turn > 3.141592653589793 or turn < -3.141592653589793 else turn
+    if turn > 3.141592653589793 or turn < -3.141592653589793:
+        shortest_turn = turn - 6.283185307179586 * ((0.15915494309189535 * turn + 0.5) // 1.0)
+    else:
+        shortest_turn = turn
     roll_change = shortest_turn * gain
     return (roll + roll_change, gain * (pitch_accel - pitch) + pitch, roll_change * sin_pitch + yaw)

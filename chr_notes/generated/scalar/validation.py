@@ -24,17 +24,9 @@ def heading_from_magnetometer(
     cos_pitch = cos(pitch)
     sin_roll = sin(roll)
     cos_roll = cos(roll)
-    cos_pitch_mag_x = cos_pitch * mag_x
-    cos_roll_mag_z_sin_pitch = cos_roll * mag_z * sin_pitch
-    mag_y_sin_pitch_sin_roll = mag_y * sin_pitch * sin_roll
-    cos_roll_mag_y = cos_roll * mag_y
-    mag_z_sin_roll = mag_z * sin_roll
-    return (
-        atan2(cos_pitch_mag_x * east - cos_roll_mag_y * north + cos_roll_mag_z_sin_pitch * east
-            + east * mag_y_sin_pitch_sin_roll + mag_z_sin_roll * north, cos_pitch_mag_x * north
-                + cos_roll_mag_y * east + cos_roll_mag_z_sin_pitch * north - east * mag_z_sin_roll
-                    + mag_y_sin_pitch_sin_roll * north)
-    )
+    level_x = cos_pitch * mag_x + cos_roll * mag_z * sin_pitch + mag_y * sin_pitch * sin_roll
+    level_y = cos_roll * mag_y - mag_z * sin_roll
+    return atan2(east * level_x - level_y * north, east * level_y + level_x * north)
 
 
 def validation_factor(
