@@ -131,6 +131,7 @@ def evaluate(
     given: Sequence[Floats],
     out: Sequence[Floats],
     scaled: tuple[str, Floats] | None = None,
+    degree: int = 0,
 ) -> NDArray[np.intp]:
     """Run a generated function over arrays.
 
@@ -143,8 +144,10 @@ def evaluate(
     out
         Its results.
     scaled
-        Name and value of the argument whose length does not matter but must not be zero, for a
-        function with a guard. Where its square would overflow or vanish it is scaled first.
+        Name and value of the argument that must not be zero, for a function with a guard. Where its
+        square would overflow or vanish it is scaled first.
+    degree
+        Power of the length of `scaled` to which the results are proportional.
 
     Returns
     -------
@@ -167,19 +170,31 @@ def evaluate(
             fits = guard is None or (guard.min() > _LEAST and guard.max() < _MOST)
             if scaled is not None and not fits:
                 count = scaled[1].shape[-1]
-                lengths = _scale(parts[:count], *scaled)
-                _, lock = function(*lengths, *parts[count:], results, work) or (None, None)
+                scaled_parts, exponent = _scale(parts[:count], *scaled)
+                _, lock = function(*scaled_parts, *parts[count:], results, work) or (None, None)
+                for result in results if degree else ():
+                    np.ldexp(result, degree * exponent, out=result)
         if lock is not None and lock.any():
             locked.append(start + np.flatnonzero(lock))
     return np.concatenate(locked) if locked else np.empty(0, dtype=np.intp)
 
 
-def _scale(parts: Sequence[Floats], name: str, argument: Floats) -> list[Floats]:
-    """Bring each row's largest element to between 1/2 and 1, exactly; refuse a row of zeros."""
+def _scale(
+    parts: Sequence[Floats], name: str, argument: Floats
+) -> tuple[list[Floats], NDArray[np.intc]]:
+    """Bring each row's largest element to between 1/2 and 1, exactly; refuse a row of zeros.
+
+    Returns
+    -------
+    parts
+        The scaled parts.
+    exponent
+        Power of two by which each row was divided.
+    """
     largest = np.max(np.abs(parts), axis=0)
     if (largest == 0).any():
         where = np.argwhere(~np.any(argument, axis=-1))[0]
         msg = f"{name}: expected no row of zeros, got one at index {tuple(map(int, where))}"
         raise ValueError(msg)
     exponent = np.where(np.isfinite(largest), np.frexp(largest)[1], 0)
-    return [np.ldexp(part, -exponent) for part in parts]
+    return [np.ldexp(part, -exponent) for part in parts], exponent

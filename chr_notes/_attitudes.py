@@ -11,7 +11,10 @@ from chr_notes.errors import GimbalLockError, GimbalLockWarning
 
 OnGimbalLock = Literal["warn", "ignore", "raise"]
 ROTATION_TOLERANCE = 1e-4
-"""How far an element of `R Rᵀ` may be off the identity: matrices printed in books still pass."""
+"""How far `R Rᵀ` may be off the identity, as the root mean square over its elements.
+
+Matrices that are printed with four digits still pass.
+"""
 
 
 def rotations(name: str, value: ArrayLike) -> Floats:
@@ -35,7 +38,7 @@ def rotations(name: str, value: ArrayLike) -> Floats:
         block = np.reshape(parts, (3, 3, -1))
         with np.errstate(all="ignore"):
             off = np.einsum("ikn,jkn->nij", block, block) - np.eye(3)
-            off_by = np.abs(off, out=off).max(axis=(1, 2))
+            off_by = np.sqrt(np.square(off, out=off).mean(axis=(1, 2)))
             volume = np.sum(np.cross(block[0], block[1], axis=0) * block[2], axis=0)
             # NaN compares as neither, so it passes and comes out in its own row.
             wrong = np.flatnonzero((off_by > ROTATION_TOLERANCE) | (volume < 0))

@@ -61,7 +61,8 @@ def euler_from_matrix(matrix: ArrayLike, *, on_gimbal_lock: OnGimbalLock = "warn
     ------
     ValueError
         If the last axes are not 3 by 3, or a matrix is not a rotation: `R Rᵀ` is off the identity
-        by more than 1e-4, or the determinant is negative. The error names the first such matrix.
+        by more than 1e-4 (root mean square of the elements), or the determinant is negative. The
+        error names the first such matrix.
     GimbalLockError
         If an attitude is at gimbal lock and `on_gimbal_lock` is "raise".
 

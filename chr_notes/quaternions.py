@@ -60,7 +60,8 @@ def quaternion_from_matrix(matrix: ArrayLike) -> Floats:
     ------
     ValueError
         If the last axes are not 3 by 3, or a matrix is not a rotation: `R Rᵀ` is off the identity
-        by more than 1e-4, or the determinant is negative. The error names the first such matrix.
+        by more than 1e-4 (root mean square of the elements), or the determinant is negative. The
+        error names the first such matrix.
 
     Notes
     -----
@@ -299,7 +300,7 @@ def quaternion_inverse(q: ArrayLike) -> Floats:
     quaternion = reals("q", q, 4)
     out = np.empty(quaternion.shape)
     given = components(quaternion)
-    evaluate(generated.quaternion_inverse, given, components(out), ("q", quaternion))
+    evaluate(generated.quaternion_inverse, given, components(out), ("q", quaternion), degree=-1)
     return out
 
 

@@ -158,7 +158,8 @@ class Calls:
         for place, (function, factor) in enumerate(operands[1:], 1):
             last = place == len(operands) - 1 and not negated
             total = self.add(function, total, self.value(factor), into=into if last else None)
-        return self.add("negative", total, into=into) if negated else str(total)
+        # NumPy 2.4's own `negative` misreads elements that lie 64 bytes apart.
+        return self.add("multiply", total, -1.0, into=into) if negated else str(total)
 
     def _power(self, value: Pow, into: str | None) -> str:
         base, exponent = value.base, value.exp

@@ -77,13 +77,22 @@ def with_lock(steps: tuple[Let, ...], angles: ImmutableMatrix, yaw_at_lock: Expr
 
 @cache
 def euler_from_matrix() -> Computation:
-    """Euler angles of a matrix `R_I^B`, at gimbal lock too."""
-    roll, pitch, yaw = quaternions.euler_from_matrix(quaternions.MATRIX)
-    sine, cosine = pitch.args
-    squares = cosine.base.as_ordered_terms()
-    bases = [square.base for square in squares]
-    angles = ImmutableMatrix([roll, atan2(sine, hypot(*bases)), yaw])
-    return with_lock((), angles, quaternions.yaw_without_roll(quaternions.MATRIX))
+    """Euler angles of a matrix `R_I^B`, at gimbal lock too.
+
+    Near the lock the elements that hold the sine and cosine of roll and of yaw times the cosine of
+    pitch are small, so rounding turns them: roll and yaw, each read off its own two, would not
+    belong to one attitude. So only yaw is read off the first row. Roll is the angle from the
+    vehicle-2 frame of that yaw to the body: the first row by the third and by the second, as in a
+    vector product, are sine and cosine of roll times the cosine of pitch, to full precision.
+    """
+    matrix = quaternions.MATRIX
+    _, pitch, yaw = quaternions.euler_from_matrix(matrix)
+    east, north = yaw.args
+    roll = atan2(
+        east * matrix[2, 0] - north * matrix[2, 1], north * matrix[1, 1] - east * matrix[1, 0]
+    )
+    angles = ImmutableMatrix([roll, atan2(pitch.args[0], hypot(north, east)), yaw])
+    return with_lock((), angles, quaternions.yaw_without_roll(matrix))
 
 
 @cache

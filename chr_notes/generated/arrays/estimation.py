@@ -17,7 +17,6 @@ from numpy import (
     logical_not,
     logical_or,
     multiply,
-    negative,
     sqrt,
     square,
     subtract,
@@ -42,8 +41,8 @@ def tilt_from_accelerometer(
     Ledger: estimation.2.5, estimation.2.6.
     """
     # out[0] = atan2(-accel_y, -accel_z)
-    negative(accel_y, out=work[0])
-    negative(accel_z, out=work[1])
+    multiply(accel_y, -1.0, out=work[0])
+    multiply(accel_z, -1.0, out=work[1])
     arctan2(work[0], work[1], out=out[0])
     # out[1] = atan2(accel_x, sqrt(accel_y * accel_y + accel_z * accel_z))
     square(accel_y, out=work[0])
@@ -180,8 +179,8 @@ def observer_step(
     multiply(dt, work[2], out=work[2])
     predicted_pitch = add(work[2], pitch, out=work[2])
     # roll_to_measured = atan2(-accel_y, -accel_z) - predicted_roll
-    negative(accel_y, out=work[3])
-    negative(accel_z, out=work[5])
+    multiply(accel_y, -1.0, out=work[3])
+    multiply(accel_z, -1.0, out=work[5])
     arctan2(work[3], work[5], out=work[3])
     roll_to_measured = subtract(work[3], predicted_roll, out=work[3])
     # pitch_to_measured = atan2(accel_x, sqrt(accel_y * accel_y + accel_z * accel_z))

@@ -20,7 +20,6 @@ from numpy import (
     logical_and,
     logical_not,
     multiply,
-    negative,
     sqrt,
     square,
     subtract,
@@ -76,7 +75,7 @@ def matrix_from_euler(
     sin_roll_sin_yaw = multiply(sin_roll, sin_yaw, out=work[8])
     multiply(cos_pitch, cos_yaw, out=out[0])
     multiply(cos_pitch, sin_yaw, out=out[1])
-    negative(sin_pitch, out=out[2])
+    multiply(sin_pitch, -1.0, out=out[2])
     # out[3] = cos_yaw * sin_pitch * sin_roll - cos_roll_sin_yaw
     multiply(cos_yaw, sin_pitch, out=work[4])
     multiply(work[4], sin_roll, out=work[4])
@@ -125,7 +124,7 @@ def euler_from_matrix(
     Returns the whether at gimbal lock, where roll is set to 0.
     """
     # pitch = atan2(-r13, sqrt(r11 * r11 + r12 * r12))
-    negative(r13, out=work[0])
+    multiply(r13, -1.0, out=work[0])
     square(r11, out=work[1])
     square(r12, out=work[2])
     add(work[1], work[2], out=work[1])
@@ -134,11 +133,17 @@ def euler_from_matrix(
     # locked = abs(pitch) > 1.5707963267948948
     absolute(pitch, out=work[0])
     locked = greater(work[0], 1.5707963267948948)
-    roll = arctan2(r23, r33, out=out[0])
+    multiply(r12, r31, out=work[0])
+    multiply(r11, r32, out=work[1])
+    subtract(work[0], work[1], out=work[0])
+    multiply(r11, r22, out=work[1])
+    multiply(r12, r21, out=work[2])
+    subtract(work[1], work[2], out=work[1])
+    roll = arctan2(work[0], work[1], out=out[0])
     yaw = arctan2(r12, r11, out=out[2])
     if locked.any():
         copyto(roll, 0.0, where=locked)
-        negative(r21, out=work[0])
+        multiply(r21, -1.0, out=work[0])
         arctan2(work[0], r22, out=work[0])
         copyto(yaw, work[0], where=locked)
     return None, locked
@@ -176,7 +181,7 @@ def euler_rates_matrix(
     multiply(sin_roll, tan_pitch, out=out[1])
     multiply(cos_roll, tan_pitch, out=out[2])
     copyto(out[3], 0.0)
-    negative(sin_roll, out=out[5])
+    multiply(sin_roll, -1.0, out=out[5])
     copyto(out[6], 0.0)
     multiply(sec_pitch, sin_roll, out=out[7])
     multiply(cos_roll, sec_pitch, out=out[8])

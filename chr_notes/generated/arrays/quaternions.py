@@ -22,7 +22,6 @@ from numpy import (
     logical_and,
     logical_not,
     multiply,
-    negative,
     sqrt,
     square,
     subtract,
@@ -164,7 +163,7 @@ def quaternion_from_matrix(
         copyto(c, work[4], where=condition_5)
         subtract(r12, r21, out=work[4])
         copyto(d, work[4], where=condition_5)
-        negative(r22, out=work[4])
+        multiply(r22, -1.0, out=work[4])
         condition_13 = less(r11, work[4])
         condition_14 = logical_and(condition_5, condition_13)
         subtract(r12, r21, out=work[4])
@@ -559,9 +558,9 @@ def quaternion_conjugate(
     Ledger: quaternions.3.c.
     """
     copyto(out[0], a)
-    negative(b, out=out[1])
-    negative(c, out=out[2])
-    negative(d, out=out[3])
+    multiply(b, -1.0, out=out[1])
+    multiply(c, -1.0, out=out[2])
+    multiply(d, -1.0, out=out[3])
 
 
 def quaternion_inverse(
@@ -592,13 +591,13 @@ def quaternion_inverse(
     multiply(a, inverse_norm_squared, out=out[0])
     # out[1] = -b * inverse_norm_squared
     multiply(b, inverse_norm_squared, out=work[2])
-    negative(work[2], out=out[1])
+    multiply(work[2], -1.0, out=out[1])
     # out[2] = -c * inverse_norm_squared
     multiply(c, inverse_norm_squared, out=work[2])
-    negative(work[2], out=out[2])
+    multiply(work[2], -1.0, out=out[2])
     # out[3] = -d * inverse_norm_squared
     multiply(d, inverse_norm_squared, out=work[1])
-    negative(work[1], out=out[3])
+    multiply(work[1], -1.0, out=out[3])
     return norm_squared, None
 
 

@@ -5,7 +5,7 @@ sensors.2.4, sensors.2.5, sensors.2.c, sensors.2.e, sensors.3.2, sensors.4.1, se
 
 from collections.abc import Sequence
 
-from numpy import (add, divide, float64, multiply, negative, square, subtract, tan)
+from numpy import (add, divide, float64, multiply, square, subtract, tan)
 from numpy.typing import NDArray
 
 Block = NDArray[float64]
@@ -46,10 +46,10 @@ def accelerometer_at_rest(
     multiply(gravity, sin_pitch, out=out[0])
     # out[1] = -cos_pitch_gravity * sin_roll
     multiply(cos_pitch_gravity, sin_roll, out=work[0])
-    negative(work[0], out=out[1])
+    multiply(work[0], -1.0, out=out[1])
     # out[2] = -cos_pitch_gravity * cos_roll
     multiply(cos_pitch_gravity, cos_roll, out=work[0])
-    negative(work[0], out=out[2])
+    multiply(work[0], -1.0, out=out[2])
 
 
 def sensor_measures(

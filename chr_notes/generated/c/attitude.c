@@ -61,13 +61,13 @@ void attitude_matrix_from_euler_f(float roll, float pitch, float yaw, float out[
 int attitude_euler_from_matrix(double r11, double r12, double r13, double r21, double r22,
     double r23, double r31, double r32, double r33, double out[3])
 {
-    (void)(r31);
-    (void)(r32);
+    (void)(r23);
+    (void)(r33);
     const double pitch = atan2(-r13, hypot(r11, r12));
     const int locked = fabs(pitch) > 1.5707963267948948;
     double roll, yaw;
     if (!locked) {
-        roll = atan2(r23, r33);
+        roll = atan2(r12 * r31 - r11 * r32, r11 * r22 - r12 * r21);
         yaw = atan2(r12, r11);
     } else {
         roll = 0.0;
@@ -82,13 +82,13 @@ int attitude_euler_from_matrix(double r11, double r12, double r13, double r21, d
 int attitude_euler_from_matrix_f(float r11, float r12, float r13, float r21, float r22, float r23,
     float r31, float r32, float r33, float out[3])
 {
-    (void)(r31);
-    (void)(r32);
+    (void)(r23);
+    (void)(r33);
     const float pitch = atan2f(-r13, hypotf(r11, r12));
     const int locked = fabsf(pitch) > 1.5707953731205802f;
     float roll, yaw;
     if (!locked) {
-        roll = atan2f(r23, r33);
+        roll = atan2f(r12 * r31 - r11 * r32, r11 * r22 - r12 * r21);
         yaw = atan2f(r12, r11);
     } else {
         roll = 0.0f;

@@ -58,7 +58,7 @@ export function eulerFromMatrix(r11, r12, r13, r21, r22, r23, r31, r32, r33) {
   const locked = Math.abs(pitch) > 1.5707963267948948;
   let roll, yaw;
   if (!locked) {
-    roll = Math.atan2(r23, r33);
+    roll = Math.atan2(r12 * r31 - r11 * r32, r11 * r22 - r12 * r21);
     yaw = Math.atan2(r12, r11);
   } else {
     roll = 0;

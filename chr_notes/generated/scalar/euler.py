@@ -67,7 +67,7 @@ def euler_from_matrix(
     pitch = atan2(-r13, hypot(r11, r12))
     locked = abs(pitch) > 1.5707963267948948
     if not locked:
-        roll = atan2(r23, r33)
+        roll = atan2(r12 * r31 - r11 * r32, r11 * r22 - r12 * r21)
         yaw = atan2(r12, r11)
     else:
         roll = 0.0

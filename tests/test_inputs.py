@@ -1,0 +1,293 @@
+"""What the functions of attitudes take and refuse: shapes, types, zeros, NaN, layout, memory."""
+
+import tracemalloc
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose, assert_array_equal
+from numpy.typing import NDArray
+
+import chr_notes
+from chr_notes._arrays import BLOCK
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Function:
+    """A function with arguments for one attitude.
+
+    Parameters
+    ----------
+    call
+        The function, with gimbal lock ignored.
+    given
+        Name and value of each argument.
+    zero
+        Name of an argument that must not be a row of zeros.
+    """
+
+    call: Callable[..., Any]
+    given: dict[str, Any]
+    zero: str | None = None
+
+    def many(self, count: int) -> list[Floats]:
+        """Give arguments for several attitudes, each row a little different."""
+        factors = 1 + np.arange(count) / max(count, 1) / 4
+        if "matrix" in self.given:
+            return [chr_notes.matrix_from_euler(np.outer(factors, EULER))]
+        values = map(np.asarray, self.given.values())
+        return [factors.reshape(-1, *([1] * value.ndim)) * value for value in values]
+
+    def __call__(self, *arguments: object) -> list[Floats]:
+        """Call it; the results in a list."""
+        results = self.call(*arguments)
+        return list(results) if isinstance(results, tuple) else [results]
+
+
+EULER = [0.3, -0.7, 1.9]
+Q, P, V = [0.5, -0.4, 0.6, 0.2], [0.1, 0.9, -0.3, 0.4], [1.0, -2.0, 0.5]
+FUNCTIONS = {
+    "matrix_from_euler": Function(chr_notes.matrix_from_euler, {"euler": EULER}),
+    "euler_from_matrix": Function(
+        lambda m: chr_notes.euler_from_matrix(m, on_gimbal_lock="ignore"),
+        {"matrix": chr_notes.matrix_from_euler(EULER)},
+    ),
+    "euler_rates_matrix": Function(chr_notes.euler_rates_matrix, {"euler": EULER}),
+    "euler_rates_from_body_rates": Function(
+        chr_notes.euler_rates_from_body_rates, {"euler": EULER, "body_rates": V}
+    ),
+    "body_rates_from_euler_rates": Function(
+        chr_notes.body_rates_from_euler_rates, {"euler": EULER, "euler_rates": V}
+    ),
+    "wrap_angle": Function(chr_notes.wrap_angle, {"angle": 4.0}),
+    "matrix_from_quaternion": Function(chr_notes.matrix_from_quaternion, {"q": Q}, "q"),
+    "quaternion_from_matrix": Function(
+        chr_notes.quaternion_from_matrix, {"matrix": chr_notes.matrix_from_euler(EULER)}
+    ),
+    "quaternion_from_euler": Function(chr_notes.quaternion_from_euler, {"euler": EULER}),
+    "euler_from_quaternion": Function(
+        lambda q: chr_notes.euler_from_quaternion(q, on_gimbal_lock="ignore"), {"q": Q}, "q"
+    ),
+    "quaternion_from_axis_angle": Function(
+        chr_notes.quaternion_from_axis_angle, {"axis": V, "angle": 0.8}, "axis"
+    ),
+    "axis_angle_from_quaternion": Function(chr_notes.axis_angle_from_quaternion, {"q": Q}, "q"),
+    "quaternion_multiply": Function(chr_notes.quaternion_multiply, {"p": P, "q": Q}),
+    "quaternion_conjugate": Function(chr_notes.quaternion_conjugate, {"q": Q}),
+    "quaternion_inverse": Function(chr_notes.quaternion_inverse, {"q": Q}, "q"),
+    "rotate_to_inertial": Function(chr_notes.rotate_to_inertial, {"q": Q, "v_body": V}, "q"),
+    "rotate_to_body": Function(chr_notes.rotate_to_body, {"q": Q, "v_inertial": V}, "q"),
+}
+every = pytest.mark.parametrize("function", FUNCTIONS.values(), ids=FUNCTIONS)
+with_zero = pytest.mark.parametrize(
+    "function",
+    [f for f in FUNCTIONS.values() if f.zero],
+    ids=[n for n, f in FUNCTIONS.items() if f.zero],
+)
+
+
+def assert_same(first: list[Floats], second: list[Floats], tolerance: float = 1e-15) -> None:
+    for one, other in zip(first, second, strict=True):
+        assert one.shape == other.shape
+        assert one.dtype == np.float64
+        assert_allclose(one, other, rtol=tolerance, atol=tolerance)
+
+
+@every
+def test_one_attitude_and_many_give_the_same(function: Function) -> None:
+    arguments = function.many(5)
+    together = function(*arguments)
+    for row in range(5):
+        assert_same(function(*(a[row] for a in arguments)), [r[row] for r in together])
+
+
+@every
+@pytest.mark.parametrize("leading", [(), (1,), (0,), (2, 3), (3, 0, 2), (2, 1, 3)])
+def test_leading_axes_are_kept(function: Function, leading: tuple[int, ...]) -> None:
+    arguments = [
+        np.broadcast_to(value, (*leading, *np.shape(value))) for value in function.given.values()
+    ]
+    one = function(*function.given.values())
+    for result, single in zip(function(*arguments), one, strict=True):
+        assert result.shape == (*leading, *single.shape)
+        assert_allclose(result, np.broadcast_to(single, result.shape), rtol=1e-15, atol=1e-15)
+
+
+@every
+def test_leading_axes_broadcast(function: Function) -> None:
+    if len(function.given) == 1:
+        return
+    first, second = (np.asarray(value) for value in function.given.values())
+    spread = function(
+        np.broadcast_to(first, (4, 1, *first.shape)), np.broadcast_to(second, (5, *second.shape))
+    )
+    assert spread[0].shape[:2] == (4, 5)
+    names = " and ".join(function.given)
+    with pytest.raises(ValueError, match=f"expected {names} with leading axes that broadcast"):
+        function(np.stack([first] * 2), np.stack([second] * 3))
+
+
+@every
+def test_a_wrong_shape_states_both(function: Function) -> None:
+    for place, (name, value) in enumerate(function.given.items()):
+        shape = np.shape(value)
+        if not shape:
+            continue
+        arguments = list(function.given.values())
+        sizes = ", ".join(map(str, shape))
+        for wrong in (np.ones((2, 5)), np.ones(()), np.ones((0,))):
+            arguments[place] = wrong
+            expected = f"{name}: expected shape (..., {sizes}), got {wrong.shape}"
+            with pytest.raises(ValueError, match=r"^" + _escaped(expected) + "$"):
+                function(*arguments)
+
+
+def _escaped(text: str) -> str:
+    return "".join(f"\\{letter}" if letter in "().," else letter for letter in text)
+
+
+@with_zero
+@pytest.mark.parametrize("place", [0, 3, 2 * BLOCK + 1])
+def test_a_row_of_zeros_is_refused_by_its_index(function: Function, place: int) -> None:
+    arguments = function.many(2 * BLOCK + 4)
+    arguments[0][[place, 2 * BLOCK + 3]] = 0
+    message = rf"^{function.zero}: expected no row of zeros, got one at index \({place},\)$"
+    with pytest.raises(ValueError, match=message):
+        function(*arguments)
+    with pytest.raises(ValueError, match=r"index \(\)$"):
+        function(*(a[place] for a in arguments))
+
+
+@with_zero
+@pytest.mark.parametrize("factor", [1e-320, 1e-290, 1e-100, -1.0, 1e100, 1e300])
+def test_length_does_not_matter(function: Function, factor: float) -> None:
+    if function.call is chr_notes.quaternion_inverse:
+        return
+    first, *rest = function.many(7)
+    # A power of two near the factor scales exactly, unless digits of a denormal number are lost.
+    power = np.copysign(2.0 ** np.round(np.log2(np.abs(factor))), factor)
+    scaled = function(first * power, *rest)
+    kept = first * power / power
+    if factor < 0 and function.zero == "axis":
+        kept = -kept
+    assert_same(scaled, function(kept, *rest), 1e-14)
+
+
+def test_inverse_of_quaternions_of_any_length() -> None:
+    for factor in (1e-300, 1e-150, 1.0, 1e150, 1e300):
+        q = factor * np.array([Q, P])
+        product = chr_notes.quaternion_multiply(q, chr_notes.quaternion_inverse(q))
+        assert_allclose(product, [[1, 0, 0, 0]] * 2, atol=1e-14)
+
+
+@pytest.mark.parametrize("name", ["euler_from_matrix", "quaternion_from_matrix"])
+def test_matrices_that_are_no_rotations_are_refused(name: str) -> None:
+    function = FUNCTIONS[name]
+    good = function.many(2 * BLOCK)[0]
+    for wrong in (
+        np.zeros((3, 3)),
+        np.ones((3, 3)),
+        1.001 * np.eye(3),
+        -np.eye(3),
+        np.eye(3)[[1, 0, 2]],
+    ):
+        matrices = good.copy()
+        matrices[[BLOCK + 2, BLOCK + 9]] = wrong
+        message = rf"^matrix: expected rotations .* got one at index \({BLOCK + 2},\)"
+        with pytest.raises(ValueError, match=message):
+            function(matrices)
+    # Four digits, as books print.
+    function(np.round(good, 4))
+
+
+@every
+@pytest.mark.parametrize("bad", [np.nan, np.inf])
+def test_what_is_no_number_stays_in_its_row_and_is_silent(function: Function, bad: float) -> None:
+    count = 2 * BLOCK
+    clean = function(*function.many(count))
+    for place in range(len(function.given)):
+        arguments = function.many(count)
+        arguments[place].reshape(count, -1)[BLOCK + 3, 0] = bad
+        if bad == np.inf and "matrix" in function.given:
+            # R Rᵀ is not the identity, by any amount.
+            with pytest.raises(ValueError, match="expected rotations"):
+                function(*arguments)
+            continue
+        others = np.arange(count) != BLOCK + 3
+        for result, expected in zip(function(*arguments), clean, strict=True):
+            assert_array_equal(result[others], expected[others])
+        if np.isnan(bad):
+            assert not all(np.isfinite(r[~others]).all() for r in function(*arguments))
+
+
+@every
+def test_integers_lists_float32_and_fractions(function: Function) -> None:
+    arguments = [np.asarray(a, dtype=np.float64) for a in function.many(3)]
+    single = [a.astype(np.float32) for a in arguments]
+    if "matrix" not in function.given:
+        exact = [np.round(4 * a) for a in arguments]
+        expected = function(*exact)
+        assert_same(function(*(a.astype(int) for a in exact)), expected)
+        assert_same(function(*(a.astype(int).tolist() for a in exact)), expected)
+        assert_same(function(*(a.astype(np.int8) for a in exact)), expected)
+        quarters = [np.vectorize(Fraction, otypes=[object])(a) / 4 for a in exact]
+        assert_same(function(*quarters), function(*(a / 4 for a in exact)))
+    assert_same(function(*single), function(*(a.astype(np.float64) for a in single)))
+    assert_same(function(*(a.tolist() for a in arguments)), function(*arguments))
+
+
+@every
+def test_complex_numbers_and_words_are_refused(function: Function) -> None:
+    arguments = [np.asarray(a) for a in function.given.values()]
+    with pytest.raises(TypeError, match="expected real numbers, got complex128"):
+        function(arguments[0] + 0j, *arguments[1:])
+    with pytest.raises(ValueError, match="could not convert"):
+        function(np.full(arguments[0].shape, "north"), *arguments[1:])
+
+
+@every
+def test_arguments_of_any_layout_are_read_and_not_changed(function: Function) -> None:
+    count = BLOCK + 3
+    arguments = function.many(count)
+    expected = function(*arguments)
+    layouts: list[Callable[[Floats], Floats]] = [
+        np.asfortranarray,
+        lambda a: np.repeat(a, 2, axis=0)[::2],
+        lambda a: a[::-1].copy()[::-1],
+        lambda a: np.repeat(a[..., np.newaxis], 2, axis=-1)[..., 0],
+        lambda a: a.astype(">f8"),
+    ]
+    for layout in layouts:
+        laid_out = [layout(a) for a in arguments]
+        for argument in laid_out:
+            argument.flags.writeable = False
+        assert_same(function(*laid_out), expected)
+        for argument, original in zip(laid_out, arguments, strict=True):
+            assert_array_equal(argument, original)
+
+
+@every
+def test_results_are_new_arrays_in_c_order(function: Function) -> None:
+    arguments = function.many(4)
+    for result in function(*arguments):
+        assert result.flags.c_contiguous
+        assert result.flags.writeable
+        assert not any(np.shares_memory(result, argument) for argument in arguments)
+
+
+@every
+@pytest.mark.parametrize("kind", [np.float64, np.float32])
+def test_memory_beyond_input_and_output_does_not_grow(function: Function, kind: type) -> None:
+    arguments = [a.astype(kind) for a in function.many(1_000_000)]
+    tracemalloc.start()
+    try:
+        results = function(*arguments)
+        _, peak = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert peak - sum(result.nbytes for result in results) < 8_000_000
