@@ -1,0 +1,198 @@
+"""What is timed: each task in each library that can do it, for one attitude or for many.
+
+Objects that a library keeps attitudes in are made before the clock starts, which favours the
+libraries that have such objects.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+import ahrs
+import numpy as np
+import pytransform3d.batch_rotations as batch
+import pytransform3d.rotations as rotations
+import quaternion as numpy_quaternion
+import sym
+import transforms3d
+from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
+
+import chr_notes
+from chr_notes.generated.scalar import euler as scalar_euler
+from chr_notes.generated.scalar import quaternions as scalar
+
+Floats = NDArray[np.float64]
+OURS, SCALAR = "chr_notes", "chr_notes, one at a time"
+
+
+@dataclass(frozen=True)
+class Data:
+    """Random attitudes, vectors and rates, a row each."""
+
+    q: Floats
+    p: Floats
+    euler: Floats
+    vectors: Floats
+
+    @property
+    def scipy(self) -> Rotation:
+        """The attitudes as SciPy keeps them."""
+        return Rotation.from_quat(self.q, scalar_first=True)
+
+
+def data(rows: int) -> Data:
+    """Make the same data each time."""
+    rng = np.random.default_rng(4)
+    q, p = rng.normal(size=(2, rows, 4))
+    angles = rng.uniform([-np.pi, -1.5, -np.pi], [np.pi, 1.5, np.pi], (rows, 3))
+    unit = [each / np.linalg.norm(each, axis=1, keepdims=True) for each in (q, p)]
+    return Data(*unit, angles, rng.normal(size=(rows, 3)))
+
+
+def euler_rates_with_sines(euler: Floats, rates: Floats) -> Floats:
+    """Work out the rates in plain NumPy, each sine and cosine once."""
+    roll, pitch = euler[:, 0], euler[:, 1]
+    p, q, r = rates.T
+    sine, cosine = np.sin(roll), np.cos(roll)
+    across = q * sine + r * cosine
+    return np.stack(
+        [p + across * np.tan(pitch), q * cosine - r * sine, across / np.cos(pitch)], axis=-1
+    )
+
+
+def _symforce(row: Floats) -> Any:  # noqa: ANN401 (the library has no types)
+    return sym.Rot3([*row[1:], row[0]])
+
+
+Task = Callable[[Data], Callable[[], Any]]
+
+# For many attitudes: by task, then by library.
+MANY: dict[str, dict[str, Task]] = {
+    "Euler angles from quaternions": {
+        OURS: lambda d: partial(chr_notes.euler_from_quaternion, d.q),
+        "SciPy": lambda d: partial(d.scipy.as_euler, "ZYX"),
+        "ahrs": lambda d: ahrs.QuaternionArray(d.q).to_angles,
+    },
+    "matrices from Euler angles": {
+        OURS: lambda d: partial(chr_notes.matrix_from_euler, d.euler),
+        "SciPy": lambda d: lambda: Rotation.from_euler("ZYX", d.euler[:, ::-1]).as_matrix(),
+        "pytransform3d": lambda d: partial(
+            batch.active_matrices_from_intrinsic_euler_angles, 2, 1, 0, d.euler[:, ::-1]
+        ),
+    },
+    "Euler rates from body rates": {
+        OURS: lambda d: partial(chr_notes.euler_rates_from_body_rates, d.euler, d.vectors),
+        "plain NumPy": lambda d: partial(euler_rates_with_sines, d.euler, d.vectors),
+    },
+    "products of quaternions": {
+        OURS: lambda d: partial(chr_notes.quaternion_multiply, d.p, d.q),
+        "SciPy": lambda d: partial(
+            Rotation.__mul__, Rotation.from_quat(d.p, scalar_first=True), d.scipy
+        ),
+        "numpy-quaternion": lambda d: partial(
+            np.multiply,
+            numpy_quaternion.as_quat_array(d.p),
+            numpy_quaternion.as_quat_array(d.q),
+        ),
+        "pytransform3d": lambda d: partial(batch.batch_concatenate_quaternions, d.p, d.q),
+    },
+    "rotated vectors": {
+        OURS: lambda d: partial(chr_notes.rotate_to_inertial, d.q, d.vectors),
+        "SciPy": lambda d: partial(d.scipy.apply, d.vectors),
+    },
+    "matrices from quaternions": {
+        OURS: lambda d: partial(chr_notes.matrix_from_quaternion, d.q),
+        "SciPy": lambda d: d.scipy.as_matrix,
+        "ahrs": lambda d: ahrs.QuaternionArray(d.q).to_DCM,
+        "numpy-quaternion": lambda d: partial(
+            numpy_quaternion.as_rotation_matrix, numpy_quaternion.as_quat_array(d.q)
+        ),
+        "pytransform3d": lambda d: partial(batch.matrices_from_quaternions, d.q),
+    },
+}
+
+# For one attitude.
+ONE: dict[str, dict[str, Task]] = {
+    "Euler angles from quaternions": {
+        SCALAR: lambda d: partial(scalar.euler_from_quaternion, *d.q[0].tolist()),
+        OURS: lambda d: partial(chr_notes.euler_from_quaternion, d.q[0]),
+        "SciPy": lambda d: partial(d.scipy[0].as_euler, "ZYX"),
+        "ahrs": lambda d: ahrs.Quaternion(d.q[0]).to_angles,
+        "pytransform3d": lambda d: partial(
+            rotations.euler_from_quaternion, d.q[0], 2, 1, 0, extrinsic=False
+        ),
+        "transforms3d": lambda d: partial(transforms3d.euler.quat2euler, d.q[0].tolist(), "rzyx"),
+        "symforce": lambda d: _symforce(d.q[0]).to_yaw_pitch_roll,
+    },
+    "matrices from Euler angles": {
+        SCALAR: lambda d: partial(scalar_euler.matrix_from_euler, *d.euler[0].tolist()),
+        OURS: lambda d: partial(chr_notes.matrix_from_euler, d.euler[0]),
+        "SciPy": lambda d: lambda: Rotation.from_euler("ZYX", d.euler[0, ::-1]).as_matrix(),
+        "pytransform3d": lambda d: partial(
+            rotations.matrix_from_euler, d.euler[0, ::-1], 2, 1, 0, extrinsic=False
+        ),
+        "transforms3d": lambda d: partial(
+            transforms3d.euler.euler2mat, *d.euler[0, ::-1].tolist(), "rzyx"
+        ),
+        "symforce": lambda d: (
+            lambda angles: sym.Rot3.from_yaw_pitch_roll(*angles).to_rotation_matrix()
+        ).__get__(d.euler[0, ::-1].tolist()),
+    },
+    "Euler rates from body rates": {
+        SCALAR: lambda d: partial(
+            scalar_euler.euler_rates_from_body_rates,
+            *d.euler[0, :2].tolist(),
+            *d.vectors[0].tolist(),
+        ),
+        OURS: lambda d: partial(chr_notes.euler_rates_from_body_rates, d.euler[0], d.vectors[0]),
+        "plain NumPy": lambda d: partial(euler_rates_with_sines, d.euler[:1], d.vectors[:1]),
+    },
+    "products of quaternions": {
+        SCALAR: lambda d: partial(scalar.quaternion_multiply, *d.p[0].tolist(), *d.q[0].tolist()),
+        OURS: lambda d: partial(chr_notes.quaternion_multiply, d.p[0], d.q[0]),
+        "SciPy": lambda d: partial(
+            Rotation.__mul__, Rotation.from_quat(d.p[0], scalar_first=True), d.scipy[0]
+        ),
+        "ahrs": lambda d: partial(ahrs.Quaternion(d.p[0]).product, d.q[0]),
+        "numpy-quaternion": lambda d: partial(
+            numpy_quaternion.quaternion.__mul__,
+            numpy_quaternion.quaternion(*d.p[0]),
+            numpy_quaternion.quaternion(*d.q[0]),
+        ),
+        "pytransform3d": lambda d: partial(rotations.concatenate_quaternions, d.p[0], d.q[0]),
+        "transforms3d": lambda d: partial(
+            transforms3d.quaternions.qmult, d.p[0].tolist(), d.q[0].tolist()
+        ),
+        "symforce": lambda d: partial(sym.Rot3.__mul__, _symforce(d.p[0]), _symforce(d.q[0])),
+    },
+    "rotated vectors": {
+        SCALAR: lambda d: partial(
+            scalar.rotate_to_inertial, *d.q[0].tolist(), *d.vectors[0].tolist()
+        ),
+        OURS: lambda d: partial(chr_notes.rotate_to_inertial, d.q[0], d.vectors[0]),
+        "SciPy": lambda d: partial(d.scipy[0].apply, d.vectors[0]),
+        "ahrs": lambda d: partial(ahrs.Quaternion(d.q[0]).rotate, d.vectors[0]),
+        "numpy-quaternion": lambda d: partial(
+            numpy_quaternion.rotate_vectors, numpy_quaternion.quaternion(*d.q[0]), d.vectors[0]
+        ),
+        "pytransform3d": lambda d: partial(rotations.q_prod_vector, d.q[0], d.vectors[0]),
+        "transforms3d": lambda d: partial(
+            transforms3d.quaternions.rotate_vector, d.vectors[0].tolist(), d.q[0].tolist()
+        ),
+        "symforce": lambda d: partial(sym.Rot3.__mul__, _symforce(d.q[0]), d.vectors[0]),
+    },
+    "matrices from quaternions": {
+        SCALAR: lambda d: partial(scalar.matrix_from_quaternion, *d.q[0].tolist()),
+        OURS: lambda d: partial(chr_notes.matrix_from_quaternion, d.q[0]),
+        "SciPy": lambda d: d.scipy[0].as_matrix,
+        "ahrs": lambda d: ahrs.Quaternion(d.q[0]).to_DCM,
+        "numpy-quaternion": lambda d: partial(
+            numpy_quaternion.as_rotation_matrix, numpy_quaternion.quaternion(*d.q[0])
+        ),
+        "pytransform3d": lambda d: partial(rotations.matrix_from_quaternion, d.q[0]),
+        "transforms3d": lambda d: partial(transforms3d.quaternions.quat2mat, d.q[0].tolist()),
+        "symforce": lambda d: _symforce(d.q[0]).to_rotation_matrix,
+    },
+}
