@@ -65,7 +65,8 @@ function rings(state) {
   return `The roll axis is ${short}° from the line of the yaw axis. To follow the aircraft, the yaw ring turns at up to ${fastest} × its speed.`;
 }
 
-const entry = (value) => (Number(value.toFixed(3)) || 0).toFixed(3).replace("-", "−").padStart(6);
+// Rounded twice, so that nothing is shown as −0.000.
+const entry = (value) => Number(value.toFixed(3)).toFixed(3).replace("-", "−").padStart(6);
 
 function readouts(state) {
   const angles = [state.roll * DEGREE, state.pitch * DEGREE, state.yaw * DEGREE];

@@ -9,7 +9,7 @@ export function formatted(value) {
 }
 
 /** Two decimals at most. */
-export const rounded = (value) => String(Number(value.toFixed(2)) || 0).replace("-", "−");
+export const rounded = (value) => String(Number(value.toFixed(2))).replace("-", "−");
 
 /** An element with attributes and children. */
 export function node(tag, attributes = {}, ...children) {

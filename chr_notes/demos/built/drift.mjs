@@ -70,7 +70,7 @@ function formatted(value) {
   if (!(Math.abs(value) < 1e12)) return value < 0 ? "−∞" : "∞";
   return String(Number(value.toPrecision(4))).replace("-", "−");
 }
-var rounded = (value) => String(Number(value.toFixed(2)) || 0).replace("-", "−");
+var rounded = (value) => String(Number(value.toFixed(2))).replace("-", "−");
 function node(tag, attributes = {}, ...children) {
   const element = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);

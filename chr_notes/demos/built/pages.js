@@ -199,7 +199,7 @@
     if (!(Math.abs(value) < 1e12)) return value < 0 ? "−∞" : "∞";
     return String(Number(value.toPrecision(4))).replace("-", "−");
   }
-  var rounded = (value) => String(Number(value.toFixed(2)) || 0).replace("-", "−");
+  var rounded = (value) => String(Number(value.toFixed(2))).replace("-", "−");
   function node(tag, attributes = {}, ...children) {
     const element = document.createElement(tag);
     for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
@@ -914,7 +914,7 @@
     const short = formatted(Math.min(apart, 180 - apart));
     return `The roll axis is ${short}° from the line of the yaw axis. To follow the aircraft, the yaw ring turns at up to ${fastest} × its speed.`;
   }
-  var entry = (value) => (Number(value.toFixed(3)) || 0).toFixed(3).replace("-", "−").padStart(6);
+  var entry = (value) => Number(value.toFixed(3)).toFixed(3).replace("-", "−").padStart(6);
   function readouts2(state) {
     const angles = [state.roll * DEGREE2, state.pitch * DEGREE2, state.yaw * DEGREE2];
     const matrix = matrixFromEuler(...angles).map(entry);

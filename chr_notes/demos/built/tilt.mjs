@@ -302,7 +302,7 @@ var linear = (low, high, start, end) => (value) => start + (value - low) / (high
 
 // parts.js
 var SVG = "http://www.w3.org/2000/svg";
-var rounded = (value) => String(Number(value.toFixed(2)) || 0).replace("-", "−");
+var rounded = (value) => String(Number(value.toFixed(2))).replace("-", "−");
 function node(tag, attributes = {}, ...children) {
   const element = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
