@@ -2,7 +2,23 @@
 
 from dataclasses import dataclass
 
-from sympy import And, Basic, Identity, Integer, MatrixBase, Or, Symbol, ZeroMatrix, atan2, fraction
+from sympy import (
+    Add,
+    And,
+    Basic,
+    Ge,
+    Gt,
+    Identity,
+    Integer,
+    Le,
+    Lt,
+    MatrixBase,
+    Or,
+    Symbol,
+    ZeroMatrix,
+    atan2,
+    fraction,
+)
 from sympy.core.function import AppliedUndef
 from sympy.matrices.expressions.matexpr import MatrixElement
 from sympy.printing.latex import LatexPrinter
@@ -32,7 +48,23 @@ class _Printer(LatexPrinter):
         return rf"\left[{matrix}\right]_{{{row}{column}}}"
 
     def _print_And(self, statement: And) -> str:  # noqa: N802 (SymPy's hook)
+        chain = _chain(statement.args)
+        if chain:
+            return "".join(part if isinstance(part, str) else self._print(part) for part in chain)
         return r" \quad\text{and}\quad ".join(self._print(part) for part in statement.args)
+
+    def _print_Add(self, total: Add, order: str | None = None) -> str:  # noqa: N802 (SymPy's hook)
+        # As one writes by hand: a sum begins with a term that has no minus.
+        terms = self._as_ordered_terms(total, order=order)
+        first = next((term for term in terms if not term.could_extract_minus_sign()), terms[0])
+        written = ""
+        for term in (first, *(term for term in terms if term is not first)):
+            minus = term.could_extract_minus_sign()
+            size = -term if minus else term
+            text = self._print(size)
+            text = rf"\left({text}\right)" if self._needs_add_brackets(size) else text
+            written += f" {'-' if minus else '+'} {text}"
+        return written.removeprefix(" + ").removeprefix(" ")
 
     def _print_AppliedUndef(self, call: AppliedUndef) -> str:  # noqa: N802 (SymPy's hook)
         arguments = ", ".join(self._print(argument) for argument in call.args)
@@ -49,7 +81,24 @@ class _Printer(LatexPrinter):
 
     def _print_atan2(self, angle: atan2) -> str:
         arguments = ", ".join(self._print(argument) for argument in angle.args)
-        return rf"\operatorname{{atan2}}\left({arguments}\right)"
+        return rf"\mathrm{{atan2}}\left({arguments}\right)"
+
+
+def _chain(relations: tuple[Basic, ...]) -> list[Basic | str]:
+    """Order inequalities as in `0 < a < b`, or give nothing if they make no such chain."""
+    if not all(isinstance(relation, Gt | Ge | Lt | Le) for relation in relations):
+        return []
+    signs = {each.lts: "<" if isinstance(each, Gt | Lt) else r"\leq" for each in relations}
+    next_one = {each.lts: each.gts for each in relations}
+    starts = set(next_one) - set(next_one.values())
+    if len(next_one) != len(relations) or len(starts) != 1:
+        return []
+    here = starts.pop()
+    chain: list[Basic | str] = [here]
+    while here in next_one:
+        chain += [f" {signs[here]} ", next_one[here]]
+        here = next_one.pop(here)
+    return [] if next_one else chain
 
 
 def latex(expression: Basic | MatrixBase) -> str:

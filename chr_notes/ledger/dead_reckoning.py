@@ -3,11 +3,14 @@
 from sympy import (
     And,
     Eq,
+    Expr,
     ImmutableMatrix,
     Ne,
     Rational,
     Symbol,
     cos,
+    exp,
+    expand,
     pi,
     sin,
     symbols,
@@ -34,10 +37,18 @@ GAINED_POSITION = ImmutableMatrix(symbols("s_N s_E s_D", real=True))
 SUMMED_VELOCITY, SUMMED_POSITION = symbols("v_n r_n", real=True)
 
 
+def _by_exponentials(expression: Expr) -> Expr:
+    return expand(expand(expression).rewrite(exp))
+
+
 def estimated_acceleration() -> ImmutableMatrix:
-    """Follow the note's step: the attitude exact, the reading and the added gravity not."""
-    at_hand = derived.accelerometer_reading() + OWN_ERROR
-    return ImmutableMatrix(rotation("B", "I") * at_hand + ADDED_G * Z)
+    """Follow the note's step: the attitude exact, the reading and the added gravity not.
+
+    The reading is the specific force in the body frame and an error of the accelerometer's own.
+    """
+    there_and_back = (rotation("B", "I") * rotation("I", "B")).applyfunc(_by_exponentials)
+    measured = there_and_back * (derived.ACCELERATION - g * Z) + rotation("B", "I") * OWN_ERROR
+    return ImmutableMatrix(measured + ADDED_G * Z)
 
 
 READ = reading(

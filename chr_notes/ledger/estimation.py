@@ -220,9 +220,10 @@ SETTLED = (
                 Eq(SETTLED_ERROR, (1 - printed.L) / printed.L * derived.bias * T),
             ),
         ),
-        remark="The note allows L = 0, and there the estimate drifts as the gyro alone does. With "
-        "any larger gain the error stays bounded. It does not vanish: a constant bias leaves the "
-        "constant error of the last step, and the accelerometer's own error stays whole.",
+        remark="The note allows L = 0, and there the estimate drifts as the gyro alone does, by 6° "
+        "a minute with a bias of 0.1°/s. With any larger gain the error stays bounded. It does not "
+        "vanish: a constant bias leaves the constant error of the last step, and the "
+        "accelerometer's own error stays whole.",
     ),
     Case(
         _BY_ID["estimation.4.d"],

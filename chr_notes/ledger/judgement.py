@@ -147,7 +147,8 @@ def _derived(case: Case) -> str | None:
         for old, new in given.by[0].items()
         if len(given.by) == 1 and sympify(new).is_number
     }
-    return latex(work_out(statement.lhs, case.read, by))
+    derived = work_out(statement.lhs, case.read, by)
+    return latex(derived) if derived != statement.lhs else None
 
 
 def _reading(case: Case, each: Reading) -> tuple[str, bool]:

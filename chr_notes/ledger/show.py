@@ -70,6 +70,7 @@ def _card(entry: Entry) -> Iterator[str]:
         yield from _formula("Holds when", entry.condition)
     if entry.witness is not None:
         yield from _witness(entry)
+    yield from _readings(entry)
     if entry.remark is not None:
         yield f"{entry.remark}\n"
     if entry.derivation:
@@ -79,6 +80,15 @@ def _card(entry: Entry) -> Iterator[str]:
             yield from _formula("", latex)
         yield "</details>\n"
     yield "</div>\n</div>\n"
+
+
+def _readings(entry: Entry) -> Iterator[str]:
+    if not entry.readings:
+        return
+    found = ", ".join(
+        f"{'right' if holds else 'wrong'} if ${convention}$" for convention, holds in entry.readings
+    )
+    yield f"The document contradicts itself; this is {found}. The first reading counts here.\n"
 
 
 def _formula(term: str, latex: str) -> Iterator[str]:

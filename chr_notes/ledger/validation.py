@@ -157,7 +157,7 @@ SETTLED = (
         },
         remark="The horizontal part of the field points to magnetic north, against an x-axis that "
         "points south: its sign is wrong. And unless south is magnetic south, the declination δ "
-        "leaves a y component. (z is down, as for gravity in equation 2; normalised, M_e is 1.)",
+        "leaves a y component. (z is down, as for gravity in equation 2; normalised, $M_e$ is 1.)",
     ),
     Case(
         _BY_ID["validation.f"],

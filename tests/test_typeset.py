@@ -1,0 +1,40 @@
+"""LaTeX as one writes it by hand."""
+
+import pytest
+from sympy import And, Basic, Eq, Function, Integral, Symbol, atan2, pi, symbols
+
+from chr_notes.typeset import latex
+
+x, y, z = symbols("x y z", real=True)
+
+
+@pytest.mark.parametrize(
+    ("expression", "expected"),
+    [
+        (-x + y - 2 * z, "y - x - 2 z"),
+        (-x - y, "- x - y"),
+        (-1 + x, "x - 1"),
+        ((x - y) * (z - 1) - x, r"\left(x - y\right) \left(z - 1\right) - x"),
+        (x + Integral(y, y), r"x + \int y\, dy"),
+        (Function("a_N")(x), r"a_{N}\left(x\right)"),
+        (atan2(-x, y), r"\mathrm{atan2}\left(- x, y\right)"),
+    ],
+)
+def test_expressions(expression: Basic, expected: str) -> None:
+    assert latex(expression) == expected
+
+
+@pytest.mark.parametrize(
+    ("statement", "expected"),
+    [
+        (And(x > 0, x <= 1), r"0 < x \leq 1"),
+        (And(x > -pi, x < y, y < 1), r"- \pi < x < y < 1"),
+        (And(x - y >= -pi, x - y < pi), r"- \pi \leq x - y < \pi"),
+        (And(x < 1, y < 1), r"x < 1 \quad\text{and}\quad y < 1"),
+        (And(x > 0, y < 1), r"x > 0 \quad\text{and}\quad y < 1"),
+        (And(Eq(x, 1), Eq(y, 2)), r"x = 1 \quad\text{and}\quad y = 2"),
+        (And(x < y, x < Symbol("w", real=True)), r"x < w \quad\text{and}\quad x < y"),
+    ],
+)
+def test_statements(statement: Basic, expected: str) -> None:
+    assert latex(statement) == expected
