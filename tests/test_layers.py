@@ -27,7 +27,10 @@ ALLOWED = {
     "numeric": NUMERIC,
     # Of what is printed, Table 1 goes into the bundles.
     "demos": {"demos", "palette", "generated", "conventions", "printed"},
-    "book": {"ledger", "conventions", "palette", "demos"},
+    "book": NOTATION
+    | {"ledger", "conventions", "palette", "demos", "book"}
+    # One page follows a formula through these.
+    | {"derivations", "codegen", "generated", "typeset"},
     "__init__": NUMERIC,
     "export": set(),
     "__main__": {"book", "ledger", "export"},

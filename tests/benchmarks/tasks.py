@@ -12,11 +12,11 @@ from typing import Any
 import ahrs
 import numpy as np
 import pytransform3d.batch_rotations as batch
-import pytransform3d.rotations as rotations
 import quaternion as numpy_quaternion
 import sym
 import transforms3d
 from numpy.typing import NDArray
+from pytransform3d import rotations
 from scipy.spatial.transform import Rotation
 
 import chr_notes

@@ -1,0 +1,156 @@
+"""Pages about the generated code: one formula followed through all stages, and the times."""
+
+import json
+import re
+from collections.abc import Iterator
+from math import radians
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+from sympy import ImmutableMatrix, Symbol
+
+from chr_notes.codegen.arrays import COMMENTS
+from chr_notes.codegen.expressions import infix
+from chr_notes.codegen.lowering import Program, lower
+from chr_notes.codegen.rewriting import by_half_tangent, by_library, one_plus_cosine, secant
+from chr_notes.codegen.targets import TARGETS
+from chr_notes.derivations import euler
+from chr_notes.derivations.computation import Let
+from chr_notes.derivations.forms.euler import euler_rates
+from chr_notes.generated.scalar.euler import euler_rates_from_body_rates
+from chr_notes.symbols import EULER_RATES
+from chr_notes.typeset import formula
+
+__all__ = ["generated"]
+
+ROOT: Final = Path(__file__).resolve().parents[2]
+SPEED: Final = ROOT / "book" / "speed.json"
+GENERATED: Final = ROOT / "chr_notes" / "generated"
+NAME: Final = "euler_rates_from_body_rates"
+TARGET: Final = next(target for target in TARGETS if target.name == NAME)
+SIZES: Final = {1: "one attitude", 1_000: "a thousand", 1_000_000: "a million"}
+SCALAR: Final = "chr_notes, one at a time"
+
+
+def generated() -> dict[str, str]:
+    """Return the text of each part of the pages by its file name."""
+    return {
+        "code/derived.md": _display(
+            formula(ImmutableMatrix(EULER_RATES), euler.euler_rates()).latex
+        ),
+        "code/form.md": "\n".join(_form()),
+        "code/library.md": _block("text", steps(lower(TARGET, by_library))),
+        "code/half_tangent.md": _block("text", steps(lower(TARGET, by_half_tangent))),
+        "code/near_the_pole.md": "\n".join(_near_the_pole()),
+        "code/number.md": "\n".join(_number()),
+        "code/python.md": _block("python", python(GENERATED / "scalar" / "euler.py")),
+        "code/numpy.md": _block("python", python(GENERATED / "arrays" / "euler.py")),
+        "code/javascript.md": _block("javascript", javascript()),
+        "code/c.md": _block("c", c()),
+        "speed.md": "\n".join(speed(json.loads(SPEED.read_text(encoding="utf-8")))),
+    }
+
+
+def _display(text: str) -> str:
+    return f"$$\n{text}\n$$\n"
+
+
+def _block(language: str, text: str) -> str:
+    return f"```{language}\n{text}\n```\n"
+
+
+def _form() -> Iterator[str]:
+    """Yield the form in which the formula is computed: the named steps, then the results."""
+    form = euler_rates()
+    short: dict[Symbol, Symbol] = {}
+    for step in form.steps:
+        if isinstance(step, Let):
+            short[step.name] = Symbol("s", real=True)
+            yield _display(formula(short[step.name], step.value).latex)
+    yield _display(formula(ImmutableMatrix(EULER_RATES), form.results.xreplace(short)).latex)
+
+
+def steps(program: Program) -> str:
+    """Write the steps of a program and its results, one a line."""
+    lines = [f"{s.name} = {infix(s.value, COMMENTS)}" for s in program.steps if isinstance(s, Let)]
+    names = ("roll_rate", "pitch_rate", "yaw_rate")
+    for name, value in zip(names, program.results, strict=True):
+        lines.append(f"{name} = {infix(value, COMMENTS)}")
+    return "\n".join(lines)
+
+
+def python(path: Path) -> str:
+    """Find the function in a generated module of Python."""
+    return _find(rf"^def {NAME}\(.*?(?=\n\n\n|\Z)", path)
+
+
+def javascript() -> str:
+    """Find the function in the generated module of JavaScript."""
+    text = _find(
+        r"^/\*\*(?:(?!\*/).)*?\*/\nexport function eulerRatesFromBodyRates\(.*?^\}",
+        GENERATED / "javascript" / "attitude.mjs",
+    )
+    return text[text.rindex("/**") :]
+
+
+def c() -> str:
+    """Find the function in the generated C, in double precision."""
+    return _find(rf"^void attitude_{NAME}\(.*?^\}}", GENERATED / "c" / "attitude.c")
+
+
+def _find(pattern: str, path: Path) -> str:
+    found = re.search(pattern, path.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
+    if found is None:
+        msg = f"expected {NAME} in {path.name}, found none"
+        raise ValueError(msg)
+    return found.group().rstrip()
+
+
+def _near_the_pole() -> Iterator[str]:
+    """Yield the secant of pitch near 90° in both ways, next to what it is."""
+    yield "| degrees below 90° | 1 / cos(pitch) | from 1 + cos(pitch) | from both tangents |"
+    yield "|---|---|---|---|"
+    for degrees in (1e-3, 1e-6, 1e-9):
+        below = np.radians(degrees)
+        half = np.tan((np.pi / 2 - below) / 2)
+        cosine = one_plus_cosine(half) - 1
+        ways = (1 / np.sin(below), 1 / cosine, secant(np.tan(np.pi / 2 - below), half))
+        yield f"| {degrees:g} | " + " | ".join(f"{way:.10g}" for way in ways) + " |"
+
+
+def _number() -> Iterator[str]:
+    """Yield one result, as Python computes it."""
+    roll, pitch, rates = 10.0, 60.0, (0.0, 0.1, 0.2)
+    result = euler_rates_from_body_rates(radians(roll), radians(pitch), *rates)
+    numbers = ", ".join(f"{np.degrees(rate):.3f}°/s" for rate in result)
+    given = ", ".join(f"{rate:g}" for rate in rates)
+    yield (
+        f"With a roll of {roll:g}°, a pitch of {pitch:g}° and body rates of ({given}) rad/s, it "
+        f"returns the rates of roll, pitch and yaw: {numbers}."
+    )
+
+
+def speed(run: dict[str, Any]) -> Iterator[str]:
+    """Yield a table for each number of attitudes and the machine that they were timed on.
+
+    Parameters
+    ----------
+    run
+        What `tests/benchmarks/store.py` keeps of a run.
+    """
+    for size, words in SIZES.items():
+        cases = [row for row in run["rows"] if row["size"] == size]
+        yield f"## {words[0].upper()}{words[1:]}\n"
+        yield "| task | library | ns an attitude | times as long |\n|---|---|--:|--:|"
+        for task in dict.fromkeys(row["task"] for row in cases):
+            times = {r["library"]: r["nanoseconds"] for r in cases if r["task"] == task}
+            ours = times[SCALAR] if size == 1 else times["chr_notes"]
+            for place, (library, time) in enumerate(times.items()):
+                yield f"| {'' if place else task} | {library} | {time:,g} | {time / ours:.1f} |"
+        yield ""
+    libraries = ", ".join(f"{name} {version}" for name, version in run["libraries"].items())
+    yield (
+        f"Timed on {run['cpu']}, {run['vector_instructions']}, one thread, {run['system']}, "
+        f"Python {run['python']}, {libraries}. Each time is the shortest of several rounds."
+    )
