@@ -29,8 +29,8 @@ ALLOWED = {
     "demos": {"demos", "palette", "generated", "conventions", "printed"},
     "book": NOTATION
     | {"ledger", "conventions", "palette", "demos", "book"}
-    # One page follows a formula through these.
-    | {"derivations", "codegen", "generated", "typeset"},
+    # One page follows a formula through these, and one says what the documents' symbols mean.
+    | {"derivations", "codegen", "generated", "typeset", "printed"},
     "__init__": NUMERIC,
     "export": set(),
     "__main__": {"book", "ledger", "export"},

@@ -6,6 +6,7 @@ from types import MappingProxyType
 from typing import Final, get_args
 
 from chr_notes.book import code_pages
+from chr_notes.book.notation import notation
 from chr_notes.conventions import CONVENTIONS
 from chr_notes.demos import GimbalLockDemo
 from chr_notes.ledger import Entry, Verdict, entries
@@ -42,6 +43,7 @@ def generated() -> dict[str, str]:
     ledger = entries()
     pages = {
         "conventions.md": conventions(),
+        "notation.md": notation(),
         "ledger.md": "\n".join(_overview(ledger)),
         "errata.md": "\n".join(_errata(ledger)),
         "verdicts.md": verdicts(ledger),
