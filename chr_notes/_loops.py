@@ -17,7 +17,8 @@ from chr_notes._arrays import Floats
 
 LONG = 100_000
 """Samples from which on it pays to load numba and compile, which takes seconds the first time."""
-_CHUNK = 8192  # samples at a time in plain Python, whose lists take much memory
+# Samples at a time, few enough that they stay in cache: lists of Python's numbers take more room.
+_LISTED, _COMPILED = 1024, 8192
 
 
 def run(
@@ -45,18 +46,19 @@ def run(
         The state after each sample, shape (N, number of states).
     """
     count = len(inputs[0])
-    kept = np.empty((len(state), count))
-    if count >= LONG and find_spec("numba") is not None:
-        samples = [np.ascontiguousarray(each) for each in inputs]
-        compiled(loop)(*state, *constants, *samples, *kept)
-        return kept.T
-    for start in range(0, count, _CHUNK):
-        part = slice(start, start + _CHUNK)
-        lists = [_listed(each[part]) for each in inputs]
-        rows = [[0.0] * len(inputs[0][part]) for _ in state]
-        state = loop(*state, *constants, *lists, *rows)
-        kept[:, part] = rows
-    return kept.T
+    kept = np.empty((count, len(state)))
+    fast = count >= LONG and find_spec("numba") is not None
+    function, size = (compiled(loop), _COMPILED) if fast else (loop, _LISTED)
+    # Arrays that are always alike, so that numba compiles once
+    take: Callable[[Floats], Iterable[float]] = np.array if fast else _listed
+    for start in range(0, count, size):
+        part = kept[start : start + size]
+        given = [take(each[start : start + size]) for each in inputs]
+        rows = np.empty(part.shape[::-1]) if fast else [[0.0] * len(part) for _ in state]
+        state = function(*state, *constants, *given, *rows)
+        for column, row in zip(part.T, rows, strict=True):
+            column[:] = row
+    return kept
 
 
 def _listed(values: Floats) -> Iterable[float]:

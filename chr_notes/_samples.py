@@ -28,8 +28,9 @@ def whole_samples(name: str, value: ArrayLike) -> Floats:
 
 
 def complete(array: Floats) -> NDArray[np.bool_]:
-    """Say which rows hold no NaN and no infinity."""
-    return np.asarray(np.isfinite(array).all(axis=-1))
+    """Say which rows of a two-dimensional array hold no NaN and no infinity."""
+    # Column by column: along an axis of three NumPy is several times slower.
+    return np.asarray(np.logical_and.reduce([np.isfinite(column) for column in array.T]))
 
 
 def held_out(name: str, value: ArrayLike) -> tuple[Floats, NDArray[np.bool_]]:
@@ -39,6 +40,21 @@ def held_out(name: str, value: ArrayLike) -> tuple[Floats, NDArray[np.bool_]]:
         return array, np.zeros(len(array), dtype=np.bool_)
     missing = ~complete(array)
     return np.where(missing[:, np.newaxis], np.nan, array), missing
+
+
+def one_sample(name: str, value: ArrayLike) -> Floats:
+    """Take one vector, shape (3,), NaN all over if it holds NaN or infinity.
+
+    Raises
+    ------
+    ValueError
+        If the shape differs; it states the expected and the received shape.
+    """
+    array = floats(name, value, 3)
+    if array.ndim != 1:
+        msg = f"{name}: expected shape (3,), got {array.shape}"
+        raise ValueError(msg)
+    return np.asarray(held_out(name, array[np.newaxis])[0][0])
 
 
 def start(name: str, value: ArrayLike) -> list[float]:
@@ -54,6 +70,21 @@ def start(name: str, value: ArrayLike) -> list[float]:
         msg = f"{name}: expected three finite numbers, got {array.tolist()}"
         raise ValueError(msg)
     return list(array.tolist())
+
+
+def number(name: str, value: ArrayLike) -> float:
+    """Take one number.
+
+    Raises
+    ------
+    ValueError
+        If it is an array; it states the received shape.
+    """
+    array = floats(name, value)
+    if array.ndim:
+        msg = f"{name}: expected a number, got shape {array.shape}"
+        raise ValueError(msg)
+    return float(array)
 
 
 def same_length(*recordings: tuple[str, Floats]) -> int:

@@ -3,11 +3,13 @@
 The fits are least squares on NumPy's linear algebra. Samples that hold NaN are left out.
 """
 
+from operator import index
+
 import numpy as np
 from numpy.typing import ArrayLike
 
 from chr_notes._arrays import Floats, floats
-from chr_notes._samples import complete, whole_samples
+from chr_notes._samples import complete, number, whole_samples
 from chr_notes._samples import samples as recording
 from chr_notes.conventions import STANDARD_GRAVITY
 from chr_notes.ellipsoid import fit_ellipsoid
@@ -72,7 +74,8 @@ def fit_accelerometer(
     Returns
     -------
     ThreeAxisCalibration
-        With a misalignment matrix whose diagonal is 1.
+        With a misalignment matrix whose diagonal is 1. An axis that reads less when it points up
+        than when it points down gets a negative sensitivity.
 
     Raises
     ------
@@ -94,11 +97,12 @@ def fit_accelerometer(
             f"readings: expected numbers, got NaN or infinity in position {_POSITIONS[missing[0]]}"
         )
         raise ValueError(msg)
-    if not gravity > 0:
-        msg = f"gravity: expected a positive number, got {gravity}"
+    magnitude = number("gravity", gravity)
+    if not 0 < magnitude < np.inf:
+        msg = f"gravity: expected a positive number, got {magnitude}"
         raise ValueError(msg)
     up, down = positions[0::2], positions[1::2]
-    columns = (up - down).T / (2 * gravity)
+    columns = (up - down).T / (2 * magnitude)
     sensitivity = np.diagonal(columns)
     for axis, name in enumerate("xyz"):
         others = np.abs(np.delete(columns[axis], axis)).max()
@@ -106,7 +110,7 @@ def fit_accelerometer(
             msg = (
                 f"readings: expected the {name}-axis to change most between {name} up and "
                 f"{name} down, got a change of {up[axis, axis] - down[axis, axis]:.4g} there and "
-                f"of {2 * gravity * others:.4g} elsewhere"
+                f"of {2 * magnitude * others:.4g} elsewhere"
             )
             raise ValueError(msg)
     misalignment = columns / sensitivity
@@ -174,13 +178,19 @@ def stillest_stretch(body_rates: ArrayLike, length: int) -> slice:
     Raises
     ------
     ValueError
-        If no stretch of that length is free of NaN.
+        If there are fewer samples, or no stretch of that length is free of NaN.
+    TypeError
+        If the length is no whole number.
     """
     rates = recording("body_rates", body_rates)
+    length = index(length)
     if not 2 <= length <= len(rates):  # noqa: PLR2004 (one sample does not vary)
         msg = f"length: expected from 2 to the {len(rates)} samples there are, got {length}"
         raise ValueError(msg)
     known = complete(rates)
+    if not known.any():
+        msg = f"body_rates: expected {length} samples in a row without NaN, got none"
+        raise ValueError(msg)
     # Near zero the difference of the two sums below loses nothing.
     centred = np.where(known[:, np.newaxis], rates - rates[known].mean(axis=0), 0.0)
     total = _sums(centred, length)

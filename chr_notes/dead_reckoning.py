@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from chr_notes._arrays import Floats, common_shape, components, evaluate, floats
 from chr_notes._loops import run
-from chr_notes._samples import complete, periods, same_length, samples, start
+from chr_notes._samples import complete, number, periods, same_length, samples, start
 from chr_notes.conventions import STANDARD_GRAVITY
 from chr_notes.generated.arrays import dead_reckoning as generated
 from chr_notes.generated.loops import dead_reckoning as loops
@@ -127,7 +127,7 @@ def dead_reckon(  # noqa: PLR0913 (an initial value for each integral)
     forces, angles = samples("accel", accel), samples("euler", euler)
     count = same_length(("accel", forces), ("euler", angles))
     state = [*start("velocity", velocity), *start("position", position)]
-    accelerations = inertial_acceleration(forces, angles, gravity)
+    accelerations = inertial_acceleration(forces, angles, number("gravity", gravity))
     missing = ~complete(accelerations)
     accelerations[missing] = np.nan
     inputs = [*components(accelerations), periods(dt, count)]

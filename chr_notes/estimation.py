@@ -22,7 +22,8 @@ def tilt_from_accelerometer(accel: ArrayLike) -> Floats:
     """Tell roll and pitch from which way an accelerometer at rest reads gravity.
 
     Only the direction of the reading counts, so that a wrong scale or more than one g on the
-    same line does no harm. A reading of zero, as in free fall, has no direction: it gives NaN.
+    same line does no harm. A reading of zero, as in free fall, has no direction: it gives NaN, as
+    does one with NaN or infinity.
     Straight up or down roll is not determined, and 0.
 
     Parameters
@@ -50,6 +51,7 @@ def tilt_from_accelerometer(accel: ArrayLike) -> Floats:
     scaled = ~((squares > _LEAST) & (squares < _MOST))
     if scaled.any():
         largest = np.max(np.abs(reading), axis=-1, keepdims=True)
+        largest[np.isinf(largest)] = np.nan  # no direction either
         with np.errstate(invalid="ignore"):
             reading = np.where(scaled[..., np.newaxis], reading / largest, reading)
     out = np.empty((*reading.shape[:-1], 2))

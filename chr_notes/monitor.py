@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from chr_notes._arrays import Floats
-from chr_notes._samples import held_out, periods, same_length
+from chr_notes._samples import held_out, number, periods, same_length
 from chr_notes.estimation import in_range, tilt_from_accelerometer
 from chr_notes.generated.loops.estimation import fixed_gain_observer
 from chr_notes.generated.scalar.validation import validation_factor
@@ -176,7 +176,7 @@ def monitored_observer(  # noqa: PLR0913 (three sensors, and what they are measu
     forces, _ = held_out("accel", accel)
     field = direction(held_out("mag", mag)[0])
     count = same_length(("body_rates", rates), ("accel", forces), ("mag", field))
-    down = float(part_down(reference_down))
+    down = float(part_down(number("reference_down", reference_down)))
     tilt = tilt_from_accelerometer(forces)
     columns = (*rates.T, *tilt.T, periods(dt, count))
     state: tuple[float, ...] = tuple(first_attitude(tilt))

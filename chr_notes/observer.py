@@ -9,9 +9,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from chr_notes._arrays import Floats, components, floats
+from chr_notes._arrays import Floats, components
 from chr_notes._loops import run
-from chr_notes._samples import complete, held_out, periods, same_length, start
+from chr_notes._samples import held_out, number, one_sample, periods, same_length, start
 from chr_notes.estimation import in_range, tilt_from_accelerometer
 from chr_notes.generated.loops import estimation as loops
 
@@ -70,8 +70,8 @@ def fixed_gain_observer(
     forces, _ = held_out("accel", accel)
     count = same_length(("body_rates", rates), ("accel", forces))
     tilt = tilt_from_accelerometer(forces)
-    first = first_attitude(tilt) if initial is None else start("initial", initial)
-    out = _observe(first, rates, tilt, periods(dt, count), gain)
+    first = first_attitude(tilt) if initial is None else canonical("initial", initial)
+    out = in_range(_observe(first, rates, tilt, periods(dt, count), gain))
     out[missing] = np.nan
     return out
 
@@ -102,10 +102,10 @@ def observe_sample(
     ValueError
         As `fixed_gain_observer`.
     """
-    rates, _ = held_out("body_rates", floats("body_rates", body_rates, 3)[np.newaxis])
-    force, _ = held_out("accel", floats("accel", accel, 3)[np.newaxis])
-    tilt = tilt_from_accelerometer(force)
-    return np.asarray(_observe(start("euler", euler), rates, tilt, periods(dt, 1), gain)[0])
+    rates = one_sample("body_rates", body_rates)
+    tilt = tilt_from_accelerometer(one_sample("accel", accel))
+    after = _step(canonical("euler", euler), rates, tilt, dt, gain)
+    return np.asarray(in_range(after)[0])
 
 
 class Estimate(NamedTuple):
@@ -116,7 +116,8 @@ class Estimate(NamedTuple):
     euler
         Roll, pitch, yaw in radians, shape (3,).
     held_out
-        How many samples so far held NaN in a reading, which was left out.
+        How many samples so far had a reading that was left out: one that holds NaN or infinity,
+        or an accelerometer that reads zero.
     """
 
     euler: Floats
@@ -148,17 +149,21 @@ def observe(
     ValueError
         As for `fixed_gain_observer`, when the sample comes.
     """
-    euler = None if initial is None else np.array(start("initial", initial))
+    check_gain("gain", gain)
+    state = None if initial is None else canonical("initial", initial)
     incomplete = 0
     for body_rates, accel, dt in stream:
-        incomplete += not (np.isfinite(body_rates).all() and np.isfinite(accel).all())
-        if euler is None:
-            tilt = tilt_from_accelerometer(accel)
-            if not np.isfinite(tilt).all():
+        rates = one_sample("body_rates", body_rates)
+        tilt = tilt_from_accelerometer(one_sample("accel", accel))
+        incomplete += bool(np.isnan(rates[0]) or np.isnan(tilt[0]))
+        if state is None:
+            if np.isnan(tilt[0]):
                 continue
-            euler = np.array([*tilt, 0.0])
-        euler = observe_sample(euler, body_rates, accel, dt, gain)
-        yield Estimate(euler, incomplete)
+            state = first_attitude(tilt[np.newaxis])
+        # Angles go on past half a turn, as within a recording, so that no digit differs.
+        after = _step(state, rates, tilt, dt, gain)
+        state = after[0].tolist()
+        yield Estimate(in_range(after)[0], incomplete)
 
 
 def first_attitude(tilt: Floats) -> list[float]:
@@ -174,21 +179,38 @@ def first_attitude(tilt: Floats) -> list[float]:
     ValueError
         If there are samples and none shows a tilt.
     """
-    known = np.flatnonzero(complete(tilt))
-    if len(tilt) and not known.size:
+    if not len(tilt):
+        return [0.0, 0.0, 0.0]
+    known = ~np.isnan(tilt[:, 0])
+    first = int(np.argmax(known))
+    if not known[first]:
         msg = "accel: expected a sample that shows a tilt to start from, got none; pass initial"
         raise ValueError(msg)
-    return [*tilt[known[0]].tolist(), 0.0] if len(tilt) else [0.0, 0.0, 0.0]
+    return [*tilt[first].tolist(), 0.0]
+
+
+def canonical(name: str, euler: ArrayLike) -> list[float]:
+    """Take an attitude to start from, with pitch in [-pi/2, pi/2] and roll and yaw in [-pi, pi).
+
+    Corrections go towards a tilt that is in these ranges, so the start has to be too.
+    """
+    return list(in_range(np.array([start(name, euler)]))[0].tolist())
 
 
 def _observe(first: list[float], rates: Floats, tilt: Floats, steps: Floats, gain: float) -> Floats:
-    check_gain("gain", gain)
     inputs = [*components(rates), *components(tilt), steps]
-    return in_range(run(loops.fixed_gain_observer, first, (float(gain),), inputs))
+    return run(loops.fixed_gain_observer, first, (check_gain("gain", gain),), inputs)
 
 
-def check_gain(name: str, gain: float) -> None:
-    """Refuse a gain that is not from 0 to 1."""
-    if not 0 <= gain <= 1:
-        msg = f"{name}: expected a number from 0 to 1, got {gain}"
+def _step(first: list[float], rates: Floats, tilt: Floats, dt: float, gain: float) -> Floats:
+    steps = periods(number("dt", dt), 1)
+    return _observe(first, rates[np.newaxis], tilt[np.newaxis], steps, gain)
+
+
+def check_gain(name: str, gain: float) -> float:
+    """Take a gain; refuse one that is not from 0 to 1."""
+    checked = number(name, gain)
+    if not 0 <= checked <= 1:
+        msg = f"{name}: expected a number from 0 to 1, got {checked}"
         raise ValueError(msg)
+    return checked

@@ -226,7 +226,7 @@ def _invertible(name: str, value: ArrayLike) -> Floats:
 
 def _polynomial(name: str, value: ArrayLike) -> Floats:
     """Take coefficients by power of temperature and axis, shape (n, 3)."""
-    array = np.asarray(value, dtype=np.float64)
+    array = floats(name, value)
     if array.ndim not in (1, 2) or array.shape[-1] != 3 or not array.size:  # noqa: PLR2004 (axes)
         msg = f"{name}: expected shape (3,) or (n, 3), got {array.shape}"
         raise ValueError(msg)
@@ -277,8 +277,11 @@ def _apply(
     Terms by axis have the leading axes of the temperature, which broadcast with the vectors'.
     """
     arrays = {name: floats(name, value, 3) for name, value in vectors.items()}
-    named = [*arrays.items(), ("temperature", by_axis[0])]
-    out = np.empty((*common_shape(*((name, array, 1) for name, array in named)), 3))
+    named = [(name, array, 1) for name, array in arrays.items()]
+    if by_axis[0].ndim > 1:
+        # One row for each temperature; an error is to state the shape that was given.
+        named.append(("temperature", by_axis[0][..., 0], 0))
+    out = np.empty((*common_shape(*named), 3))
     given = components(matrix, 2)
     for term in by_axis:
         given += components(term)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from chr_notes._arrays import Floats, floats
+from chr_notes._arrays import Floats
 from chr_notes._samples import per_axis, samples, times
 
 PerAxis = float | tuple[float, float, float]
@@ -41,9 +41,12 @@ class SensorErrors:
 
     def __post_init__(self) -> None:
         """Refuse what cannot be."""
-        for name in ("noise_density", "bias_drift"):
+        for name in ("bias", "noise_density", "bias_drift", "vibration", "vibration_frequency"):
             value = per_axis(name, getattr(self, name))
-            if not (value >= 0).all():
+            if not np.isfinite(value).all():
+                msg = f"{name}: expected finite numbers, got {value.tolist()}"
+                raise ValueError(msg)
+            if name in ("noise_density", "bias_drift") and not (value >= 0).all():
                 msg = f"{name}: expected numbers that are not negative, got {value.tolist()}"
                 raise ValueError(msg)
 
@@ -116,9 +119,14 @@ def passing_iron(
     -------
     ndarray
         Field to add to the reference field, shape (N, 3).
+
+    Raises
+    ------
+    ValueError
+        If a shape is wrong, the times do not rise, or start does not come before stop.
     """
     if not start < stop:
         msg = f"expected start before stop, got {start} and {stop}"
         raise ValueError(msg)
-    share = np.clip((floats("time", time) - start) / (stop - start), 0.0, 1.0)
+    share = np.clip((times(time) - start) / (stop - start), 0.0, 1.0)
     return np.asarray(np.sin(np.pi * share)[..., np.newaxis] ** 2 * per_axis("strength", strength))

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from chr_notes._arrays import Floats, floats
-from chr_notes._samples import per_axis, times
+from chr_notes._samples import per_axis, same_length, start, times
 from chr_notes.conventions import STANDARD_GRAVITY
 from chr_notes.dead_reckoning import accelerometer_from_acceleration
 from chr_notes.euler import body_rates_from_euler_rates, matrix_from_euler
@@ -87,9 +87,14 @@ def at_rest(time: ArrayLike, value: ArrayLike = (0.0, 0.0, 0.0)) -> Curve:
         Seconds, shape (N,).
     value
         Shape (3,).
+
+    Raises
+    ------
+    ValueError
+        If a shape is wrong, the times do not rise or a number is not finite.
     """
     still = np.zeros((len(times(time)), 3))
-    return Curve(still + floats("value", value, 3), still, still.copy())
+    return Curve(still + start("value", value), still, still.copy())
 
 
 def swing(  # noqa: PLR0913 (a sine and a line have five numbers)
@@ -188,12 +193,19 @@ def trajectory(time: ArrayLike, attitude: Curve, motion: Curve) -> Trajectory:
     motion
         Position north, east, down, m.
 
+    Raises
+    ------
+    ValueError
+        If the curves have not as many rows as there are times.
+
     Notes
     -----
     Ledger: euler.7.a.
     """
+    seconds = times(time)
+    same_length(("time", seconds), ("attitude", attitude.value), ("motion", motion.value))
     return Trajectory(
-        time=times(time),
+        time=seconds,
         euler=attitude.value,
         body_rates=body_rates_from_euler_rates(attitude.value, attitude.first),
         position=motion.value,
@@ -217,12 +229,20 @@ def ideal_readings(
     gravity
         Magnitude of gravity, m/s².
 
+    Raises
+    ------
+    ValueError
+        If the field has another shape.
+
     Notes
     -----
     Ledger: dead_reckoning.2.1.
     """
     to_body = matrix_from_euler(truth.euler)
     outside = np.asarray(floats("field", field, 3), dtype=np.float64)
+    if outside.shape not in ((3,), truth.euler.shape):
+        msg = f"field: expected shape (3,) or {truth.euler.shape}, got {outside.shape}"
+        raise ValueError(msg)
     return Readings(
         time=truth.time,
         body_rates=truth.body_rates,

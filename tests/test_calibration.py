@@ -101,6 +101,8 @@ REFUSED_POSITIONS = {
         r"readings: expected numbers, got NaN or infinity in position -x",
     ),
     "no gravity": (POSITIONS, 0.0, r"gravity: expected a positive number, got 0\.0"),
+    "gravity without end": (POSITIONS, np.inf, "gravity: expected a positive number, got inf"),
+    "gravity by axis": (POSITIONS, np.ones(3), r"gravity: expected a number, got shape \(3,\)"),
     "all the same": (np.ones((6, 3)), 9.81, "the x-axis to change most between x up and x down"),
     "another order": (
         POSITIONS[[0, 1, 4, 5, 2, 3]],
@@ -130,6 +132,10 @@ def test_bias_of_a_recording_at_rest(shared: Path) -> None:
     rates = np.radians(recorded(shared, "mpu6050_static_449s_raw.csv")[:, 4:] / 131)
     error = fit_gyro_bias(rates) - rates.mean(axis=0)
     assert np.abs(np.degrees(error)).max() < 0.002
+    # Half of the samples tell the mean of the other half, and holes do no harm.
+    half = np.where(np.arange(len(rates))[:, np.newaxis] % 2, rates, np.nan)
+    error = fit_gyro_bias(half) - rates[::2].mean(axis=0)
+    assert 0 < np.abs(np.degrees(error)).max() < 0.002
     # The bias drifts by more than that even at rest: two minutes know only their own.
     error = fit_gyro_bias(rates[stillest_stretch(rates, 12_000)]) - rates.mean(axis=0)
     assert 0.002 < np.abs(np.degrees(error)).max() < 0.01
@@ -173,3 +179,7 @@ def test_a_stretch_that_is_not_there_is_refused() -> None:
         stillest_stretch(np.zeros((5, 3)), 6)
     with pytest.raises(ValueError, match="expected 3 samples in a row without NaN, got none"):
         stillest_stretch([[0, 0, 0], [0, 0, 0], [np.nan, 0, 0], [0, 0, 0], [0, 0, 0]], 3)
+    with pytest.raises(ValueError, match="expected 2 samples in a row without NaN, got none"):
+        stillest_stretch(np.full((5, 3), np.nan), 2)
+    with pytest.raises(TypeError, match="'float' object cannot be interpreted as an integer"):
+        stillest_stretch(np.zeros((5, 3)), 2.5)  # type: ignore[arg-type]

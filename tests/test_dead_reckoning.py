@@ -178,6 +178,10 @@ REFUSED = {
         lambda: dead_reckon(N3, N3, 0.1, velocity=(0, np.nan, 0)),
         r"velocity: expected three finite numbers, got \[0\.0, nan, 0\.0\]",
     ),
+    "many gravities": (
+        lambda: dead_reckon(N3, N3, 0.1, gravity=np.ones((2, 1))),  # type: ignore[arg-type]
+        r"gravity: expected a number, got shape \(2, 1\)",
+    ),
     "many positions": (
         lambda: dead_reckon(N3, N3, 0.1, position=N3),
         r"position: expected three finite numbers, got \[\[0\.0, 0\.0, 0\.0\]",

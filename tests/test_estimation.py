@@ -77,9 +77,11 @@ def test_tilt_stays_in_its_range(reading: list[float]) -> None:
 
 
 def test_a_reading_of_zero_shows_no_tilt() -> None:
-    readings = np.array([LEVEL, [0.0, 0.0, 0.0], [np.nan, 1.0, 1.0], LEVEL])
+    readings = np.array(
+        [LEVEL, [0.0, 0.0, 0.0], [np.nan, 1.0, 1.0], [np.nan, 0, 0], [np.inf, 0, 0], LEVEL]
+    )
     shown = np.isfinite(tilt_from_accelerometer(readings))
-    assert_array_equal(shown, [[True, True], [False, False], [False, False], [True, True]])
+    assert_array_equal(shown, np.outer([True, *[False] * 4, True], [True, True]))
 
 
 # Gyros alone

@@ -64,5 +64,9 @@ def test_long_recordings_are_compiled_and_come_out_the_same(
 def test_parts_of_a_recording_join(monkeypatch: pytest.MonkeyPatch) -> None:
     rates, forces = recording(1000)
     whole = fixed_gain_observer(rates, forces, 0.01, 0.02)
-    monkeypatch.setattr(_loops, "_CHUNK", 17)
+    monkeypatch.setattr(_loops, "_LISTED", 17)
+    assert_array_equal(fixed_gain_observer(rates, forces, 0.01, 0.02), whole)
+    pytest.importorskip("numba", reason="the extra `fast` is not installed")
+    monkeypatch.setattr(_loops, "LONG", 1)
+    monkeypatch.setattr(_loops, "_COMPILED", 23)
     assert_array_equal(fixed_gain_observer(rates, forces, 0.01, 0.02), whole)

@@ -110,6 +110,13 @@ REFUSED = {
         ),
         "reference_down: expected the part down of a field of magnitude 1",
     ),
+    "many parts down": (
+        lambda: monitored_observer(
+            np.zeros((1, 3)), [[0, 0, -1.0]], [[1.0, 0, 1]], 0.1,
+            reference_down=[0.5, 0.5], monitor=Monitor(0.1, 5),  # type: ignore[arg-type]
+        ),
+        r"reference_down: expected a number, got shape \(2,\)",
+    ),
     "sensors of different lengths": (
         lambda: monitored_observer(
             np.zeros((2, 3)), np.zeros((2, 3)), np.zeros((1, 3)), 0.1,

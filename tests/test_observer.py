@@ -152,10 +152,34 @@ def test_a_stream_gives_the_same_numbers() -> None:
     streamed = list(observe(given, 0.05))
     assert [each.held_out for each in (streamed[0], streamed[49], streamed[-1])] == [1, 2, 3]
     found = np.array([each.euler for each in streamed])
-    assert_allclose(np.delete(found, 49, axis=0), np.delete(expected, 49, axis=0), atol=1e-12)
+    assert_array_equal(np.delete(found, 49, axis=0), np.delete(expected, 49, axis=0))
     # What the array leaves open, a stream answers: predicted to stay, and corrected.
     still = fixed_gain_observer(np.zeros((1, 3)), forces[[50]], steps[50], 0.05, found[48])
     assert_allclose(found[49], still[0], atol=1e-15)
+
+
+def test_a_stream_counts_what_it_leaves_out() -> None:
+    nothing, unread = np.zeros(3), np.full(3, np.nan)
+    given = [(unread, LEVEL), (nothing, nothing), (nothing, [0, 0, np.inf]), (nothing, LEVEL)]
+    streamed = observe([(*each, 0.01) for each in given], 0.05)
+    assert [each.held_out for each in streamed] == [1, 2, 3, 3]
+
+
+def test_one_step_is_that_of_a_recording() -> None:
+    rates, force, initial = [0.1, -0.2, 0.3], [1.0, 2.0, -9.0], [0.1, 0.2, 0.3]
+    expected = fixed_gain_observer([rates], [force], 0.02, 0.3, initial)[0]
+    assert_array_equal(chr_notes.observe_sample(initial, rates, force, 0.02, 0.3), expected)
+
+
+def test_a_start_may_be_written_in_any_range() -> None:
+    # Pitch beyond 90° is the same attitude as with all three angles turned the other way.
+    beyond, within = np.array([0.3, 2.0, 0.1]), np.array([0.3 - np.pi, np.pi - 2.0, 0.1 - np.pi])
+    rates, forces = np.full((20, 3), np.nan), np.tile(LEVEL, (20, 1))
+    rates[10:] = 0.1
+    found = fixed_gain_observer(rates, forces, 0.01, 0.3, beyond)[10:]
+    assert_allclose(found, fixed_gain_observer(rates, forces, 0.01, 0.3, within)[10:], atol=1e-12)
+    one = chr_notes.observe_sample(beyond, rates[0], LEVEL, 0.01, 0.3)
+    assert_allclose(one, chr_notes.observe_sample(within, rates[0], LEVEL, 0.01, 0.3), atol=1e-12)
 
 
 def test_a_stream_is_read_no_further_than_asked() -> None:
@@ -254,6 +278,26 @@ REFUSED = {
     "a gain of NaN": (
         lambda: fixed_gain_observer(N3, N3 + LEVEL, 0.01, np.nan),
         r"gain: expected a number from 0 to 1, got nan",
+    ),
+    "a gain for each sample": (
+        lambda: fixed_gain_observer(N3, N3 + LEVEL, 0.01, np.full(5, 0.1)),  # type: ignore[arg-type]
+        r"gain: expected a number, got shape \(5,\)",
+    ),
+    "many samples for a step": (
+        lambda: chr_notes.observe_sample([0, 0, 0], N3, N3 + LEVEL, 0.01, 0.1),
+        r"body_rates: expected shape \(3,\), got \(5, 3\)",
+    ),
+    "many times for a step": (
+        lambda: chr_notes.observe_sample([0, 0, 0], N3[0], LEVEL, [0.1, 0.2], 0.1),  # type: ignore[arg-type]
+        r"dt: expected a number, got shape \(2,\)",
+    ),
+    "many samples at a time from a stream": (
+        lambda: list(observe([(N3[0], N3 + LEVEL, 0.01)], 0.1)),
+        r"accel: expected shape \(3,\), got \(5, 3\)",
+    ),
+    "a wrong gain for an empty stream": (
+        lambda: list(observe([], 1.5)),
+        r"gain: expected a number from 0 to 1, got 1\.5",
     ),
     "nothing to start from": (
         lambda: fixed_gain_observer(N3, N3, 0.01, 0.1),

@@ -159,9 +159,18 @@ REFUSED = {
         lambda: RateGyroCalibration(EYE, ONES, ZEROS, EYE).correct(
             np.ones((2, 3)), np.ones((4, 3))
         ),
-        r"expected accel and measured and temperature with leading axes that broadcast",
+        r"expected accel and measured with leading axes .*, got shapes \(4, 3\) and \(2, 3\)",
+    ),
+    "temperatures of another length": (
+        lambda: ThreeAxisCalibration(EYE, [ONES, ONES], ZEROS).measure(np.ones((2, 3)), np.ones(4)),
+        r"expected actual and temperature with leading .*, got shapes \(2, 3\) and \(4,\)",
     ),
 }
+
+
+def test_complex_parameters_are_refused() -> None:
+    with pytest.raises(TypeError, match="sensitivity: expected real numbers, got complex128"):
+        ThreeAxisCalibration(EYE, np.array([1.0, 1j, 1.0]), ZEROS)
 
 
 @pytest.mark.parametrize(("call", "message"), REFUSED.values(), ids=REFUSED)

@@ -89,5 +89,11 @@ def test_what_cannot_be_simulated_is_refused() -> None:
         spoil(STILL[:5], TIME[:4], errors, seed=0)
     with pytest.raises(ValueError, match=r"time: expected rising times, got \[1.0, 1.0\] at 1"):
         spoil(STILL[:4], [0.0, 1.0, 1.0, 2.0], errors, seed=0)
+    with pytest.raises(
+        ValueError, match=r"vibration: expected finite numbers, got \[nan, nan, nan"
+    ):
+        SensorErrors(vibration=np.nan)
+    with pytest.raises(ValueError, match=r"time: expected shape \(N,\), got \(2, 2\)"):
+        passing_iron(np.zeros((2, 2)), 1.0, 2.0, (1.0, 0.0, 0.0))
     with pytest.raises(ValueError, match=r"expected start before stop, got 2\.0 and 2\.0"):
         passing_iron(TIME, 2.0, 2.0, (1.0, 0.0, 0.0))

@@ -98,7 +98,20 @@ def test_the_field_may_change_with_time() -> None:
     assert_allclose(ideal_readings(truth, field).mag, field)
 
 
+STILL = at_rest(TIME)
 REFUSED = {
+    "values that move at rest": (
+        lambda: at_rest([0.0, 1.0], [[0, 0, 0], [1, 1, 1]]),
+        r"value: expected three finite numbers, got \[\[0\.0, 0\.0, 0\.0\]",
+    ),
+    "a curve of other times": (
+        lambda: trajectory(TIME, STILL, at_rest(TIME[1:])),
+        "expected as many rows in each of time, attitude, motion, got 4001, 4001, 4000",
+    ),
+    "a field of other times": (
+        lambda: ideal_readings(trajectory(TIME, STILL, STILL), np.ones((5, 3))),
+        r"field: expected shape \(3,\) or \(4001, 3\), got \(5, 3\)",
+    ),
     "times of two axes": (
         lambda: at_rest(np.zeros((2, 2))),
         r"time: expected shape \(N,\), got \(2, 2\)",

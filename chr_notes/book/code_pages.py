@@ -142,7 +142,7 @@ def speed(run: dict[str, Any]) -> Iterator[str]:
     for size, words in SIZES.items():
         cases = [row for row in run["rows"] if row["size"] == size]
         yield f"## {words[0].upper()}{words[1:]}\n"
-        yield "| task | library | ns an attitude | times as long |\n|---|---|--:|--:|"
+        yield "| task | library | ns each | times as long |\n|---|---|--:|--:|"
         for task in dict.fromkeys(row["task"] for row in cases):
             times = {r["library"]: r["nanoseconds"] for r in cases if r["task"] == task}
             ours = times[SCALAR] if size == 1 else times["chr_notes"]

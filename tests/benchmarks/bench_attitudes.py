@@ -1,6 +1,6 @@
 """Times of each task in each library; no file of the default run.
 
-python -m pytest tests/benchmarks/bench_attitudes.py --benchmark-json=run.json
+python -m pytest tests/benchmarks/bench_*.py --benchmark-json=run.json
 python tests/benchmarks/store.py run.json
 """
 

@@ -19,6 +19,8 @@ LIBRARIES = (
     "pytransform3d",
     "transforms3d",
     "symforce",
+    "numba",
+    "vqf",
 )
 
 
