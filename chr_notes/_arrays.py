@@ -1,17 +1,19 @@
 """What the numeric functions share: checks of shape, and generated functions run in blocks."""
 
 from collections.abc import Callable, Iterator, Sequence
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 Floats = NDArray[np.float64]
+Numbers = NDArray[Any]
+"""Real or complex ones."""
 Reports = tuple[Floats | None, NDArray[np.bool_] | None] | None
 
 BLOCK = 8192
 """Rows that are worked on at a time: few enough that what is computed on the way stays in cache."""
-_WORK = 16
+_WORK, _PAIRS = 16, 8
 # A squared length within these bounds lost nothing, and neither did its square.
 _LEAST, _MOST = 2.0**-400, 2.0**400
 
@@ -84,28 +86,43 @@ def components(array: Floats, axes: int = 1) -> list[Floats]:
     return [array[(..., *place)] for place in np.ndindex(array.shape[array.ndim - axes :])]
 
 
+def in_pairs(*arrays: Floats) -> bool:
+    """Whether neighbours along the last axis lie in memory as the parts of a complex number do."""
+    return all(
+        array.dtype == np.float64 and array.strides[-1] == array.itemsize and array.flags.aligned
+        for array in arrays
+    )
+
+
+def pairs(array: Floats) -> list[Numbers]:
+    """Take views of the elements along the last axis, of an even size, as complex numbers."""
+    return components(array.view(np.complex128))
+
+
 def blocks(
-    given: Sequence[Floats], out: Sequence[Floats]
-) -> Iterator[tuple[int, tuple[Floats, ...], tuple[Floats, ...], Floats]]:
+    given: Sequence[Numbers], out: Sequence[Numbers]
+) -> Iterator[tuple[int, tuple[Numbers, ...], tuple[Numbers, ...], list[Numbers]]]:
     """Go through arrays that broadcast in blocks of at most `BLOCK` elements.
 
     Parameters
     ----------
     given
-        Arrays to read, of any real type.
+        Arrays to read, of any real type or complex128.
     out
-        Arrays to write, whose shape is what the others broadcast to, and whose type is the one to
-        compute in; float64 where there are none.
+        Arrays to write, whose shape is what the others broadcast to.
 
     Yields
     ------
     tuple
         Index of the block's first element in C order, the blocks to read and to write, and
-        storage for what is computed on the way.
+        storage for the real numbers that are computed on the way, and for complex ones if some of
+        the arrays are complex.
     """
-    number = out[0].dtype if out else np.dtype(np.float64)
+    types = [np.complex128 if a.dtype.kind == "c" else np.float64 for a in (*given, *out)]
     size = min(BLOCK, max(1, (*given, *out)[-1].size))
-    work = np.empty((_WORK, size), dtype=number)
+    storage: list[Numbers] = [np.empty((_WORK, size))]
+    if np.complex128 in types:
+        storage.append(np.empty((_PAIRS, size), dtype=np.complex128))
     read: list[Literal["readonly", "writeonly"]] = ["readonly"]
     write: list[Literal["readonly", "writeonly"]] = ["writeonly"]
     access = [*(read for _ in given), *(write for _ in out)]
@@ -114,7 +131,7 @@ def blocks(
         [*given, *out],
         flags=["external_loop", "buffered", "zerosize_ok"],
         op_flags=access,
-        op_dtypes=[number] * len(access),
+        op_dtypes=types,
         order="C",
         casting="same_kind",
         buffersize=size,
@@ -122,14 +139,15 @@ def blocks(
         for parts in iterator:
             count = len(parts[0])
             if count:
-                yield start, parts[: len(given)], parts[len(given) :], work[:, :count]
+                work = [rows[:, :count] for rows in storage]
+                yield start, parts[: len(given)], parts[len(given) :], work
             start += count
 
 
 def evaluate(
     function: Callable[..., Reports],
-    given: Sequence[Floats],
-    out: Sequence[Floats],
+    given: Sequence[Numbers],
+    out: Sequence[Numbers],
     scaled: tuple[str, Floats] | None = None,
     degree: int = 0,
 ) -> NDArray[np.intp]:
@@ -162,16 +180,16 @@ def evaluate(
     locked: list[NDArray[np.intp]] = []
     for start, parts, results, work in blocks(given, out):
         with np.errstate(all="ignore"):
-            reports = function(*parts, results, work)
+            reports = function(*parts, results, *work)
             if reports is None:
                 continue
             guard, lock = reports
             # A comparison with NaN fails, so a block with NaN goes the slow way.
             fits = guard is None or (guard.min() > _LEAST and guard.max() < _MOST)
             if scaled is not None and not fits:
-                count = scaled[1].shape[-1]
+                count = scaled[1].shape[-1] // len(_real(parts[0]))
                 scaled_parts, exponent = _scale(parts[:count], *scaled)
-                _, lock = function(*scaled_parts, *parts[count:], results, work) or (None, None)
+                _, lock = function(*scaled_parts, *parts[count:], results, *work) or (None, None)
                 for result in results if degree else ():
                     np.ldexp(result, degree * exponent, out=result)
         if lock is not None and lock.any():
@@ -180,8 +198,8 @@ def evaluate(
 
 
 def _scale(
-    parts: Sequence[Floats], name: str, argument: Floats
-) -> tuple[list[Floats], NDArray[np.intc]]:
+    parts: Sequence[Numbers], name: str, argument: Floats
+) -> tuple[list[Numbers], NDArray[np.intc]]:
     """Bring each row's largest element to between 1/2 and 1, exactly; refuse a row of zeros.
 
     Returns
@@ -191,10 +209,19 @@ def _scale(
     exponent
         Power of two by which each row was divided.
     """
-    largest = np.max(np.abs(parts), axis=0)
+    copies = [part.copy() for part in parts]
+    numbers = [number for part in copies for number in _real(part)]
+    largest = np.max(np.abs(numbers), axis=0)
     if (largest == 0).any():
         where = np.argwhere(~np.any(argument, axis=-1))[0]
         msg = f"{name}: expected no row of zeros, got one at index {tuple(map(int, where))}"
         raise ValueError(msg)
     exponent = np.where(np.isfinite(largest), np.frexp(largest)[1], 0)
-    return [np.ldexp(part, -exponent) for part in parts], exponent
+    for number in numbers:
+        np.ldexp(number, -exponent, out=number)
+    return copies, exponent
+
+
+def _real(part: Numbers) -> list[Floats]:
+    """Take the real numbers that a block consists of."""
+    return [part.real, part.imag] if part.dtype.kind == "c" else [part]

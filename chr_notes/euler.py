@@ -7,7 +7,15 @@ are in radians, in the order (roll, pitch, yaw); matrices are `R_I^B`, body from
 import numpy as np
 from numpy.typing import ArrayLike
 
-from chr_notes._arrays import Floats, common_shape, components, evaluate, reals
+from chr_notes._arrays import (
+    Floats,
+    common_shape,
+    components,
+    evaluate,
+    in_pairs,
+    pairs,
+    reals,
+)
 from chr_notes._attitudes import OnGimbalLock, check_choice, rotations, tell
 from chr_notes.generated.arrays import euler as generated
 
@@ -157,8 +165,13 @@ def euler_rates_from_body_rates(euler: ArrayLike, body_rates: ArrayLike) -> Floa
     angles, rates = reals("euler", euler, 3), reals("body_rates", body_rates, 3)
     shape = common_shape(("euler", angles, 1), ("body_rates", rates, 1))
     out = np.empty((*shape, 3))
-    given = [*components(angles)[:2], *components(rates)]
-    evaluate(generated.euler_rates_from_body_rates, given, components(out))
+    given = components(angles)[:2]
+    if in_pairs(rates):
+        given += [*components(rates[..., :1]), *pairs(rates[..., 1:])]
+        evaluate(generated.euler_rates_from_body_rates_pairs, given, components(out))
+    else:
+        given += components(rates)
+        evaluate(generated.euler_rates_from_body_rates, given, components(out))
     return out
 
 

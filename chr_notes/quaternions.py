@@ -6,10 +6,22 @@ that stands for an attitude may have any norm but zero; results that do are unit
 a >= 0. Products, conjugates and inverses are those of the algebra, sign and norm included.
 """
 
+from collections.abc import Callable
+
 import numpy as np
 from numpy.typing import ArrayLike
 
-from chr_notes._arrays import Floats, common_shape, components, evaluate, reals
+from chr_notes._arrays import (
+    Floats,
+    Numbers,
+    Reports,
+    common_shape,
+    components,
+    evaluate,
+    in_pairs,
+    pairs,
+    reals,
+)
 from chr_notes._attitudes import OnGimbalLock, check_choice, rotations, tell
 from chr_notes.generated.arrays import quaternions as generated
 
@@ -232,19 +244,13 @@ def quaternion_multiply(p: ArrayLike, q: ArrayLike) -> Floats:
     """
     first, second = reals("p", p, 4), reals("q", q, 4)
     out = np.empty((*common_shape(("p", first, 1), ("q", second, 1)), 4))
-    if _in_pairs(first) and _in_pairs(second):
-        pairs = [*components(first.view(np.complex128)), *components(second.view(np.complex128))]
-        halves = components(out.view(np.complex128))
-        evaluate(generated.quaternion_multiply_pairs, pairs, halves)
+    if in_pairs(first, second):
+        given = [*pairs(first), *pairs(second)]
+        evaluate(generated.quaternion_multiply_pairs, given, pairs(out))
     else:
         given = [*components(first), *components(second)]
         evaluate(generated.quaternion_multiply, given, components(out))
     return out
-
-
-def _in_pairs(quaternion: Floats) -> bool:
-    """Whether two neighbouring elements lie in memory as a complex number does."""
-    return quaternion.dtype == np.float64 and quaternion.strides[-1] == quaternion.itemsize
 
 
 def quaternion_conjugate(q: ArrayLike) -> Floats:
@@ -329,12 +335,8 @@ def rotate_to_inertial(q: ArrayLike, v_body: ArrayLike) -> Floats:
     -----
     Ledger: quaternions.3.1.
     """
-    quaternion, vector = reals("q", q, 4), reals("v_body", v_body, 3)
-    shape = common_shape(("q", quaternion, 1), ("v_body", vector, 1))
-    out = np.empty((*shape, 3))
-    given = [*components(quaternion), *components(vector)]
-    evaluate(generated.rotate_to_inertial, given, components(out), ("q", quaternion))
-    return out
+    plain, paired = generated.rotate_to_inertial, generated.rotate_to_inertial_pairs
+    return _rotated(plain, paired, ("q", q), ("v_body", v_body))
 
 
 def rotate_to_body(q: ArrayLike, v_inertial: ArrayLike) -> Floats:
@@ -362,9 +364,25 @@ def rotate_to_body(q: ArrayLike, v_inertial: ArrayLike) -> Floats:
     -----
     Ledger: quaternions.3.1, quaternions.3.4.
     """
-    quaternion, vector = reals("q", q, 4), reals("v_inertial", v_inertial, 3)
-    shape = common_shape(("q", quaternion, 1), ("v_inertial", vector, 1))
-    out = np.empty((*shape, 3))
-    given = [*components(quaternion), *components(vector)]
-    evaluate(generated.rotate_to_body, given, components(out), ("q", quaternion))
+    plain, paired = generated.rotate_to_body, generated.rotate_to_body_pairs
+    return _rotated(plain, paired, ("q", q), ("v_inertial", v_inertial))
+
+
+def _rotated(
+    plain: Callable[..., Reports],
+    paired: Callable[..., Reports],
+    attitude: tuple[str, ArrayLike],
+    turned: tuple[str, ArrayLike],
+) -> Floats:
+    """Rotate vectors, in pairs where their elements lie side by side."""
+    quaternion, vector = reals(*attitude, 4), reals(*turned, 3)
+    out = np.empty((*common_shape((attitude[0], quaternion, 1), (turned[0], vector, 1)), 3))
+    scaled = attitude[0], quaternion
+    if in_pairs(quaternion, vector):
+        given: list[Numbers] = [*pairs(quaternion), *components(vector[..., :1])]
+        given += pairs(vector[..., 1:])
+        evaluate(paired, given, [*components(out[..., :1]), *pairs(out[..., 1:])], scaled)
+    else:
+        given = [*components(quaternion), *components(vector)]
+        evaluate(plain, given, components(out), scaled)
     return out

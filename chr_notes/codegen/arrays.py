@@ -10,11 +10,12 @@ from chr_notes.codegen.lowering import Program
 from chr_notes.codegen.python import PYTHON
 
 # How the comments write formulas.
-COMMENTS = replace(PYTHON, call={**PYTHON.call, "conjugate": "conjugate"})
+_OF_PAIRS = {"conjugate": "conjugate", "re": "real", "im": "imag"}
+COMMENTS = replace(PYTHON, call={**PYTHON.call, **_OF_PAIRS})
 
 _BOOLEAN = re.compile("less|greater|logical")
-WORK = 16
-"""How many arrays every function is given for what it computes on the way."""
+WORK, PAIRS = 16, 8
+"""How many arrays of real and of complex numbers a function is given for what it computes."""
 
 
 def module(programs: tuple[Program, ...]) -> str:
@@ -26,7 +27,7 @@ def module(programs: tuple[Program, ...]) -> str:
         + ["complex128"] * pairs
         + ["bool_"] * any(program.flag is not None for program in programs)
     )
-    used = sorted({call.function for program in programs for call in calls(program)})
+    used = sorted({call.function for program in programs for call in calls(program)[0]})
     head = '"""' + "\n".join(made_how(programs)) + '\n"""\n\n'
     imports = "\n".join(
         [
@@ -44,9 +45,12 @@ def module(programs: tuple[Program, ...]) -> str:
 
 def _function(program: Program) -> str:
     target = program.target
-    block = "Pairs" if target.complex else "Block"
-    arguments = [f"{argument.name}: {block}" for argument in target.arguments]
-    arguments += [f"out: Sequence[{block}]", f"work: Sequence[{block}]"]
+    made, complex_values = calls(program)
+    kinds = {name: "Pairs" if name in complex_values else "Block" for name in _names(program)}
+    results = sorted({kinds[name] for name in _results(program)})
+    arguments = [f"{argument.name}: {kinds[argument.name]}" for argument in target.arguments]
+    arguments += [f"out: Sequence[{' | '.join(results)}]", "work: Sequence[Block]"]
+    arguments += ["pairs: Sequence[Pairs]"] if target.complex else []
     told = (program.guard, program.flag)
     reports = [symbol.name for symbol in told if symbol is not None]
     types = [
@@ -56,19 +60,32 @@ def _function(program: Program) -> str:
     result = f"tuple[{', '.join(types)}]" if reports else "None"
     lines = in_lines(f"def {target.name}(", arguments, f") -> {result}:")
     lines += _docstring(program)
-    made = calls(program)
-    storage = _storage(made, _fixed(program), reports)
+    storage = _storage(made, complex_values, _fixed(program), reports)
     inside = None
+    defined: set[str] = set()
     for place, call in enumerate(made):
         if call.inside is not None and call.inside != inside:
             lines.append(f"    if {_operand(call.inside, storage)}.any():")
         inside = call.inside
         indent = "        " if inside else "    "
         alone = place + 1 == len(made) or made[place + 1].says is not None
+        whole = _whole(call.result)
+        if whole != call.result and not whole.startswith("$") and whole not in defined:
+            # The first part of a complex local: the whole gets its name.
+            lines.append(f"{indent}{whole} = {storage[whole]}")
+            defined.add(whole)
         lines += [indent + line for line in _statement(call, storage, alone=alone)]
     if reports:
         lines.append(f"    return {', '.join(map(str, told))}")
     return "\n".join(lines)
+
+
+def _names(program: Program) -> list[str]:
+    return [*(argument.name for argument in program.target.arguments), *_results(program)]
+
+
+def _results(program: Program) -> list[str]:
+    return [f"out[{index}]" for index in range(len(program.results))]
 
 
 def _docstring(program: Program) -> list[str]:
@@ -82,6 +99,8 @@ def _docstring(program: Program) -> list[str]:
         f"    out: {elements}",
         f"    work: {WORK} arrays for what is computed on the way",
     ]
+    if target.complex:
+        lines.append(f"    pairs: {PAIRS} arrays of complex numbers for the same")
     told = [program.guard.name.replace("_", " ")] if program.guard is not None else []
     told += [FLAG] if program.flag is not None else []
     if told:
@@ -92,39 +111,47 @@ def _docstring(program: Program) -> list[str]:
 
 def _fixed(program: Program) -> dict[str, str]:
     """Say where arguments and results are: a local that is a result has its place in `out`."""
-    arguments = {argument.name: argument.name for argument in program.target.arguments}
-    results = {f"out[{index}]": f"out[{index}]" for index in range(len(program.results))}
     named = {name: f"out[{index}]" for name, index in in_place(program).items()}
-    return arguments | results | named
+    return {name: name for name in _names(program)} | named
 
 
-def _storage(made: list[Call], fixed: dict[str, str], reports: list[str]) -> dict[str, str]:
-    """Give each value an array of `work`; an array whose value is no longer needed serves again.
+def _whole(name: str) -> str:
+    """Give the name of the complex value of which this is a part, or of the value itself."""
+    return name.removesuffix(".real").removesuffix(".imag")
+
+
+def _storage(
+    made: list[Call], complex_values: set[str], fixed: dict[str, str], reports: list[str]
+) -> dict[str, str]:
+    """Give each value an array of `work` or `pairs`, which serves again once it is not needed.
 
     Booleans need none: a block of them is small, so NumPy allocates it.
     """
     last = {}
     for place, call in enumerate(made):
         for name in (*call.operands, call.result, call.where, call.inside):
-            last[name] = place
+            if isinstance(name, str):
+                last[_whole(name)] = place
     last |= dict.fromkeys(reports, len(made))
-    free = list(range(WORK))
+    free = {"work": list(range(WORK)), "pairs": list(range(PAIRS))}
     storage = dict(fixed)
-    rows: dict[str, int] = {}
+    rows: dict[str, tuple[str, int]] = {}
     for place, call in enumerate(made):
-        ended = [name for name in rows if last[name] <= place and name != call.result]
-        free = sorted([*free, *(rows.pop(name) for name in ended)])
-        result = call.result
+        result = _whole(call.result)
+        for name in [name for name in rows if last[name] <= place and name != result]:
+            kind, row = rows.pop(name)
+            free[kind] = sorted([*free[kind], row])
         if result in storage:
             continue
         if _BOOLEAN.match(call.function):
             storage[result] = result.replace("$", "condition_")
             continue
-        if not free:
-            msg = f"expected at most {WORK} values at once, got more at {call}"
+        kind = "pairs" if result in complex_values else "work"
+        if not free[kind]:
+            msg = f"expected at most {WORK} values at once, {PAIRS} of them complex, got {call}"
             raise ValueError(msg)
-        rows[result] = free.pop(0)
-        storage[result] = f"work[{rows[result]}]"
+        rows[result] = kind, free[kind].pop(0)
+        storage[result] = "{}[{}]".format(*rows[result])
     return storage
 
 
@@ -132,7 +159,8 @@ def _operand(operand: str | float, storage: dict[str, str]) -> str:
     if isinstance(operand, float):
         return repr(operand)
     # A local is known by its name, what has none by its place.
-    return storage.get(operand, operand) if operand.startswith("$") else operand
+    whole = _whole(operand)
+    return operand.replace(whole, storage.get(whole, whole)) if whole.startswith("$") else operand
 
 
 def _statement(call: Call, storage: dict[str, str], *, alone: bool) -> list[str]:
@@ -142,8 +170,10 @@ def _statement(call: Call, storage: dict[str, str], *, alone: bool) -> list[str]
     if call.says is not None and not alone:
         formula = folded(f"{call.says.name} = {infix(call.says.value, COMMENTS)}", WIDTH - 10)
         lines += [f"# {line}" for line in formula]
-    place = storage[call.result]
-    is_local = call.result != place and not call.result.startswith("$")
+    whole = _whole(call.result)
+    is_part = whole != call.result
+    place = _operand(call.result, storage) if is_part else storage[whole]
+    is_local = call.result != place and not is_part and not call.result.startswith("$")
     if call.function == "copyto":
         where = f", where={_operand(call.where, storage)}" if call.where else ""
         if is_local and not call.where:

@@ -7,6 +7,7 @@ from chr_notes.codegen import arguments as given
 from chr_notes.codegen.target import Target
 from chr_notes.derivations import euler, hamilton, quaternions
 from chr_notes.derivations.forms import euler as euler_forms
+from chr_notes.derivations.forms import pairs
 from chr_notes.derivations.forms import quaternions as forms
 
 TARGETS = (
@@ -39,6 +40,14 @@ TARGETS = (
         "Derivatives of roll, pitch and yaw, rad/s",
         (given.ROLL, given.PITCH, *given.RATES),
         euler_forms.euler_rates,
+        ("euler.7.3",),
+    ),
+    Target(
+        "euler_rates_from_body_rates_pairs",
+        "euler",
+        "Derivatives of roll, pitch and yaw, rad/s",
+        (given.ROLL, given.PITCH, given.RATES[0], given.RATES_PAIR),
+        pairs.euler_rates,
         ("euler.7.3",),
     ),
     Target(
@@ -132,9 +141,8 @@ TARGETS = (
         "quaternions",
         "Product of two quaternions as pairs of complex numbers",
         given.PAIRS,
-        forms.product_of_pairs,
+        pairs.product,
         ("quaternions.3.2",),
-        complex=True,
     ),
     Target(
         "quaternion_conjugate",
@@ -166,6 +174,22 @@ TARGETS = (
         "The vector in the body frame",
         (*given.QUATERNION_ARGUMENTS, *given.INERTIAL_VECTOR),
         forms.rotate_to_body,
+        ("quaternions.3.1", "quaternions.3.4"),
+    ),
+    Target(
+        "rotate_to_inertial_pairs",
+        "quaternions",
+        "The vector in the inertial frame: x, and y + i z",
+        (*given.ATTITUDE_PAIRS, given.BODY_VECTOR[0], given.SIDE),
+        pairs.rotate_to_inertial,
+        ("quaternions.3.1",),
+    ),
+    Target(
+        "rotate_to_body_pairs",
+        "quaternions",
+        "The vector in the body frame: x, and y + i z",
+        (*given.ATTITUDE_PAIRS, given.INERTIAL_VECTOR[0], given.SIDE),
+        pairs.rotate_to_body,
         ("quaternions.3.1", "quaternions.3.4"),
     ),
     Target(

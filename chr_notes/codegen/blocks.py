@@ -1,4 +1,8 @@
-"""From a program to calls of NumPy's functions on blocks, with storage that is used again."""
+"""From a program to calls of NumPy's functions on blocks, with storage that is used again.
+
+Values are real or complex. The real and the imaginary part of a complex one are blocks like others,
+named `value.real` and `value.imag`.
+"""
 
 from dataclasses import dataclass, field
 
@@ -7,6 +11,7 @@ from sympy import (
     Add,
     Basic,
     Expr,
+    I,
     Integer,
     Mul,
     Pow,
@@ -19,6 +24,8 @@ from sympy import (
     conjugate,
     cos,
     floor,
+    im,
+    re,
     sin,
     tan,
 )
@@ -26,7 +33,7 @@ from sympy.core.relational import Relational
 from sympy.logic.boolalg import And, Not, Or
 
 from chr_notes.codegen.expressions import split_product, split_sum
-from chr_notes.codegen.lowering import Program
+from chr_notes.codegen.lowering import Program, parts
 from chr_notes.derivations.computation import EPSILON, Choice, Let, Remainder
 
 DOUBLE = 2.0**-52
@@ -46,6 +53,7 @@ UFUNCS = {
     Or: "logical_or",
     Not: "logical_not",
 }
+PARTS = {re: "real", im: "imag"}
 COMPARISONS = {"<": "less", "<=": "less_equal", ">": "greater", ">=": "greater_equal"}
 # These make a block of booleans, which is small, so NumPy finds the storage.
 CONDITIONS = (Relational, And, Or, Not)
@@ -81,8 +89,18 @@ class Call:
 
 @dataclass
 class Calls:
-    """Collects the calls of one program."""
+    """Collects the calls of one program.
 
+    Parameters
+    ----------
+    complex
+        Names of the values that are complex numbers.
+    places
+        Where values are that are parts of others: `x` and `y` of `x + i y`.
+    """
+
+    complex: set[str] = field(default_factory=set)
+    places: dict[str, str] = field(default_factory=dict)
     made: list[Call] = field(default_factory=list)
     inside: str | None = None
     count: int = 0
@@ -90,12 +108,16 @@ class Calls:
 
     def add(self, function: str, *operands: str | float, into: str | None, **rest: str) -> str:
         """Add a call and give the name of its result, a fresh one where none is asked for."""
-        if into is None:
-            into = f"${self.count}"
-            self.count += 1
+        into = into or self._fresh()
+        if self.complex & set(operands):
+            self.complex.add(into)
         self.made.append(Call(function, operands, into, inside=self.inside, says=self.says, **rest))
         self.says = None
         return into
+
+    def _fresh(self) -> str:
+        self.count += 1
+        return f"${self.count - 1}"
 
     def value(self, value: Basic, into: str | None = None) -> str | float:
         """Add the calls that compute an expression.
@@ -107,13 +129,24 @@ class Calls:
         into
             Name of its value; without it a number or a name stays what it is.
         """
+        if value.has(I):
+            return self._assembled(value, into or self._fresh())
         if isinstance(value, Symbol) and value != EPSILON:
-            operand: str | float = value.name
+            operand: str | float = self.places.get(value.name, value.name)
+        elif isinstance(value, (re, im)):
+            operand = f"{self.value(value.args[0])}.{PARTS[type(value)]}"
         elif not value.free_symbols - {EPSILON}:
             operand = float(value.subs(EPSILON, DOUBLE))
         else:
             return self._compound(value, into)
-        return operand if into is None else self.add("copyto", operand, into=into)
+        return operand if into in (None, operand) else self.add("copyto", operand, into=into)
+
+    def _assembled(self, value: Expr, into: str) -> str:
+        """Add the calls that compute `x + i y` from real x and y."""
+        self.complex.add(into)
+        for part, expression in zip(PARTS.values(), parts(value), strict=True):
+            self.value(expression, into=f"{into}.{part}")
+        return into
 
     def _compound(self, value: Basic, into: str | None) -> str:
         if isinstance(value, Add):
@@ -198,13 +231,17 @@ class Calls:
         self.inside = None
 
 
-def calls(program: Program) -> list[Call]:
-    """List the calls of a program; results that have no name are `out[0]`, `out[1]` and so on."""
-    collected = Calls()
+def calls(program: Program) -> tuple[list[Call], set[str]]:
+    """List the calls of a program, and say which of the values are complex.
+
+    Results that have no name are `out[0]`, `out[1]` and so on.
+    """
+    collected = Calls(_complex_arguments(program), _places(program))
     for step in program.steps:
         if isinstance(step, Let):
             collected.says = step
-            collected.value(step.value, into=step.name.name)
+            name = step.name.name
+            collected.value(step.value, into=collected.places.get(name, name))
         else:
             collected.choose(step)
     placed = in_place(program)
@@ -213,7 +250,25 @@ def calls(program: Program) -> list[Call]:
             place = f"out[{index}]"
             collected.says = Let(Symbol(place), result)
             collected.value(result, into=place)
-    return collected.made
+    return collected.made, collected.complex
+
+
+def _complex_arguments(program: Program) -> set[str]:
+    given = program.target.arguments
+    return {argument.name for argument in given if not argument.symbol.is_real}
+
+
+def _places(program: Program) -> dict[str, str]:
+    """Find the locals that are parts of a complex one, which are computed where they belong."""
+    lets = [step for step in program.steps if isinstance(step, Let)]
+    computed = {let.name for let in lets}
+    return {
+        part.name: f"{let.name.name}.{name}"
+        for let in lets
+        if let.value.has(I)
+        for name, part in zip(PARTS.values(), parts(let.value), strict=True)
+        if part in computed
+    }
 
 
 def in_place(program: Program) -> dict[str, int]:

@@ -9,6 +9,7 @@ from sympy import (
     Basic,
     Expr,
     Float,
+    I,
     Integer,
     Mul,
     Pow,
@@ -21,6 +22,8 @@ from sympy import (
     conjugate,
     cos,
     floor,
+    im,
+    re,
     sin,
     tan,
 )
@@ -30,7 +33,7 @@ from sympy.logic.boolalg import And, Not, Or
 
 from chr_notes.derivations.computation import EPSILON, Choice, Remainder
 
-FUNCTIONS = (Abs, acos, asin, atan, atan2, conjugate, cos, floor, hypot, sin, tan)
+FUNCTIONS = (Abs, acos, asin, atan, atan2, conjugate, cos, floor, hypot, im, re, sin, tan)
 HALF = Rational(1, 2)
 # How tightly an operator binds: what binds less than its surroundings is put in brackets.
 OR, AND, COMPARE, SUM, PRODUCT, UNARY, ATOM = range(7)
@@ -90,6 +93,8 @@ def _print(value: Basic, language: Language) -> tuple[str, int]:
     """Print an expression and say how tightly its outermost operator binds."""
     if isinstance(value, Symbol) and value != EPSILON:
         return language.name(value.name), ATOM
+    if value == I:
+        return "1j", ATOM
     if not value.free_symbols - {EPSILON}:
         number = float(value.subs(EPSILON, Float(language.epsilon)))
         return language.number(number), UNARY if number < 0 else ATOM

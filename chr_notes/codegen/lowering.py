@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
-from sympy import Basic, Expr, MatrixBase, Symbol, cse, numbered_symbols
+from sympy import Basic, Expr, I, Integer, MatrixBase, Symbol, cse, im, numbered_symbols, re
 
 from chr_notes.codegen.names import name_of
 from chr_notes.codegen.rewriting import Rewriting
@@ -57,8 +57,10 @@ def lower(target: Target, rewriting: Rewriting, *, guarded: bool = False) -> Pro
     formula = target.formula()
     computation = formula if isinstance(formula, Computation) else Computation((), formula)
     _check_symbols(target, computation)
-    real = {} if target.complex else {"real": True}
-    names = {argument.symbol: Symbol(argument.name, **real) for argument in target.arguments}
+    names = {
+        argument.symbol: Symbol(argument.name, real=argument.symbol.is_real)
+        for argument in target.arguments
+    }
     is_matrix = isinstance(computation.results, MatrixBase)
     results = tuple(
         element.xreplace(names)
@@ -143,8 +145,9 @@ def _schedule(
             known = known | {let.name}
         else:
             waiting[let.name] = let.value
-    lets = [step.value for step in steps if isinstance(step, Let)]
-    common, found = _common((*lets, *results))
+    # The parts of a complex number are looked at one by one.
+    lets = [parts(step.value) for step in steps if isinstance(step, Let)]
+    common, found = _common((*(part for each in lets for part in each), *results))
     waiting |= common
     taken = known | {name for step in steps for name in step_names(step)}
     renamed: dict[Symbol, Symbol] = {let.name: let.name for let in angles}
@@ -153,7 +156,7 @@ def _schedule(
         for local in sorted(value.free_symbols & waiting.keys(), key=list(waiting).index):
             needed = ready(waiting.pop(local))
             if local not in renamed:
-                name = Symbol(name_of(needed) or f"common_{len(renamed)}", real=True)
+                name = Symbol(name_of(needed) or f"common_{len(renamed)}", real=needed.is_real)
                 renamed[local] = local if name in taken else name
                 taken.add(renamed[local])
             ordered.append(Let(renamed[local], needed))
@@ -163,11 +166,21 @@ def _schedule(
     for step in steps:
         # What a step needs is put in order while its values are read, hence before it.
         if isinstance(step, Let):
-            ordered.append(Let(step.name, ready(next(values))))
+            real, imaginary = ready(next(values)), ready(next(values))
+            value = real if imaginary == 0 else real + I * imaginary
+            ordered.append(Let(step.name, value))
         else:
             ordered.append(map_step(step, ready))
     finished = tuple(ready(value) for value in values)
     return tuple(ordered), finished
+
+
+def parts(value: Basic) -> tuple[Basic, Basic]:
+    """Take `x + i y` apart into x and y; what has no i is all x."""
+    if not value.has(I):
+        return value, Integer(0)
+    real, rest = value.as_independent(I, as_Add=True)
+    return real, rest / I
 
 
 def _common(values: tuple[Basic, ...]) -> tuple[dict[Symbol, Expr], list[Basic]]:
@@ -178,7 +191,8 @@ def _common(values: tuple[Basic, ...]) -> tuple[dict[Symbol, Expr], list[Basic]]
     for local, value in common:
         whole = value.xreplace(trivial)
         coefficient, rest = whole.as_coeff_Mul()
-        if whole.is_Boolean or whole.is_number or (rest.is_Symbol and coefficient != 1):
+        cheap = whole.is_Boolean or whole.is_number or isinstance(whole, (re, im))
+        if cheap or (rest.is_Symbol and coefficient != 1):
             trivial[local] = whole
         else:
             kept[local] = whole

@@ -1,6 +1,6 @@
 """Names of locals: what a value is, said by its name."""
 
-from sympy import Abs, Add, Expr, Mul, Pow, Rational, Symbol, cos, sin, tan
+from sympy import Abs, Add, Expr, Mul, Pow, Rational, Symbol, conjugate, cos, sin, tan
 
 _LONGEST = 40
 _POWERS = {2: "{}_squared", -1: "inverse_{}", Rational(1, 2): "root_of_{}"}
@@ -34,7 +34,7 @@ def _name(value: Expr) -> str | None:
     if isinstance(value, Pow) and value.exp in _POWERS:
         base = _name(value.base)
         return _POWERS[value.exp].format(base) if base else None
-    if isinstance(value, (sin, cos, tan, Abs)):
+    if isinstance(value, (sin, cos, tan, Abs, conjugate)):
         inner = _name(value.args[0])
         return f"{value.func.__name__.lower()}_{inner}" if inner else None
     if isinstance(value, Mul):

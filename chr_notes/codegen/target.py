@@ -46,8 +46,6 @@ class Target:
         of these.
     entries
         Ids of the ledger entries that state it; empty where the documents do not have it.
-    complex
-        Whether the arguments are complex numbers; such a function is made for NumPy alone.
     """
 
     name: str
@@ -56,4 +54,8 @@ class Target:
     arguments: tuple[Argument, ...]
     formula: Callable[[], Expr | ImmutableMatrix | Computation]
     entries: tuple[str, ...] = ()
-    complex: bool = False
+
+    @property
+    def complex(self) -> bool:
+        """Whether it takes pairs of numbers as complex ones; it is made for NumPy alone then."""
+        return not all(argument.symbol.is_real for argument in self.arguments)

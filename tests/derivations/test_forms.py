@@ -1,5 +1,7 @@
 """Each form in which a formula is computed is the derived formula again, proved by SymPy."""
 
+from collections.abc import Iterable
+
 import pytest
 from sympy import (
     Abs,
@@ -34,10 +36,27 @@ from chr_notes.derivations.computation import Choice, Computation, Let, otherwis
 from chr_notes.derivations.forms import dead_reckoning as reckoning_forms
 from chr_notes.derivations.forms import estimation as filter_forms
 from chr_notes.derivations.forms import euler as euler_forms
+from chr_notes.derivations.forms import pairs
 from chr_notes.derivations.forms import quaternions as forms
 from chr_notes.derivations.forms import sensors as sensor_forms
 from chr_notes.ledger.proof import is_zero
-from chr_notes.symbols import AXIS, FIRST, QUATERNION, SECOND, T, a, alpha, b, c, d, phi, psi, theta
+from chr_notes.symbols import (
+    AXIS,
+    BODY_RATES,
+    FIRST,
+    QUATERNION,
+    SECOND,
+    VECTOR,
+    T,
+    a,
+    alpha,
+    b,
+    c,
+    d,
+    phi,
+    psi,
+    theta,
+)
 
 NORM = hamilton.norm_squared(quaternions.ATTITUDE)
 UNIT = {a**2: 1 - b**2 - c**2 - d**2}
@@ -166,13 +185,41 @@ def test_inverse_and_rotations_of_vectors() -> None:
         assert same(form.inlined(), ImmutableMatrix(derived / NORM))
 
 
+def apart(values: Iterable[Basic]) -> ImmutableMatrix:
+    """Real and imaginary parts of numbers in real symbols."""
+    expanded = [expand(value.doit(), complex=True) for value in values]
+    return ImmutableMatrix([part(value) for value in expanded for part in (re, im)])
+
+
 def test_product_in_pairs_of_complex_numbers() -> None:
-    pairs = [(q[0] + I * q[1], q[2] + I * q[3]) for q in (FIRST, SECOND)]
-    values = dict(zip(forms.FACTORS_IN_PAIRS, (*pairs[0], *pairs[1]), strict=True))
-    z, w = (expand(part.subs(values).doit()) for part in forms.product_of_pairs())
-    elements = ImmutableMatrix([part(value) for value in (z, w) for part in (re, im)])
-    assert same(elements, hamilton.product())
-    assert conjugate(forms.FACTORS_IN_PAIRS[0]) != forms.FACTORS_IN_PAIRS[0]
+    factors = [(q[0] + I * q[1], q[2] + I * q[3]) for q in (FIRST, SECOND)]
+    values = dict(zip(pairs.FACTORS, (*factors[0], *factors[1]), strict=True))
+    assert same(apart(part.subs(values) for part in pairs.product()), hamilton.product())
+    assert conjugate(pairs.FACTORS[0]) != pairs.FACTORS[0]
+
+
+def test_rotations_in_pairs() -> None:
+    _, y, z = VECTOR
+    values = dict(
+        zip((*pairs.ATTITUDE, pairs.VECTOR_SIDE), (a + I * b, c + I * d, y + I * z), strict=True)
+    )
+    for form, derived in (
+        (pairs.rotate_to_inertial(), quaternions.rotate_to_inertial()),
+        (pairs.rotate_to_body(), quaternions.rotate_to_body()),
+    ):
+        elements = apart(part.subs(values) for part in form.inlined())
+        assert elements[1] == 0
+        found = ImmutableMatrix([elements[0], *elements[2:]])
+        assert same(found, ImmutableMatrix(derived / NORM))
+
+
+def test_euler_rates_in_pairs() -> None:
+    _, q, r = BODY_RATES
+    elements = apart(
+        part.subs(pairs.RATES_SIDE, q + I * r) for part in pairs.euler_rates().inlined()
+    )
+    assert list(elements[1::2]) == [0, 0, 0]
+    assert same(ImmutableMatrix(elements[::2]), euler.euler_rates())
 
 
 def test_constant_rates_with_and_without_a_turn() -> None:

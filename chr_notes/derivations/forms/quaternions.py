@@ -10,7 +10,6 @@ from sympy import (
     ImmutableMatrix,
     Symbol,
     atan2,
-    conjugate,
     sin,
     sinc,
     sqrt,
@@ -25,8 +24,6 @@ from chr_notes.symbols import AXIS, QUATERNION, VECTOR, a, alpha, b, c, d
 NORM_SQUARED = Symbol("norm_squared", real=True)
 SIGN = Symbol("sign", real=True)
 Q = ImmutableMatrix(QUATERNION)
-# Two quaternions z + w j, where z = a + i b and w = c + i d.
-FACTORS_IN_PAIRS = symbols("z_1 w_1 z_2 w_2")
 
 
 def _norm() -> Let:
@@ -148,17 +145,6 @@ def axis_angle_from_quaternion() -> Computation:
         ImmutableMatrix([*names, 2 * atan2(length, Abs(a))]),
         guard=NORM_SQUARED,
     )
-
-
-@cache
-def product_of_pairs() -> ImmutableMatrix:
-    """Multiply two quaternions, each written as z + w j with complex z and w.
-
-    j turns to the other side of a complex number by conjugating it, and `j² = -1`. So
-    `(z₁ + w₁ j)(z₂ + w₂ j)` is `z₁ z₂ - w₁ w₂*` and `z₁ w₂ + w₁ z₂*` times j.
-    """
-    z_1, w_1, z_2, w_2 = FACTORS_IN_PAIRS
-    return ImmutableMatrix([z_1 * z_2 - w_1 * conjugate(w_2), z_1 * w_2 + w_1 * conjugate(z_2)])
 
 
 @cache

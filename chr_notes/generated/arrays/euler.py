@@ -10,6 +10,7 @@ from numpy import (
     add,
     arctan2,
     bool_,
+    complex128,
     copyto,
     divide,
     float64,
@@ -28,6 +29,7 @@ from numpy import (
 from numpy.typing import NDArray
 
 Block = NDArray[float64]
+Pairs = NDArray[complex128]
 
 
 def matrix_from_euler(
@@ -236,6 +238,52 @@ def euler_rates_from_body_rates(
     multiply(r, sin_roll, out=work[2])
     subtract(work[0], work[2], out=out[1])
     multiply(rate_across, sec_pitch, out=out[2])
+
+
+def euler_rates_from_body_rates_pairs(
+    roll: Block,
+    pitch: Block,
+    p: Block,
+    qr: Pairs,
+    out: Sequence[Block],
+    work: Sequence[Block],
+    pairs: Sequence[Pairs],
+) -> None:
+    """Derivatives of roll, pitch and yaw, rad/s (3).
+
+    roll: roll about the body x-axis, radians
+    pitch: pitch about the vehicle-1 y-axis, radians
+    p: body rate about x, rad/s
+    qr: body rates about y and z as q + i r, rad/s
+    out: 3 arrays for the elements
+    work: 16 arrays for what is computed on the way
+    pairs: 8 arrays of complex numbers for the same
+
+    Ledger: euler.7.3.
+    """
+    tan_pitch = tan(pitch, out=work[0])
+    # tan_half_pitch = tan(0.5 * pitch)
+    multiply(pitch, 0.5, out=work[1])
+    tan_half_pitch = tan(work[1], out=work[1])
+    # sec_pitch = tan_half_pitch * tan_pitch + 1.0
+    multiply(tan_half_pitch, tan_pitch, out=work[1])
+    sec_pitch = add(work[1], 1.0, out=work[1])
+    # tan_half_roll = tan(0.5 * roll)
+    multiply(roll, 0.5, out=work[2])
+    tan_half_roll = tan(work[2], out=work[2])
+    # one_plus_cos_roll = 2.0 / (tan_half_roll * tan_half_roll + 1.0)
+    square(tan_half_roll, out=work[3])
+    add(work[3], 1.0, out=work[3])
+    one_plus_cos_roll = divide(2.0, work[3], out=work[3])
+    turn = pairs[0]
+    multiply(one_plus_cos_roll, tan_half_roll, out=turn.imag)
+    subtract(one_plus_cos_roll, 1.0, out=turn.real)
+    turned = multiply(qr, turn, out=pairs[0])
+    # out[0] = p + tan_pitch * imag(turned)
+    multiply(tan_pitch, turned.imag, out=work[0])
+    add(p, work[0], out=out[0])
+    copyto(out[1], turned.real)
+    multiply(sec_pitch, turned.imag, out=out[2])
 
 
 def body_rates_from_euler_rates(

@@ -518,7 +518,13 @@ def quaternion_multiply(
 
 
 def quaternion_multiply_pairs(
-    ab1: Pairs, cd1: Pairs, ab2: Pairs, cd2: Pairs, out: Sequence[Pairs], work: Sequence[Pairs]
+    ab1: Pairs,
+    cd1: Pairs,
+    ab2: Pairs,
+    cd2: Pairs,
+    out: Sequence[Pairs],
+    work: Sequence[Block],
+    pairs: Sequence[Pairs],
 ) -> None:
     """Product of two quaternions as pairs of complex numbers (2).
 
@@ -528,19 +534,20 @@ def quaternion_multiply_pairs(
     cd2: c + i d of the second factor as one complex number
     out: 2 arrays for the elements
     work: 16 arrays for what is computed on the way
+    pairs: 8 arrays of complex numbers for the same
 
     Ledger: quaternions.3.2.
     """
     # out[0] = ab1 * ab2 - cd1 * conjugate(cd2)
-    multiply(ab1, ab2, out=work[0])
-    conjugate(cd2, out=work[1])
-    multiply(cd1, work[1], out=work[1])
-    subtract(work[0], work[1], out=out[0])
+    multiply(ab1, ab2, out=pairs[0])
+    conjugate(cd2, out=pairs[1])
+    multiply(cd1, pairs[1], out=pairs[1])
+    subtract(pairs[0], pairs[1], out=out[0])
     # out[1] = ab1 * cd2 + cd1 * conjugate(ab2)
-    multiply(ab1, cd2, out=work[0])
-    conjugate(ab2, out=work[1])
-    multiply(cd1, work[1], out=work[1])
-    add(work[0], work[1], out=out[1])
+    multiply(ab1, cd2, out=pairs[0])
+    conjugate(ab2, out=pairs[1])
+    multiply(cd1, pairs[1], out=pairs[1])
+    add(pairs[0], pairs[1], out=out[1])
 
 
 def quaternion_conjugate(
@@ -748,6 +755,118 @@ def rotate_to_body(
     subtract(work[2], work[3], out=work[2])
     multiply(factor, work[2], out=work[1])
     add(work[1], z, out=out[2])
+    return norm_squared, None
+
+
+def rotate_to_inertial_pairs(
+    ab: Pairs,
+    cd: Pairs,
+    x: Block,
+    yz: Pairs,
+    out: Sequence[Block | Pairs],
+    work: Sequence[Block],
+    pairs: Sequence[Pairs],
+) -> tuple[Block, None]:
+    """The vector in the inertial frame: x, and y + i z (2).
+
+    ab: a + i b of the attitude quaternion as one complex number
+    cd: c + i d of the attitude quaternion as one complex number
+    x: x of a vector in the body frame
+    yz: y + i z of the vector as one complex number
+    out: 2 arrays for the elements
+    work: 16 arrays for what is computed on the way
+    pairs: 8 arrays of complex numbers for the same
+
+    Returns the norm squared.
+
+    Ledger: quaternions.3.1.
+    """
+    conjugate_ab = conjugate(ab, out=pairs[0])
+    square_of_z = multiply(ab, conjugate_ab, out=pairs[1])
+    conjugate_cd = conjugate(cd, out=pairs[2])
+    square_of_w = multiply(cd, conjugate_cd, out=pairs[3])
+    norm_squared = add(square_of_w.real, square_of_z.real, out=work[0])
+    inverse_norm_squared = divide(1.0, norm_squared, out=work[1])
+    along = pairs[1]
+    # along = 1j * inverse_norm_squared * x
+    copyto(along.real, 0.0)
+    multiply(inverse_norm_squared, x, out=along.imag)
+    across = pairs[3]
+    # across = inverse_norm_squared * real(yz) + 1j * inverse_norm_squared * imag(yz)
+    multiply(inverse_norm_squared, yz.real, out=across.real)
+    multiply(inverse_norm_squared, yz.imag, out=across.imag)
+    # half_way_z = ab * along - cd * conjugate(across)
+    multiply(ab, along, out=pairs[4])
+    conjugate(across, out=pairs[5])
+    multiply(cd, pairs[5], out=pairs[5])
+    half_way_z = subtract(pairs[4], pairs[5], out=pairs[4])
+    # half_way_w = ab * across - along * cd
+    multiply(ab, across, out=pairs[3])
+    multiply(along, cd, out=pairs[1])
+    half_way_w = subtract(pairs[3], pairs[1], out=pairs[1])
+    back_1 = multiply(conjugate_ab, half_way_z, out=pairs[0])
+    back_2 = multiply(conjugate_cd, half_way_w, out=pairs[2])
+    add(back_1.imag, back_2.imag, out=out[0])
+    # out[1] = ab * half_way_w - cd * half_way_z
+    multiply(ab, half_way_w, out=pairs[0])
+    multiply(cd, half_way_z, out=pairs[1])
+    subtract(pairs[0], pairs[1], out=out[1])
+    return norm_squared, None
+
+
+def rotate_to_body_pairs(
+    ab: Pairs,
+    cd: Pairs,
+    x: Block,
+    yz: Pairs,
+    out: Sequence[Block | Pairs],
+    work: Sequence[Block],
+    pairs: Sequence[Pairs],
+) -> tuple[Block, None]:
+    """The vector in the body frame: x, and y + i z (2).
+
+    ab: a + i b of the attitude quaternion as one complex number
+    cd: c + i d of the attitude quaternion as one complex number
+    x: x of a vector in the inertial frame
+    yz: y + i z of the vector as one complex number
+    out: 2 arrays for the elements
+    work: 16 arrays for what is computed on the way
+    pairs: 8 arrays of complex numbers for the same
+
+    Returns the norm squared.
+
+    Ledger: quaternions.3.1, quaternions.3.4.
+    """
+    conjugate_ab = conjugate(ab, out=pairs[0])
+    square_of_z = multiply(ab, conjugate_ab, out=pairs[1])
+    conjugate_cd = conjugate(cd, out=pairs[2])
+    square_of_w = multiply(cd, conjugate_cd, out=pairs[3])
+    norm_squared = add(square_of_w.real, square_of_z.real, out=work[0])
+    inverse_norm_squared = divide(1.0, norm_squared, out=work[1])
+    along = pairs[1]
+    # along = 1j * inverse_norm_squared * x
+    copyto(along.real, 0.0)
+    multiply(inverse_norm_squared, x, out=along.imag)
+    across = pairs[3]
+    # across = inverse_norm_squared * real(yz) + 1j * inverse_norm_squared * imag(yz)
+    multiply(inverse_norm_squared, yz.real, out=across.real)
+    multiply(inverse_norm_squared, yz.imag, out=across.imag)
+    # half_way_z = along * conjugate_ab + cd * conjugate(across)
+    multiply(along, conjugate_ab, out=pairs[4])
+    conjugate(across, out=pairs[5])
+    multiply(cd, pairs[5], out=pairs[5])
+    half_way_z = add(pairs[4], pairs[5], out=pairs[4])
+    # half_way_w = across * conjugate_ab + along * cd
+    multiply(across, conjugate_ab, out=pairs[3])
+    multiply(along, cd, out=pairs[1])
+    half_way_w = add(pairs[3], pairs[1], out=pairs[1])
+    back_1 = multiply(ab, half_way_z, out=pairs[3])
+    back_2 = multiply(conjugate_cd, half_way_w, out=pairs[2])
+    subtract(back_1.imag, back_2.imag, out=out[0])
+    # out[1] = cd * half_way_z + conjugate_ab * half_way_w
+    multiply(cd, half_way_z, out=pairs[2])
+    multiply(conjugate_ab, half_way_w, out=pairs[0])
+    add(pairs[2], pairs[0], out=out[1])
     return norm_squared, None
 
 
