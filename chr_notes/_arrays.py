@@ -40,7 +40,8 @@ def reals(name: str, value: ArrayLike, *last: int) -> Floats:
         If the numbers are not real.
     """
     array = np.asarray(value)
-    if array.dtype.kind == "c":
+    if array.dtype.kind in "cmM":
+        # Times of NumPy would be taken for numbers in whatever unit they are kept.
         msg = f"{name}: expected real numbers, got {array.dtype}"
         raise TypeError(msg)
     if array.dtype.kind not in "biuf":

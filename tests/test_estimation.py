@@ -205,6 +205,11 @@ def test_wrong_arguments_are_refused(call: Any, message: str) -> None:  # noqa: 
         call()
 
 
+def test_a_time_in_a_unit_of_its_own_is_refused() -> None:
+    with pytest.raises(TypeError, match=r"dt: expected real numbers, got timedelta64\[ms\]"):
+        integrate_gyro(N3, np.timedelta64(10, "ms"))
+
+
 def test_no_samples_give_no_estimates() -> None:
     empty = np.zeros((0, 3))
     assert integrate_gyro(empty, 0.01).shape == (0, 3)
