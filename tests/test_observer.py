@@ -142,7 +142,7 @@ def test_steps_may_vary() -> None:
 
 def test_a_stream_gives_the_same_numbers() -> None:
     generator = np.random.default_rng(2)
-    rates = generator.normal(0, 2.0, (300, 3))
+    rates = generator.normal([0, 0, 20.0], 2.0, (300, 3))  # yaw goes round several times
     forces = LEVEL + generator.normal(0, 3.0, (300, 3))
     rates[50], forces[100], forces[0] = np.nan, np.nan, np.nan
     steps = generator.uniform(0.001, 0.02, 300)
