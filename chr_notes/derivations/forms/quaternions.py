@@ -5,11 +5,13 @@ from functools import cache
 
 from sympy import (
     Abs,
+    Add,
     And,
     Expr,
     ImmutableMatrix,
     Symbol,
     atan2,
+    expand,
     sin,
     sinc,
     sqrt,
@@ -68,10 +70,33 @@ def euler_from_quaternion() -> Computation:
 
 @cache
 def matrix_from_quaternion() -> Computation:
-    """Matrix `R_I^B` of a quaternion of any norm but zero."""
+    """Matrix `R_I^B` of a quaternion of any norm but zero.
+
+    Each element is made of twice the products of two elements over the squared norm, and on the
+    diagonal these are taken from 1. So b, c and d are scaled once, not each element of the matrix.
+    """
     norm = _norm()
-    matrix = quaternions.matrix_from_any_quaternion().xreplace({norm.value: norm.name})
-    return Computation((norm,), matrix, guard=NORM_SQUARED)
+    factor = Symbol("factor", real=True)
+    scaled = dict(zip((b, c, d), symbols("scaled_b scaled_c scaled_d", real=True), strict=True))
+    products = {x * y: x * scaled[y] for x in QUATERNION for y in scaled}
+
+    def scale(value: Expr) -> Expr:
+        terms = [term.as_coeff_Mul() for term in expand(value / 2).as_ordered_terms()]
+        return Add(*(number * products[product] for number, product in terms))
+
+    matrix = quaternions.matrix_from_quaternion()
+    lacking = symbols("one_minus_r11 one_minus_r22 one_minus_r33", real=True)
+    diagonal = zip(lacking, matrix.diagonal(), strict=True)
+    return Computation(
+        (
+            norm,
+            Let(factor, 2 / NORM_SQUARED),
+            *(Let(name, factor * element) for element, name in scaled.items()),
+            *(Let(name, scale(norm.value - element)) for name, element in diagonal),
+        ),
+        ImmutableMatrix(3, 3, lambda i, j: 1 - lacking[i] if i == j else scale(matrix[i, j])),
+        guard=NORM_SQUARED,
+    )
 
 
 @cache

@@ -250,50 +250,56 @@ float attitude_wrap_angle_f(float angle)
 
 void attitude_matrix_from_quaternion(double a, double b, double c, double d, double out[9])
 {
-    const double c_squared = c * c;
-    const double d_squared = d * d;
-    const double a_squared = a * a;
-    const double b_squared = b * b;
-    const double a_squared_plus_b_squared = a_squared + b_squared;
-    const double norm_squared = a_squared_plus_b_squared + c_squared + d_squared;
-    const double inverse_norm_squared = 1.0 / norm_squared;
-    const double twice_a_d = 2.0 * a * d;
-    const double twice_a_c = 2.0 * a * c;
-    const double a_squared_minus_b_squared = a_squared - b_squared;
-    const double twice_a_b = 2.0 * a * b;
-    out[0] = inverse_norm_squared * (a_squared_plus_b_squared - c_squared - d_squared);
-    out[1] = inverse_norm_squared * (2.0 * b * c + twice_a_d);
-    out[2] = inverse_norm_squared * (2.0 * b * d - twice_a_c);
-    out[3] = inverse_norm_squared * (2.0 * b * c - twice_a_d);
-    out[4] = inverse_norm_squared * (a_squared_minus_b_squared + c_squared - d_squared);
-    out[5] = inverse_norm_squared * (2.0 * c * d + twice_a_b);
-    out[6] = inverse_norm_squared * (2.0 * b * d + twice_a_c);
-    out[7] = inverse_norm_squared * (2.0 * c * d - twice_a_b);
-    out[8] = inverse_norm_squared * (a_squared_minus_b_squared - c_squared + d_squared);
+    const double norm_squared = a * a + b * b + c * c + d * d;
+    const double factor = 2.0 / norm_squared;
+    const double scaled_b = b * factor;
+    const double scaled_c = c * factor;
+    const double scaled_d = d * factor;
+    const double c_scaled_c = c * scaled_c;
+    const double d_scaled_d = d * scaled_d;
+    const double one_minus_r11 = c_scaled_c + d_scaled_d;
+    const double b_scaled_b = b * scaled_b;
+    const double one_minus_r22 = b_scaled_b + d_scaled_d;
+    const double one_minus_r33 = b_scaled_b + c_scaled_c;
+    const double a_scaled_d = a * scaled_d;
+    const double a_scaled_c = a * scaled_c;
+    const double a_scaled_b = a * scaled_b;
+    out[0] = 1.0 - one_minus_r11;
+    out[1] = a_scaled_d + c * scaled_b;
+    out[2] = d * scaled_b - a_scaled_c;
+    out[3] = c * scaled_b - a_scaled_d;
+    out[4] = 1.0 - one_minus_r22;
+    out[5] = a_scaled_b + d * scaled_c;
+    out[6] = a_scaled_c + d * scaled_b;
+    out[7] = d * scaled_c - a_scaled_b;
+    out[8] = 1.0 - one_minus_r33;
 }
 
 void attitude_matrix_from_quaternion_f(float a, float b, float c, float d, float out[9])
 {
-    const float c_squared = c * c;
-    const float d_squared = d * d;
-    const float a_squared = a * a;
-    const float b_squared = b * b;
-    const float a_squared_plus_b_squared = a_squared + b_squared;
-    const float norm_squared = a_squared_plus_b_squared + c_squared + d_squared;
-    const float inverse_norm_squared = 1.0f / norm_squared;
-    const float twice_a_d = 2.0f * a * d;
-    const float twice_a_c = 2.0f * a * c;
-    const float a_squared_minus_b_squared = a_squared - b_squared;
-    const float twice_a_b = 2.0f * a * b;
-    out[0] = inverse_norm_squared * (a_squared_plus_b_squared - c_squared - d_squared);
-    out[1] = inverse_norm_squared * (2.0f * b * c + twice_a_d);
-    out[2] = inverse_norm_squared * (2.0f * b * d - twice_a_c);
-    out[3] = inverse_norm_squared * (2.0f * b * c - twice_a_d);
-    out[4] = inverse_norm_squared * (a_squared_minus_b_squared + c_squared - d_squared);
-    out[5] = inverse_norm_squared * (2.0f * c * d + twice_a_b);
-    out[6] = inverse_norm_squared * (2.0f * b * d + twice_a_c);
-    out[7] = inverse_norm_squared * (2.0f * c * d - twice_a_b);
-    out[8] = inverse_norm_squared * (a_squared_minus_b_squared - c_squared + d_squared);
+    const float norm_squared = a * a + b * b + c * c + d * d;
+    const float factor = 2.0f / norm_squared;
+    const float scaled_b = b * factor;
+    const float scaled_c = c * factor;
+    const float scaled_d = d * factor;
+    const float c_scaled_c = c * scaled_c;
+    const float d_scaled_d = d * scaled_d;
+    const float one_minus_r11 = c_scaled_c + d_scaled_d;
+    const float b_scaled_b = b * scaled_b;
+    const float one_minus_r22 = b_scaled_b + d_scaled_d;
+    const float one_minus_r33 = b_scaled_b + c_scaled_c;
+    const float a_scaled_d = a * scaled_d;
+    const float a_scaled_c = a * scaled_c;
+    const float a_scaled_b = a * scaled_b;
+    out[0] = 1.0f - one_minus_r11;
+    out[1] = a_scaled_d + c * scaled_b;
+    out[2] = d * scaled_b - a_scaled_c;
+    out[3] = c * scaled_b - a_scaled_d;
+    out[4] = 1.0f - one_minus_r22;
+    out[5] = a_scaled_b + d * scaled_c;
+    out[6] = a_scaled_c + d * scaled_b;
+    out[7] = d * scaled_c - a_scaled_b;
+    out[8] = 1.0f - one_minus_r33;
 }
 
 void attitude_quaternion_from_matrix(double r11, double r12, double r13, double r21, double r22,

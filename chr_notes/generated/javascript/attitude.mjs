@@ -190,27 +190,30 @@ export function wrapAngle(angle) {
  * Ledger: quaternions.3.3.
  */
 export function matrixFromQuaternion(a, b, c, d) {
-  const cSquared = c * c;
-  const dSquared = d * d;
-  const aSquared = a * a;
-  const bSquared = b * b;
-  const aSquaredPlusBSquared = aSquared + bSquared;
-  const normSquared = aSquaredPlusBSquared + cSquared + dSquared;
-  const inverseNormSquared = 1 / normSquared;
-  const twiceAD = 2 * a * d;
-  const twiceAC = 2 * a * c;
-  const aSquaredMinusBSquared = aSquared - bSquared;
-  const twiceAB = 2 * a * b;
+  const normSquared = a * a + b * b + c * c + d * d;
+  const factor = 2 / normSquared;
+  const scaledB = b * factor;
+  const scaledC = c * factor;
+  const scaledD = d * factor;
+  const cScaledC = c * scaledC;
+  const dScaledD = d * scaledD;
+  const oneMinusR11 = cScaledC + dScaledD;
+  const bScaledB = b * scaledB;
+  const oneMinusR22 = bScaledB + dScaledD;
+  const oneMinusR33 = bScaledB + cScaledC;
+  const aScaledD = a * scaledD;
+  const aScaledC = a * scaledC;
+  const aScaledB = a * scaledB;
   return [
-    inverseNormSquared * (aSquaredPlusBSquared - cSquared - dSquared),
-    inverseNormSquared * (2 * b * c + twiceAD),
-    inverseNormSquared * (2 * b * d - twiceAC),
-    inverseNormSquared * (2 * b * c - twiceAD),
-    inverseNormSquared * (aSquaredMinusBSquared + cSquared - dSquared),
-    inverseNormSquared * (2 * c * d + twiceAB),
-    inverseNormSquared * (2 * b * d + twiceAC),
-    inverseNormSquared * (2 * c * d - twiceAB),
-    inverseNormSquared * (aSquaredMinusBSquared - cSquared + dSquared),
+    1 - oneMinusR11,
+    aScaledD + c * scaledB,
+    d * scaledB - aScaledC,
+    c * scaledB - aScaledD,
+    1 - oneMinusR22,
+    aScaledB + d * scaledC,
+    aScaledC + d * scaledB,
+    d * scaledC - aScaledB,
+    1 - oneMinusR33,
   ];
 }
 

@@ -20,27 +20,30 @@ def matrix_from_quaternion(
     Right as long as the norm squared neither overflows nor vanishes.
     Ledger: quaternions.3.3.
     """
-    c_squared = c * c
-    d_squared = d * d
-    a_squared = a * a
-    b_squared = b * b
-    a_squared_plus_b_squared = a_squared + b_squared
-    norm_squared = a_squared_plus_b_squared + c_squared + d_squared
-    inverse_norm_squared = 1.0 / norm_squared
-    twice_a_d = 2.0 * a * d
-    twice_a_c = 2.0 * a * c
-    a_squared_minus_b_squared = a_squared - b_squared
-    twice_a_b = 2.0 * a * b
+    norm_squared = a * a + b * b + c * c + d * d
+    factor = 2.0 / norm_squared
+    scaled_b = b * factor
+    scaled_c = c * factor
+    scaled_d = d * factor
+    c_scaled_c = c * scaled_c
+    d_scaled_d = d * scaled_d
+    one_minus_r11 = c_scaled_c + d_scaled_d
+    b_scaled_b = b * scaled_b
+    one_minus_r22 = b_scaled_b + d_scaled_d
+    one_minus_r33 = b_scaled_b + c_scaled_c
+    a_scaled_d = a * scaled_d
+    a_scaled_c = a * scaled_c
+    a_scaled_b = a * scaled_b
     return (
-        inverse_norm_squared * (a_squared_plus_b_squared - c_squared - d_squared),
-        inverse_norm_squared * (2.0 * b * c + twice_a_d),
-        inverse_norm_squared * (2.0 * b * d - twice_a_c),
-        inverse_norm_squared * (2.0 * b * c - twice_a_d),
-        inverse_norm_squared * (a_squared_minus_b_squared + c_squared - d_squared),
-        inverse_norm_squared * (2.0 * c * d + twice_a_b),
-        inverse_norm_squared * (2.0 * b * d + twice_a_c),
-        inverse_norm_squared * (2.0 * c * d - twice_a_b),
-        inverse_norm_squared * (a_squared_minus_b_squared - c_squared + d_squared),
+        1.0 - one_minus_r11,
+        a_scaled_d + c * scaled_b,
+        d * scaled_b - a_scaled_c,
+        c * scaled_b - a_scaled_d,
+        1.0 - one_minus_r22,
+        a_scaled_b + d * scaled_c,
+        a_scaled_c + d * scaled_b,
+        d * scaled_c - a_scaled_b,
+        1.0 - one_minus_r33,
     )
 
 
