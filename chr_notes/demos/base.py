@@ -7,6 +7,7 @@ has neither gets its numbers as text.
 
 import html
 import json
+import math
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -15,7 +16,7 @@ import traitlets
 
 from chr_notes import palette
 
-__all__ = ["BUILT", "SOURCES", "Demo", "formatted", "rounded", "styles"]
+__all__ = ["BUILT", "SOURCES", "Control", "Demo", "formatted", "rounded", "styles"]
 
 SOURCES = Path(__file__).parent
 BUILT = SOURCES / "built"
@@ -31,12 +32,25 @@ def formatted(value: float) -> str:
     """Return four significant digits, or the sign of infinity, as the demos show it."""
     if not abs(value) < _BEYOND:
         return "−∞" if value < 0 else "∞"
-    return f"{float(f'{value:.4g}'):.15g}".replace("-", "−")
+    return f"{float(f'{value:.4g}') + 0.0:.15g}".replace("-", "−")
 
 
 def rounded(value: float) -> str:
     """Return two decimals at most, as the demos show an angle."""
     return f"{float(f'{value:.2f}') + 0.0:.15g}".replace("-", "−")
+
+
+class Control(traitlets.Float[float, float]):
+    """The value of a slider: a number within its range."""
+
+    info_text = "a number"
+
+    def validate(self, obj: Any, value: Any) -> float:  # noqa: ANN401 - traitlets' signature
+        """Refuse what is not a number, and make minus zero zero."""
+        number = super().validate(obj, value)
+        if math.isnan(number):
+            self.error(obj, value)
+        return number + 0.0
 
 
 class Demo(anywidget.AnyWidget):
@@ -45,7 +59,7 @@ class Demo(anywidget.AnyWidget):
     Raises
     ------
     traitlets.TraitError
-        For a state outside the range of its slider.
+        For a state that is not a number or is outside the range of its slider.
     """
 
     element: ClassVar[str]

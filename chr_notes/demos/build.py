@@ -18,6 +18,7 @@ from pathlib import Path
 from chr_notes.conventions import STANDARD_GRAVITY
 from chr_notes.demos.base import BUILT, SOURCES
 from chr_notes.demos.drift import GRAVITY
+from chr_notes.demos.tilt import NOTHING
 from chr_notes.printed.table_1 import ROWS
 
 ESBUILD = "esbuild@0.28.2"
@@ -28,6 +29,7 @@ PAGES = "pages"
 CONSTANTS = {
     "STANDARD_GRAVITY": STANDARD_GRAVITY,
     "NOTE_GRAVITY": GRAVITY,
+    "NOTHING": NOTHING,
     "TABLE_1": dict(ROWS),
 }
 """What the modules have from Python, by the name that stands for it in them."""

@@ -32,6 +32,17 @@ export function arrow(context, [x0, y0], [x1, y1], { colour, width = 2.5, dash =
   context.fill();
 }
 
+/** The point beside the middle of an arrow, so many pixels from it on the side away from `from`. */
+export function beside([x0, y0], [x1, y1], [ax, ay], apart) {
+  const [x, y] = [(x0 + x1) / 2, (y0 + y1) / 2];
+  const length = Math.hypot(x1 - x0, y1 - y0);
+  const across = [(y1 - y0) / length, (x0 - x1) / length];
+  const off = (x - ax) * across[0] + (y - ay) * across[1];
+  // In line with that point either side will do; the left one is taken.
+  const side = Math.abs(off) > 1 ? Math.sign(off) : across[0] > 0 ? -1 : 1;
+  return [x + side * apart * across[0], y + side * apart * across[1]];
+}
+
 const SHAPES = {
   circle: (context, x, y, r) => context.arc(x, y, r, 0, 2 * Math.PI),
   square: (context, x, y, r) => context.rect(x - 0.9 * r, y - 0.9 * r, 1.8 * r, 1.8 * r),

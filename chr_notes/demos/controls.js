@@ -2,15 +2,17 @@
  * What every demo has in common: a picture, sliders, readouts, a story, and a way to mount it all.
  *
  * A demo is a definition, a plain object:
- *   title     what the picture shows, for those who do not see it
+ *   title     the name of the demo, for those who do not see it
+ *   hint      what to try first
  *   aspect    height of the picture by its width
- *   legend    [{ colour, dash, width, text }]: the lines that need explaining
+ *   legend    [{ colour, dash, width, symbol, text }]: the lines that need explaining
  *   controls  one slider each, see `slider` in parts.js
  *   outputs   one readout each, see `readout` in parts.js
  *   start     the state, { control name: number }, that Reset returns to
  *   story     [{ says, state, seconds }]: what Play shows, see story.js
- *   readouts  (state) => { output name: text }
+ *   readouts  (state) => { output name: text, see `readout` in parts.js }
  *   summary   (state) => the sentence to be announced once the reader stops moving a slider
+ *   describe  (state) => the picture in words, for those who do not see it
  *   draw      (context, { width, height }, state, colours)
  */
 import { legend, node, readout, slider } from "./parts.js";
@@ -23,7 +25,7 @@ const RESET = 0.45; // seconds from a state back to the start
  * Build the demo in `element`. `onChange(state)` is called for each change by the reader.
  * Returns `update(state)`, for changes from elsewhere, and `destroy()`.
  */
-export function mountDemo(element, definition, initial, onChange = () => {}) {
+function mountDemo(element, definition, initial, onChange = () => {}) {
   const state = { ...definition.start, ...initial };
   const cleanup = new AbortController();
   const parts = build(definition, touched);
@@ -52,6 +54,7 @@ export function mountDemo(element, definition, initial, onChange = () => {}) {
   function show() {
     const texts = definition.readouts(state);
     root.dataset.state = JSON.stringify(state);
+    canvas.setAttribute("aria-label", definition.describe(state));
     sliders.forEach((each) => each.show(state));
     outputs.forEach((each) => each.show(texts));
     redraw();
@@ -76,13 +79,18 @@ export function mountDemo(element, definition, initial, onChange = () => {}) {
     current: () => ({ ...state }),
     say: (text) => (said.textContent = text),
     name: (text) => (play.textContent = text),
+    signal: cleanup.signal,
   });
 
-  /** A change by the reader's own hand, which ends whatever moves by itself. */
-  function touched(part) {
+  /** What a change from outside the story does: it ends whatever moves by itself. */
+  function interrupt() {
     rest();
     tour.stop();
     said.textContent = "";
+  }
+
+  function touched(part) {
+    interrupt();
     changed(part);
   }
 
@@ -101,6 +109,7 @@ export function mountDemo(element, definition, initial, onChange = () => {}) {
 
   return {
     update(part) {
+      interrupt();
       Object.assign(state, part);
       show();
     },
@@ -115,10 +124,16 @@ export function mountDemo(element, definition, initial, onChange = () => {}) {
   };
 }
 
+/** The function that mounts one kind of demo, with the state that it starts from. */
+export const mountOf = (definition) => {
+  const mount = (element, state, onChange) => mountDemo(element, definition, state, onChange);
+  return Object.assign(mount, { start: definition.start });
+};
+
 /** The elements of a demo. */
 function build(definition, touched) {
   const canvas = node("canvas", {
-    role: "img", "aria-label": definition.title, style: `aspect-ratio: 1 / ${definition.aspect}`,
+    role: "img", style: `aspect-ratio: 1 / ${definition.aspect}`,
   });
   const live = node("p", { class: "chr-live", "aria-live": "polite" });
   const said = node("p", { class: "chr-said" });
@@ -126,6 +141,7 @@ function build(definition, touched) {
   const outputs = definition.outputs.map(readout);
   const play = node("button", { type: "button", name: "play" });
   const reset = node("button", { type: "button", name: "reset" }, "Reset");
+  const hint = node("p", { class: "chr-hint" }, node("b", {}, "Try first."), ` ${definition.hint}`);
   const stage = node("div", { class: "chr-stage" }, canvas, ...legend(definition.legend ?? []));
   const panel = node(
     "div",
@@ -139,11 +155,15 @@ function build(definition, touched) {
     "div",
     // JupyterLab listens for shortcuts before the page does; this attribute tells it not to.
     { class: "chr-demo", role: "group", "aria-label": definition.title, "data-lm-suppress-shortcuts": "true" },
+    hint,
     node("div", { class: "chr-body" }, stage, panel),
     live,
   );
+  // Keys that move a slider are ours; with Ctrl or another such key they belong to the page.
   for (const type of ["keydown", "keyup", "keypress"])
-    root.addEventListener(type, (event) => event.stopPropagation());
+    root.addEventListener(type, (event) => {
+      if (!event.ctrlKey && !event.metaKey && !event.altKey) event.stopPropagation();
+    });
   return { root, canvas, live, said, sliders, outputs, play, reset };
 }
 

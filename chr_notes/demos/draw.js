@@ -203,22 +203,34 @@ export function paint(context, polygons, { eye, project, light }) {
 }
 
 /**
- * Words at a point of the picture, over everything, with a rim that keeps them legible. `offset`
- * moves them aside, in pixels; they never leave the picture.
+ * Words at a point of the picture, over everything, with a rim that keeps them legible: [words]
+ * or [words, subscript]. `offset` moves them aside, in pixels; they never leave the picture.
  */
-export function label(context, text, [x, y], { colour, rim, size = 14, offset = [0, 0], width }) {
-  context.font = `600 ${size}px system-ui, sans-serif`;
-  context.textAlign = "center";
+export function label(context, [text, subscript = ""], [x, y], { colour, rim, size = 14, offset = [0, 0], width }) {
+  const parts = [
+    { text, font: `600 ${size}px system-ui, sans-serif`, drop: 0 },
+    { text: subscript, font: `600 ${0.75 * size}px system-ui, sans-serif`, drop: 0.3 * size },
+  ].filter((part) => part.text !== "").map((part) => {
+    context.font = part.font;
+    return { ...part, wide: context.measureText(part.text).width };
+  });
+  const half = parts.reduce((wide, part) => wide + part.wide, 0) / 2;
+  const side = offset[0] === 0 ? 0 : Math.sign(offset[0]) * half + offset[0];
+  const middle = Math.min(Math.max(x + side, half + 6), width - half - 6);
+  context.textAlign = "left";
   context.textBaseline = "middle";
   context.lineJoin = "round";
   context.lineWidth = size / 3;
   context.strokeStyle = rim;
   context.fillStyle = colour;
-  const half = context.measureText(text).width / 2 + 6;
-  const side = offset[0] === 0 ? 0 : Math.sign(offset[0]) * (half - 6) + offset[0];
-  const middle = Math.min(Math.max(x + side, half), width - half);
-  context.strokeText(text, middle, y + offset[1]);
-  context.fillText(text, middle, y + offset[1]);
+  for (const write of ["strokeText", "fillText"]) {
+    let start = middle - half;
+    for (const part of parts) {
+      context.font = part.font;
+      context[write](part.text, start, y + offset[1] + part.drop);
+      start += part.wide;
+    }
+  }
 }
 
 // ── colours ─────────────────────────────────────────────────────────────────────────────────

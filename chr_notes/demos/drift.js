@@ -4,7 +4,7 @@
  */
 import { driftFromTiltError, positionAtLastVelocity } from "../generated/javascript/attitude.mjs";
 import { line, logarithmic, mark, words } from "./chart.js";
-import { mountDemo } from "./controls.js";
+import { mountOf } from "./controls.js";
 import { label } from "./draw.js";
 import { formatted } from "./parts.js";
 import { widget } from "./widget.js";
@@ -36,7 +36,7 @@ function readouts({ angle_error: angle, time }) {
 
 function meaning(time, { velocity, position, printed: reckoned }) {
   if (position === 0) return "With an exact attitude gravity cancels, and a sensor at rest believes that it is at rest.";
-  return `After ${duration(time).long} a sensor that has not moved believes that it is ${distance(position)} away and moves at ${formatted(velocity)} m/s. The note's table loses a factor ½ and makes that ${distance(reckoned)}.`;
+  return `After ${duration(time).long} a sensor that has not moved believes that it is ${distance(position)} away and moves at ${formatted(velocity)} m/s. In ten times as long, its velocity gets ten times as wrong, its position a hundred times. The note's table loses a factor ½: ${distance(reckoned)}.`;
 }
 
 const COLUMNS = [
@@ -61,6 +61,14 @@ function row(angle) {
 function summary(state) {
   const texts = readouts(state);
   return `Acceleration error ${texts.acceleration_error} metres per second squared. ${texts.meaning}`;
+}
+
+/** The picture in words. */
+function describe({ angle_error: angle, time }) {
+  const axes = "A chart on logarithmic axes of the errors of velocity and position from 1 second to 1 hour";
+  if (angle === 0) return `${axes}. Without an error of angle it is empty.`;
+  const { velocity, position, printed: reckoned } = errorsAfter(time, angle);
+  return `${axes}, for an angle that is off by ${formatted(angle)}°. All are straight lines, and position rises twice as steeply as velocity. At ${duration(time).long} velocity is off by ${formatted(velocity)} m/s, position by ${distance(position)}, and as in the table by ${distance(reckoned)}.`;
 }
 
 /** A time in words, short and long. */
@@ -115,8 +123,8 @@ function draw(context, { width, height }, { angle_error: angle, time }, colours)
   }
   for (const [metres, text] of SIZES) words(context, text, [left + 6, y(metres) - 8], small);
   if (angle === 0) {
-    label(context, "no error of angle, no drift", [(left + right) / 2, (top + bottom) / 2], {
-      colour: colours("ink"), rim: colours("surface"), width,
+    label(context, ["no error of angle, no drift"], [(left + right) / 2, (top + bottom) / 2], {
+      colour: colours("ink"), rim: colours("page"), width,
     });
     return;
   }
@@ -131,14 +139,15 @@ function draw(context, { width, height }, { angle_error: angle, time }, colours)
   });
   context.restore();
   CURVES.forEach((curve) => {
-    const style = { colour: colours(curve.colour), rim: colours("surface"), width };
-    label(context, curve.text, at(curve, curve.at), { ...style, offset: curve.offset, size: 13 });
+    const style = { colour: colours(curve.colour), rim: colours("page"), width };
+    label(context, [curve.text], at(curve, curve.at), { ...style, offset: curve.offset, size: 13 });
   });
   CURVES.forEach((curve) =>
-    mark(context, curve.shape, at(curve, time), { colour: colours(curve.colour), rim: colours("surface"), radius: 6 }),
+    mark(context, curve.shape, at(curve, time), { colour: colours(curve.colour), rim: colours("page"), radius: 6 }),
   );
 }
 
+const METRES = { short: "m", long: "metres" };
 const still = { angle_error: 1, time: 10 };
 const SECONDS = {
   toPosition: (value) => (STEPS * Math.log(value / FIRST)) / Math.log(LAST / FIRST),
@@ -146,18 +155,19 @@ const SECONDS = {
 };
 
 const definition = {
-  title: "Growth of the errors of velocity and position over time, on logarithmic axes",
+  title: "Drift of dead reckoning",
+  hint: "Take the time from 10 seconds to an hour. Which error grows faster? Then make the angle ten times smaller.",
   aspect: 1.35,
   start: still,
   controls: [
-    { name: "angle_error", label: "Error of the angle", symbol: "ε", min: 0, max: 5, step: 0.1, unit: { short: "°", long: "degrees" } },
-    { name: "time", label: "Time", symbol: "t", min: 0, max: STEPS, step: 1, words: duration, ...SECONDS },
+    { name: "angle_error", label: "Error of the angle", symbol: ["ε"], min: 0, max: 5, step: 0.1, unit: { short: "°", long: "degrees" } },
+    { name: "time", label: "Time", symbol: ["t"], min: 0, max: STEPS, step: 1, words: duration, ...SECONDS },
   ],
   outputs: [
-    { name: "acceleration_error", label: "Acceleration error", unit: "m/s²" },
-    { name: "velocity_error", label: "Velocity error", unit: "m/s" },
-    { name: "position_error", label: "Position error", unit: "m" },
-    { name: "printed_position_error", label: "Position as printed", unit: "m" },
+    { name: "acceleration_error", label: "Acceleration error", unit: { short: "m/s²", long: "metres per second squared" } },
+    { name: "velocity_error", label: "Velocity error", unit: { short: "m/s", long: "metres per second" } },
+    { name: "position_error", label: "Position error", unit: METRES },
+    { name: "printed_position_error", label: "Position as printed", unit: METRES },
     { name: "meaning", label: "What it means", wide: true },
     { name: "row", table: true },
   ],
@@ -170,10 +180,10 @@ const definition = {
   ],
   readouts,
   summary,
+  describe,
   draw,
 };
 
-export const mount = (element, state, onChange) => mountDemo(element, definition, state, onChange);
-mount.start = definition.start;
+export const mount = mountOf(definition);
 
 export default widget(mount);

@@ -2,9 +2,7 @@
 
 import math
 
-import traitlets
-
-from chr_notes.demos.base import Demo, formatted
+from chr_notes.demos.base import Control, Demo, formatted
 from chr_notes.generated.scalar.dead_reckoning import (
     drift_from_tilt_error,
     position_at_last_velocity,
@@ -35,8 +33,8 @@ class DriftDemo(Demo):
     element = "drift"
     controls = ("angle_error", "time")
 
-    angle_error = traitlets.Float(1.0, min=0.0, max=5.0).tag(sync=True)
-    time = traitlets.Float(10.0, min=1.0, max=3600.0).tag(sync=True)
+    angle_error = Control(1.0, min=0.0, max=5.0).tag(sync=True)
+    time = Control(10.0, min=1.0, max=3600.0).tag(sync=True)
 
     def readouts(self) -> dict[str, float]:
         """Return the errors in SI units."""

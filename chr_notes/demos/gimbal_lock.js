@@ -10,12 +10,12 @@ import {
   quaternionFromEuler,
 } from "../generated/javascript/attitude.mjs";
 import { aircraft } from "./aircraft.js";
-import { mountDemo } from "./controls.js";
+import { mountOf } from "./controls.js";
 import {
   arrowhead, camera, cross, label, loft, mixed, paint, parsed, placed, ring, scaled, strip,
   sum, toParent,
 } from "./draw.js";
-import { formatted } from "./parts.js";
+import { formatted, rounded } from "./parts.js";
 import { widget } from "./widget.js";
 
 const DEGREE = Math.PI / 180;
@@ -56,9 +56,9 @@ const LOST = "About the dashed line no ring can turn it.";
 function rings(state) {
   const { apart, locked, opposite } = axesOf(state);
   if (locked && opposite)
-    return `Locked. Yaw and roll turn the aircraft about the same axis, in opposite senses: raise both by the same amount and it stays where it is. ${LOST}`;
+    return `Gimbal lock. Yaw and roll turn the aircraft about the same axis, in opposite senses: raise both by the same amount and it stays where it is. ${LOST}`;
   if (locked)
-    return `Locked. Yaw and roll turn the aircraft about the same axis, in the same sense: raise one, lower the other by as much, and it stays where it is. ${LOST}`;
+    return `Gimbal lock. Yaw and roll turn the aircraft about the same axis, in the same sense: raise one, lower the other by as much, and it stays where it is. ${LOST}`;
   const d = eulerRatesMatrix(state.roll * DEGREE, state.pitch * DEGREE);
   const fastest = formatted(Math.hypot(d[6], d[7], d[8]));
   const short = formatted(Math.min(apart, 180 - apart));
@@ -83,6 +83,17 @@ function readouts(state) {
 function summary(state) {
   const { determinant, condition, rings: sentence } = readouts(state);
   return `Determinant ${determinant}, condition number ${condition}. ${sentence}`;
+}
+
+/** The picture in words. */
+function describe(state) {
+  const angles = ["yaw", "pitch", "roll"].map((name) => `${name} ${rounded(state[name])}°`).join(", ");
+  const nose = state.pitch === 0 ? "level" : state.pitch > 0 ? "up" : "down";
+  const { apart, locked } = axesOf(state);
+  const axes = locked
+    ? "The yaw axis and the roll axis are one line, and a dashed line shows the axis about which no ring can turn"
+    : `The roll axis is ${formatted(Math.min(apart, 180 - apart))}° from the line of the yaw axis`;
+  return `An aircraft in three rings, yaw outside, pitch in the middle, roll inside: ${angles}, nose ${nose}. ${axes}.`;
 }
 
 // ── the picture ─────────────────────────────────────────────────────────────────────────────
@@ -119,30 +130,36 @@ function dashes(along, from, to, count, colour, eye) {
   return Array.from({ length: count }, each).flat();
 }
 
-function compass(context, { project }, colours, width) {
+/** The point of the compass in a direction. */
+const onFloor = (degrees, radius) => [
+  radius * Math.cos(degrees * DEGREE), radius * Math.sin(degrees * DEGREE), FLOOR,
+];
+
+function compass(context, { project }, colours) {
   const line = (points, thickness) => {
     context.beginPath();
     points.forEach((point) => context.lineTo(...project(point)));
     context.lineWidth = thickness;
     context.stroke();
   };
-  const at = (degrees, radius) => [
-    radius * Math.cos(degrees * DEGREE), radius * Math.sin(degrees * DEGREE), FLOOR,
-  ];
-  const rim = Array.from({ length: 121 }, (_, i) => at(3 * i, 1));
+  const rim = Array.from({ length: 121 }, (_, i) => onFloor(3 * i, 1));
   context.beginPath();
   rim.forEach((point) => context.lineTo(...project(point)));
-  context.fillStyle = colours("raised");
+  context.fillStyle = colours("surface");
   context.fill();
   context.strokeStyle = colours("line");
   line(rim, 2);
   for (let heading = 0; heading < 360; heading += 10) {
     const quarter = heading % 90 === 0;
-    line([at(heading, quarter ? 0.86 : 0.91), at(heading, 0.96)], quarter ? 2.5 : 1.2);
+    line([onFloor(heading, quarter ? 0.86 : 0.91), onFloor(heading, 0.96)], quarter ? 2.5 : 1.2);
   }
+}
+
+/** The letters of the compass, which stand in front of the rings. */
+function letters(context, { project }, colours, width) {
   ["N", "E", "S", "W"].forEach((letter, i) =>
-    label(context, letter, project(at(90 * i, 0.73)), {
-      colour: colours("muted"), rim: colours("raised"), size: 12, width,
+    label(context, [letter], project(onFloor(90 * i, 1.14)), {
+      colour: colours("muted"), rim: colours("page"), size: 13, width,
     }),
   );
 }
@@ -155,12 +172,13 @@ function draw(context, size, state, colours) {
   const { locked } = axesOf(state);
   const [yAxis, xAxis] = [toParent(frame.y, EAST), toParent(frame.x, NORTH)];
 
-  compass(context, view, colours, size.width);
+  compass(context, view, colours);
   paint(context, [...solids(frame, colour), ...arrows(frame, colour, eye, locked)], view);
 
+  letters(context, view, colours, size.width);
   const words = (text, point, name, offset) =>
-    label(context, text, project(point), {
-      colour: colours(name), rim: colours("surface"), offset, width: size.width,
+    label(context, [text], project(point), {
+      colour: colours(name), rim: colours("page"), offset, width: size.width,
     });
   words("z yaw", scaled(DOWN, -YAW_ARROW), "z", [30, 0]);
   const pitchEnd = scaled(yAxis, 1.3);
@@ -174,7 +192,7 @@ function solids(frame, colour) {
   const steel = mixed(colour("body"), colour("muted"), 0.4);
   const rings = ["z", "y", "x"].flatMap((axis) => {
     const marked = colour(axis);
-    const fill = mixed(marked, colour("surface"), 0.55);
+    const fill = mixed(marked, colour("page"), 0.55);
     return placed(ring({ ...RINGS[axis], fill, marked, mark: MARKS[axis] }), frame[axis]);
   });
   const names = ["body", "glass", "x", "y", "z"];
@@ -211,13 +229,14 @@ function arrows(frame, colour, eye, locked) {
 }
 
 const definition = {
-  title: "An aircraft in three rings: yaw outside, pitch in the middle, roll inside",
+  title: "Gimbal lock",
+  hint: "Bring pitch to 90°, then move yaw and roll, one after the other. What does each do to the aircraft?",
   aspect: 1.08,
   start: { yaw: 0, pitch: 0, roll: 0 },
   controls: [
-    { name: "yaw", label: "Yaw", symbol: "ψ", axis: "z", min: -180, max: 180 },
-    { name: "pitch", label: "Pitch", symbol: "θ", axis: "y", min: -90, max: 90 },
-    { name: "roll", label: "Roll", symbol: "φ", axis: "x", min: -180, max: 180 },
+    { name: "yaw", label: "Yaw", symbol: ["ψ"], axis: "z", min: -180, max: 180 },
+    { name: "pitch", label: "Pitch", symbol: ["θ"], axis: "y", min: -90, max: 90 },
+    { name: "roll", label: "Roll", symbol: ["φ"], axis: "x", min: -180, max: 180 },
   ].map((control) => ({ ...control, step: 1, unit: { short: "°", long: "degrees" } })),
   outputs: [
     { name: "determinant", label: "Determinant of D" },
@@ -236,10 +255,10 @@ const definition = {
   ],
   readouts,
   summary,
+  describe,
   draw,
 };
 
-export const mount = (element, state, onChange) => mountDemo(element, definition, state, onChange);
-mount.start = definition.start;
+export const mount = mountOf(definition);
 
 export default widget(mount);

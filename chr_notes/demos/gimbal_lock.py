@@ -2,9 +2,7 @@
 
 import math
 
-import traitlets
-
-from chr_notes.demos.base import Demo, formatted
+from chr_notes.demos.base import Control, Demo, formatted
 from chr_notes.generated.scalar.euler import euler_rates_condition, euler_rates_determinant
 
 __all__ = ["GimbalLockDemo"]
@@ -27,9 +25,9 @@ class GimbalLockDemo(Demo):
     element = "gimbal-lock"
     controls = ("yaw", "pitch", "roll")
 
-    yaw = traitlets.Float(0.0, min=-180.0, max=180.0).tag(sync=True)
-    pitch = traitlets.Float(0.0, min=-90.0, max=90.0).tag(sync=True)
-    roll = traitlets.Float(0.0, min=-180.0, max=180.0).tag(sync=True)
+    yaw = Control(0.0, min=-180.0, max=180.0).tag(sync=True)
+    pitch = Control(0.0, min=-90.0, max=90.0).tag(sync=True)
+    roll = Control(0.0, min=-180.0, max=180.0).tag(sync=True)
 
     def fallback(self) -> str:
         """Return the attitude, the determinant and the condition number in a sentence."""

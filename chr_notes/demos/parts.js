@@ -19,6 +19,10 @@ export function node(tag, attributes = {}, ...children) {
   return element;
 }
 
+/** A symbol of one letter or of [letter, subscript], as it stands beside words. */
+export const symbolOf = ([letter = "", subscript = ""]) =>
+  node("span", { class: "chr-symbol" }, letter, ...(subscript ? [node("sub", {}, subscript)] : []));
+
 /**
  * A slider for the control { name, label, symbol, axis, min, max, step, unit: { short, long } }.
  *
@@ -35,14 +39,21 @@ export function slider(control, touched) {
   }));
   const input = node("input", { type: "range", name, min, max, step });
   const value = node("span", { class: "chr-value", "aria-hidden": "true" });
-  const symbols = node("span", { class: "chr-symbol", "aria-hidden": "true" }, symbol);
+  const symbols = symbolOf(symbol);
+  symbols.setAttribute("aria-hidden", "true");
   const caption = node("span", { class: "chr-caption" }, label, " ", symbols, value);
+  const along = (position) => (100 * (position - min)) / (max - min);
+  const zero = along(Math.max(0, min));
   input.addEventListener("input", () => touched({ [name]: toValue(input.valueAsNumber) }));
   return {
     element: node("label", { class: "chr-slider", "data-axis": axis }, caption, input),
     show(state) {
       const { short, long } = words(state[name]);
-      input.value = toPosition(state[name]);
+      const position = toPosition(state[name]);
+      input.value = position;
+      // The coloured part of the track runs from zero to the value.
+      input.style.setProperty("--from", `${Math.min(zero, along(position))}%`);
+      input.style.setProperty("--to", `${Math.max(zero, along(position))}%`);
       input.setAttribute("aria-valuetext", long);
       value.textContent = short;
     },
@@ -50,9 +61,10 @@ export function slider(control, touched) {
 }
 
 /**
- * A readout of the output { name, label, unit, wide, grid, table }: a number and its unit, a
- * sentence (`wide`), numbers in rows and columns (`grid`), or a table, whose text is an array of
- * rows with the headings first.
+ * A readout of the output { name, label, unit: { short, long }, wide, grid, table }: a number and
+ * its unit, a sentence (`wide`), numbers in rows and columns (`grid`), or a table, whose text is
+ * an array of rows with the headings first. A text may be { text, note }: the note stands beside
+ * it and says what is to be thought of the number.
  */
 export function readout(output) {
   return output.table ? tableOf(output) : textOf(output);
@@ -60,18 +72,26 @@ export function readout(output) {
 
 function textOf({ name, label, unit, wide, grid }) {
   // An output is a live region by itself; the demo has one of its own that waits for a pause.
-  const output = node("output", { name, "aria-live": "off" });
+  const output = node("output", {
+    name, "aria-live": "off", "aria-label": unit ? `${label}, ${unit.long}` : label,
+  });
   const kind = wide ? " chr-wide" : grid ? " chr-grid" : "";
-  const units = unit ? [node("span", { class: unit === "°" ? "chr-unit chr-degree" : "chr-unit" }, unit)] : [];
+  const short = unit?.short.trim() ?? "";
+  const units = node("span", { class: short === "°" ? "chr-unit chr-degree" : "chr-unit" }, short);
+  const aside = node("span", { class: "chr-note" });
+  const element = node(
+    "div",
+    { class: `chr-readout${kind}` },
+    node("span", { class: "chr-name" }, label),
+    node("div", {}, output, units, aside),
+  );
   return {
-    element: node(
-      "div",
-      { class: `chr-readout${kind}` },
-      node("span", { class: "chr-name" }, label),
-      node("div", {}, output, ...units),
-    ),
+    element,
     show(texts) {
-      output.textContent = texts[name];
+      const { text, note = "" } = texts[name].text === undefined ? { text: texts[name] } : texts[name];
+      output.textContent = text;
+      aside.textContent = note;
+      element.toggleAttribute("data-void", note !== "");
     },
   };
 }
@@ -97,7 +117,9 @@ function tableOf({ name }) {
 /** A list of lines as they are drawn, each with what it stands for; nothing for no lines. */
 export function legend(entries) {
   if (entries.length === 0) return [];
-  return [node("ul", { class: "chr-legend" }, ...entries.map((entry) => node("li", {}, sample(entry), entry.text)))];
+  const words = ({ symbol, text }) => (symbol ? [symbolOf(symbol), ", ", text] : [text]);
+  const item = (entry) => node("li", {}, sample(entry), node("span", {}, ...words(entry)));
+  return [node("ul", { class: "chr-legend" }, ...entries.map(item))];
 }
 
 function sample({ colour, dash = [], width = 2.5, mark }) {

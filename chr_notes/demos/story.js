@@ -9,14 +9,14 @@ const WAIT = 3500; // milliseconds at each state
 const MOVE = 2; // seconds from state to state, unless the story says otherwise
 
 /** True where the reader's system asks for less motion. */
-export const prefersStillness = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
+const stillness = () => matchMedia("(prefers-reduced-motion: reduce)");
 
 /**
  * Go from one state to another, or be there at once where motion is not wanted. `between(from,
  * to, t)` gives the states on the way. Returns a function that ends the journey where it is.
  */
 export function glide(from, goal, seconds, { between, changed, done = () => {} }) {
-  if (prefersStillness()) {
+  if (stillness().matches) {
     changed(goal);
     done();
     return () => {};
@@ -33,16 +33,16 @@ export function glide(from, goal, seconds, { between, changed, done = () => {} }
 
 /**
  * Tell a story: `current()` is the state now, `changed(state)` shows another, `say(text)` a
- * sentence, and `name(text)` names the button whose every click calls `press`.
+ * sentence, and `name(text)` names the button whose every click calls `press`. `signal` ends it.
  */
-export function player(story, { current, between, changed, say, name }) {
+export function player(story, { current, between, changed, say, name, signal }) {
   let next = 0; // index of the step to come
   let running = false;
   let end = () => {};
 
   function rename() {
     if (running) name("Pause");
-    else if (prefersStillness()) name(next === 0 ? "Show me, step by step" : "Next step");
+    else if (stillness().matches) name(next === 0 ? "Show me, step by step" : "Next step");
     else name(next === 0 ? "Play" : "Go on");
   }
 
@@ -68,11 +68,12 @@ export function player(story, { current, between, changed, say, name }) {
   }
 
   rename();
+  stillness().addEventListener("change", stop, { signal });
   return {
     stop,
     press() {
       if (running) return stop();
-      running = !prefersStillness();
+      running = !stillness().matches;
       step();
       rename();
       return undefined;

@@ -5,21 +5,23 @@ import math
 from collections.abc import Sequence
 from typing import Final
 
-import traitlets
-
 from chr_notes.conventions import STANDARD_GRAVITY
-from chr_notes.demos.base import SOURCES, Demo, rounded
+from chr_notes.demos.base import SOURCES, Control, Demo, rounded
 from chr_notes.generated.scalar.dead_reckoning import accelerometer_from_acceleration
 from chr_notes.generated.scalar.estimation import tilt_from_accelerometer
 from chr_notes.generated.scalar.euler import matrix_from_euler, wrap_angle
 
-__all__ = ["VIBRATION", "TiltDemo"]
+__all__ = ["NOTHING", "VIBRATION", "TiltDemo"]
 
 VIBRATION: Final[Sequence[Sequence[float]]] = json.loads(
     (SOURCES / "vibration.json").read_text(encoding="utf-8")
 )
 """What a vibration of 1 m/s² RMS on each axis adds to each of the hundred readings of a second:
 white noise from a fixed seed, whose average is exactly zero."""
+
+
+NOTHING: Final = 1e-9
+"""A specific force below this, m/s², is what rounding leaves of none, and has no direction."""
 
 
 class TiltDemo(Demo):
@@ -45,11 +47,11 @@ class TiltDemo(Demo):
     element = "tilt"
     controls = ("roll", "pitch", "forward_acceleration", "lateral_acceleration", "vibration")
 
-    roll = traitlets.Float(0.0, min=-180.0, max=180.0).tag(sync=True)
-    pitch = traitlets.Float(0.0, min=-90.0, max=90.0).tag(sync=True)
-    forward_acceleration = traitlets.Float(0.0, min=-10.0, max=10.0).tag(sync=True)
-    lateral_acceleration = traitlets.Float(0.0, min=-10.0, max=10.0).tag(sync=True)
-    vibration = traitlets.Float(0.0, min=0.0, max=5.0).tag(sync=True)
+    roll = Control(0.0, min=-180.0, max=180.0).tag(sync=True)
+    pitch = Control(0.0, min=-90.0, max=90.0).tag(sync=True)
+    forward_acceleration = Control(0.0, min=-10.0, max=10.0).tag(sync=True)
+    lateral_acceleration = Control(0.0, min=-10.0, max=10.0).tag(sync=True)
+    vibration = Control(0.0, min=0.0, max=5.0).tag(sync=True)
 
     def readouts(self) -> dict[str, float]:
         """Return estimates, errors and scatter of roll and pitch, in degrees."""
@@ -60,22 +62,37 @@ class TiltDemo(Demo):
             for shake in VIBRATION
         ]
         found: dict[str, float] = {}
+        estimates = tilt_from_accelerometer(*reading)
         for i, name in enumerate(("roll", "pitch")):
             apart = [wrap_angle(errors[i] - average[i]) for errors in single]
             found |= {
-                f"{name}_estimate": math.degrees(tilt_from_accelerometer(*reading)[i]),
+                f"{name}_estimate": math.degrees(-wrap_angle(-estimates[i])),  # in (-pi, pi]
                 f"{name}_error": math.degrees(average[i]),
                 f"{name}_scatter": math.degrees(math.hypot(*apart) / math.sqrt(len(apart))),
             }
         return found
 
+    def undefined(self) -> dict[str, bool]:
+        """Say of which angle the reading holds nothing, so that its estimate means nothing.
+
+        Of roll when the reading lies along the roll axis, as it does at a pitch of 90 degrees
+        at rest; of both when the body falls freely.
+        """
+        forward, right, down = self._reading()
+        return {
+            "roll": math.hypot(right, down) < NOTHING,
+            "pitch": math.hypot(forward, right, down) < NOTHING,
+        }
+
     def fallback(self) -> str:
         """Return the state and what the accelerometer makes of it, in two sentences."""
         texts = {name: rounded(value) for name, value in self.readouts().items()}
         angles = "; ".join(
-            f"{name} {texts[f'{name}_estimate']}°, error {texts[f'{name}_error']}°, "
+            f"{name} undefined"
+            if unknown
+            else f"{name} {texts[f'{name}_estimate']}°, error {texts[f'{name}_error']}°, "
             f"scatter {texts[f'{name}_scatter']}°"
-            for name in ("roll", "pitch")
+            for name, unknown in self.undefined().items()
         )
         return (
             f"An aircraft with roll {rounded(self.roll)}° and pitch {rounded(self.pitch)}° that "

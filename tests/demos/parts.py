@@ -1,7 +1,9 @@
 """Where the parts of a demo are, for the tests of all demos."""
 
+import json
 from collections.abc import Callable
 
+import pytest
 from playwright.sync_api import Locator, Page
 
 from chr_notes.demos import DriftDemo, GimbalLockDemo, TiltDemo
@@ -11,6 +13,8 @@ PageOf = Callable[..., str]
 
 DEMOS = (DriftDemo, GimbalLockDemo, TiltDemo)
 
+each_demo = pytest.mark.parametrize("demo", DEMOS, ids=lambda demo: demo.element)
+
 
 def output(page: Page | Locator, name: str) -> Locator:
     return page.locator(f'output[name="{name}"]')
@@ -18,6 +22,20 @@ def output(page: Page | Locator, name: str) -> Locator:
 
 def slider(page: Page | Locator, name: str) -> Locator:
     return page.locator(f'input[type="range"][name="{name}"]')
+
+
+def state_of(page: Page) -> dict[str, float]:
+    """The state of the first demo of a page."""
+    state: dict[str, float] = json.loads(
+        str(page.locator(".chr-demo").first.get_attribute("data-state"))
+    )
+    return state
+
+
+def hold(page: Page) -> None:
+    """Stop the time of the page: only `page.clock.run_for` makes it pass."""
+    page.clock.install(time=0)
+    page.clock.pause_at(1_000)
 
 
 def picture(page: Page | Locator) -> str:
@@ -42,3 +60,24 @@ SET_AND_READ = """(states) => states.map((state) => {
   ];
 })"""
 """Set the sliders to each of some positions; return the states and the texts of the outputs."""
+
+RECORD = """() => {
+  window.drawn = [];
+  const { fill, fillText } = CanvasRenderingContext2D.prototype;
+  CanvasRenderingContext2D.prototype.fill = function (...given) {
+    window.drawn.push(["", this.fillStyle]);
+    return fill.apply(this, given);
+  };
+  CanvasRenderingContext2D.prototype.fillText = function (text, ...given) {
+    window.drawn.push([text, this.fillStyle]);
+    return fillText.call(this, text, ...given);
+  };
+  document.body.dataset.again = "draw";
+}"""
+
+
+def drawn(page: Page) -> list[tuple[str, str]]:
+    """What is painted, in order: the words, or none for an area, and the colour of each."""
+    page.evaluate(RECORD)
+    picture(page)
+    return [(text, colour) for text, colour in page.evaluate("drawn")]

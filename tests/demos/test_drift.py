@@ -1,5 +1,7 @@
 """The drift demo: its readouts are Python's numbers, and its row is the note's."""
 
+import re
+
 import numpy as np
 import pytest
 from playwright.sync_api import Page, expect
@@ -26,11 +28,31 @@ def expected(state: dict[str, float]) -> dict[str, float]:
     }
 
 
+def length(metres: float) -> str:
+    value, unit = (metres, "m") if metres < 1000 else (metres / 1000, "km")
+    value, unit = (100 * metres, "cm") if metres < 1 else (value, unit)
+    return f"{float(f'{value:.3g}'):.15g} {unit}"
+
+
+def in_words(numbers: dict[str, float]) -> list[str]:
+    """The quantities that the sentence names, in its order."""
+    return [
+        length(numbers["position_error"]),
+        formatted(numbers["velocity_error"]) + " m/s",
+        length(numbers["printed_position_error"]),
+    ]
+
+
+def meant(sentence: str) -> list[str]:
+    return re.findall(r"[\d.]+ (?:cm|km|m/s|m)\b", sentence)
+
+
 def test_readouts_are_the_numbers_of_python(visit: Visit, page_of: PageOf) -> None:
     page = visit(page_of(DriftDemo()))
     random = np.random.default_rng(4)
     rows = random.integers([0, 0], [50, STEPS], size=(50, 2), endpoint=True) / [10, 1]
     positions = [dict(zip(DriftDemo.controls, row, strict=True)) for row in rows.tolist()]
+    positions += [{"angle_error": 0, "time": 0}, {"angle_error": 5, "time": STEPS}]
     times = set()
     for position, (state, texts) in zip(
         positions, page.evaluate(SET_AND_READ, positions), strict=True
@@ -42,6 +64,7 @@ def test_readouts_are_the_numbers_of_python(visit: Visit, page_of: PageOf) -> No
         assert {name: texts[name] for name in numbers} == {
             name: formatted(value) for name, value in numbers.items()
         }
+        assert meant(texts["meaning"]) == ([] if state["angle_error"] == 0 else in_words(numbers))
         assert DriftDemo(**state).readouts() == pytest.approx(numbers, rel=1e-14)
     assert len(times) > 20
 

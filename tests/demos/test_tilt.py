@@ -13,8 +13,9 @@ from chr_notes import (
 from chr_notes.demos import TiltDemo
 from chr_notes.demos.base import rounded
 from chr_notes.demos.tilt import VIBRATION
+from chr_notes.palette import PALETTE
 
-from .parts import SET_AND_READ, PageOf, Visit, output
+from .parts import SET_AND_READ, PageOf, Visit, drawn, output, slider
 
 
 def expected(state: dict[str, float]) -> dict[str, float]:
@@ -54,7 +55,8 @@ def test_readouts_are_the_numbers_of_python(visit: Visit, page_of: PageOf) -> No
     rows = random.integers(low, high, size=(50, 5), endpoint=True) / [10, 10, 10, 10, 10]
     rows[:, :2] = np.round(rows[:, :2])
     names = TiltDemo.controls
-    states = [dict(zip(names, row, strict=True)) for row in rows.tolist()]
+    extremes = [[-150, 90, 0, 0, 0], [30, -90, -10, 0, 5], [0, 90, 10, -10, 0], [-180, 0, 0, 0, 1]]
+    states = [dict(zip(names, row, strict=True)) for row in rows.tolist() + extremes]
     for state, (shown, texts) in zip(states, page.evaluate(SET_AND_READ, states), strict=True):
         assert shown == state
         numbers = expected(state)
@@ -76,7 +78,7 @@ def test_forward_acceleration_is_taken_for_a_raised_nose(visit: Visit, page_of: 
     page = visit(page_of(TiltDemo(forward_acceleration=STANDARD_GRAVITY)))
     expect(output(page, "pitch_error")).to_have_text("45")
     expect(output(page, "roll_error")).to_have_text("0")
-    expect(output(page, "meaning")).to_contain_text("Its pitch will be wrong")
+    expect(output(page, "meaning")).to_contain_text("its pitch is wrong by 45°")
 
 
 def test_vibration_scatters_and_leaves_the_average(visit: Visit, page_of: PageOf) -> None:
@@ -84,6 +86,56 @@ def test_vibration_scatters_and_leaves_the_average(visit: Visit, page_of: PageOf
     expect(output(page, "roll_estimate")).to_have_text("20")
     expect(output(page, "meaning")).to_contain_text("Single readings scatter")
     assert float(str(output(page, "roll_scatter").text_content())) > 5
+
+
+@pytest.mark.parametrize("pitch", [90, -90])
+@pytest.mark.parametrize("others", [(30, 0, 0), (-150, 3, 0), (0, -10, 2)])
+def test_roll_is_undefined_where_the_reading_lies_along_the_roll_axis(
+    visit: Visit, page_of: PageOf, pitch: float, others: tuple[float, float, float]
+) -> None:
+    roll, forward, vibration = others
+    demo = TiltDemo(roll=roll, pitch=pitch, forward_acceleration=forward, vibration=vibration)
+    page = visit(page_of(demo))
+    for kind in ("estimate", "error", "scatter"):
+        for name, note in (("roll", "undefined"), ("pitch", "")):
+            readout = page.locator(".chr-readout", has=output(page, f"{name}_{kind}"))
+            expect(readout.locator(".chr-note")).to_have_text(note)
+    # The number is the function's all the same.
+    estimate = rounded(demo.readouts()["roll_estimate"])
+    expect(output(page, "roll_estimate")).to_have_text(estimate)
+    expect(output(page, "meaning")).to_contain_text(
+        f"The {estimate}° is left by rounding and means nothing."
+    )
+    assert "undefined" in [text for text, _ in drawn(page)]
+    assert demo.undefined() == {"roll": True, "pitch": False}
+    assert "roll undefined; pitch" in demo.fallback()
+    slider(page, "vibration").press("ArrowRight")
+    expect(page.locator("[aria-live=polite]")).to_contain_text("Estimated roll undefined; pitch")
+    slider(page, "pitch").press("ArrowLeft" if pitch > 0 else "ArrowRight")
+    expect(page.locator(".chr-note").first).to_have_text("")
+
+
+def test_in_free_fall_both_angles_are_undefined(visit: Visit, page_of: PageOf) -> None:
+    demo = TiltDemo(roll=90, lateral_acceleration=STANDARD_GRAVITY)
+    page = visit(page_of(demo))
+    assert page.locator(".chr-note").all_text_contents()[:6] == ["undefined"] * 6
+    expect(output(page, "meaning")).to_contain_text("falls freely")
+    assert demo.undefined() == {"roll": True, "pitch": True}
+
+
+def test_arrows_of_acceleration_are_told_apart(visit: Visit, page_of: PageOf) -> None:
+    page = visit(page_of(TiltDemo(roll=30, forward_acceleration=8, lateral_acceleration=8)))
+    written = [pair for pair in drawn(page) if pair[0]]
+    for axis in ("x", "y"):
+        colour = PALETTE[axis].light
+        at = written.index(("a", colour))
+        assert written[at + 1] == (axis, colour)
+    legend = page.locator(".chr-legend li").all_text_contents()
+    assert {"ax, forward acceleration", "ay, lateral acceleration"} <= set(legend)
+    for axis, name in (("x", "forward"), ("y", "lateral")):
+        caption = page.locator("label", has=slider(page, f"{name}_acceleration"))
+        expect(caption.locator(".chr-symbol")).to_have_text(f"a{axis}")
+        assert caption.get_attribute("data-axis") == axis
 
 
 def test_text_has_the_state_and_the_numbers() -> None:

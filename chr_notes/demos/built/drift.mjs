@@ -77,6 +77,7 @@ function node(tag, attributes = {}, ...children) {
   element.append(...children);
   return element;
 }
+var symbolOf = ([letter = "", subscript = ""]) => node("span", { class: "chr-symbol" }, letter, ...subscript ? [node("sub", {}, subscript)] : []);
 function slider(control, touched) {
   const { name, label: label2, symbol, axis, min, max, step } = control;
   const { unit, toPosition = Number, toValue = Number } = control;
@@ -86,14 +87,20 @@ function slider(control, touched) {
   }));
   const input = node("input", { type: "range", name, min, max, step });
   const value = node("span", { class: "chr-value", "aria-hidden": "true" });
-  const symbols = node("span", { class: "chr-symbol", "aria-hidden": "true" }, symbol);
+  const symbols = symbolOf(symbol);
+  symbols.setAttribute("aria-hidden", "true");
   const caption = node("span", { class: "chr-caption" }, label2, " ", symbols, value);
+  const along = (position) => 100 * (position - min) / (max - min);
+  const zero = along(Math.max(0, min));
   input.addEventListener("input", () => touched({ [name]: toValue(input.valueAsNumber) }));
   return {
     element: node("label", { class: "chr-slider", "data-axis": axis }, caption, input),
     show(state) {
       const { short, long } = words2(state[name]);
-      input.value = toPosition(state[name]);
+      const position = toPosition(state[name]);
+      input.value = position;
+      input.style.setProperty("--from", `${Math.min(zero, along(position))}%`);
+      input.style.setProperty("--to", `${Math.max(zero, along(position))}%`);
       input.setAttribute("aria-valuetext", long);
       value.textContent = short;
     }
@@ -103,18 +110,28 @@ function readout(output) {
   return output.table ? tableOf(output) : textOf(output);
 }
 function textOf({ name, label: label2, unit, wide, grid }) {
-  const output = node("output", { name, "aria-live": "off" });
+  const output = node("output", {
+    name,
+    "aria-live": "off",
+    "aria-label": unit ? `${label2}, ${unit.long}` : label2
+  });
   const kind = wide ? " chr-wide" : grid ? " chr-grid" : "";
-  const units = unit ? [node("span", { class: unit === "°" ? "chr-unit chr-degree" : "chr-unit" }, unit)] : [];
+  const short = unit?.short.trim() ?? "";
+  const units = node("span", { class: short === "°" ? "chr-unit chr-degree" : "chr-unit" }, short);
+  const aside = node("span", { class: "chr-note" });
+  const element = node(
+    "div",
+    { class: `chr-readout${kind}` },
+    node("span", { class: "chr-name" }, label2),
+    node("div", {}, output, units, aside)
+  );
   return {
-    element: node(
-      "div",
-      { class: `chr-readout${kind}` },
-      node("span", { class: "chr-name" }, label2),
-      node("div", {}, output, ...units)
-    ),
+    element,
     show(texts) {
-      output.textContent = texts[name];
+      const { text, note = "" } = texts[name].text === void 0 ? { text: texts[name] } : texts[name];
+      output.textContent = text;
+      aside.textContent = note;
+      element.toggleAttribute("data-void", note !== "");
     }
   };
 }
@@ -134,7 +151,9 @@ function tableOf({ name }) {
 }
 function legend(entries) {
   if (entries.length === 0) return [];
-  return [node("ul", { class: "chr-legend" }, ...entries.map((entry) => node("li", {}, sample(entry), entry.text)))];
+  const words2 = ({ symbol, text }) => symbol ? [symbolOf(symbol), ", ", text] : [text];
+  const item = (entry) => node("li", {}, sample(entry), node("span", {}, ...words2(entry)));
+  return [node("ul", { class: "chr-legend" }, ...entries.map(item))];
 }
 function sample({ colour, dash = [], width = 2.5, mark: mark2 }) {
   const part = (tag, attributes) => {
@@ -152,10 +171,10 @@ function sample({ colour, dash = [], width = 2.5, mark: mark2 }) {
 // story.js
 var WAIT = 3500;
 var MOVE = 2;
-var prefersStillness = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
+var stillness = () => matchMedia("(prefers-reduced-motion: reduce)");
 function glide(from, goal, seconds, { between, changed, done = () => {
 } }) {
-  if (prefersStillness()) {
+  if (stillness().matches) {
     changed(goal);
     done();
     return () => {
@@ -170,14 +189,14 @@ function glide(from, goal, seconds, { between, changed, done = () => {
   });
   return () => cancelAnimationFrame(frame);
 }
-function player(story, { current, between, changed, say, name }) {
+function player(story, { current, between, changed, say, name, signal }) {
   let next = 0;
   let running = false;
   let end = () => {
   };
   function rename() {
     if (running) name("Pause");
-    else if (prefersStillness()) name(next === 0 ? "Show me, step by step" : "Next step");
+    else if (stillness().matches) name(next === 0 ? "Show me, step by step" : "Next step");
     else name(next === 0 ? "Play" : "Go on");
   }
   function stop() {
@@ -201,11 +220,12 @@ function player(story, { current, between, changed, say, name }) {
     end = glide(current(), state, seconds, { between, changed, done });
   }
   rename();
+  stillness().addEventListener("change", stop, { signal });
   return {
     stop,
     press() {
       if (running) return stop();
-      running = !prefersStillness();
+      running = !stillness().matches;
       step();
       rename();
       return void 0;
@@ -248,6 +268,7 @@ function mountDemo(element, definition2, initial, onChange = () => {
   function show() {
     const texts = definition2.readouts(state);
     root.dataset.state = JSON.stringify(state);
+    canvas.setAttribute("aria-label", definition2.describe(state));
     sliders.forEach((each) => each.show(state));
     outputs.forEach((each) => each.show(texts));
     redraw();
@@ -268,12 +289,16 @@ function mountDemo(element, definition2, initial, onChange = () => {
     changed,
     current: () => ({ ...state }),
     say: (text) => said.textContent = text,
-    name: (text) => play.textContent = text
+    name: (text) => play.textContent = text,
+    signal: cleanup.signal
   });
-  function touched(part) {
+  function interrupt() {
     rest();
     tour.stop();
     said.textContent = "";
+  }
+  function touched(part) {
+    interrupt();
     changed(part);
   }
   play.addEventListener("click", () => {
@@ -290,6 +315,7 @@ function mountDemo(element, definition2, initial, onChange = () => {
   show();
   return {
     update(part) {
+      interrupt();
       Object.assign(state, part);
       show();
     },
@@ -303,10 +329,13 @@ function mountDemo(element, definition2, initial, onChange = () => {
     }
   };
 }
+var mountOf = (definition2) => {
+  const mount2 = (element, state, onChange) => mountDemo(element, definition2, state, onChange);
+  return Object.assign(mount2, { start: definition2.start });
+};
 function build(definition2, touched) {
   const canvas = node("canvas", {
     role: "img",
-    "aria-label": definition2.title,
     style: `aspect-ratio: 1 / ${definition2.aspect}`
   });
   const live = node("p", { class: "chr-live", "aria-live": "polite" });
@@ -315,6 +344,7 @@ function build(definition2, touched) {
   const outputs = definition2.outputs.map(readout);
   const play = node("button", { type: "button", name: "play" });
   const reset = node("button", { type: "button", name: "reset" }, "Reset");
+  const hint = node("p", { class: "chr-hint" }, node("b", {}, "Try first."), ` ${definition2.hint}`);
   const stage = node("div", { class: "chr-stage" }, canvas, ...legend(definition2.legend ?? []));
   const panel = node(
     "div",
@@ -328,11 +358,14 @@ function build(definition2, touched) {
     "div",
     // JupyterLab listens for shortcuts before the page does; this attribute tells it not to.
     { class: "chr-demo", role: "group", "aria-label": definition2.title, "data-lm-suppress-shortcuts": "true" },
+    hint,
     node("div", { class: "chr-body" }, stage, panel),
     live
   );
   for (const type of ["keydown", "keyup", "keypress"])
-    root.addEventListener(type, (event) => event.stopPropagation());
+    root.addEventListener(type, (event) => {
+      if (!event.ctrlKey && !event.metaKey && !event.altKey) event.stopPropagation();
+    });
   return { root, canvas, live, said, sliders, outputs, play, reset };
 }
 var betweenOf = (controls) => (from, to, t) => Object.fromEntries(
@@ -359,35 +392,76 @@ function watch(root, canvas, redraw, signal) {
 }
 
 // draw.js
-function label(context, text, [x, y], { colour, rim, size = 14, offset = [0, 0], width }) {
-  context.font = `600 ${size}px system-ui, sans-serif`;
-  context.textAlign = "center";
+function label(context, [text, subscript = ""], [x, y], { colour, rim, size = 14, offset = [0, 0], width }) {
+  const parts = [
+    { text, font: `600 ${size}px system-ui, sans-serif`, drop: 0 },
+    { text: subscript, font: `600 ${0.75 * size}px system-ui, sans-serif`, drop: 0.3 * size }
+  ].filter((part) => part.text !== "").map((part) => {
+    context.font = part.font;
+    return { ...part, wide: context.measureText(part.text).width };
+  });
+  const half = parts.reduce((wide, part) => wide + part.wide, 0) / 2;
+  const side = offset[0] === 0 ? 0 : Math.sign(offset[0]) * half + offset[0];
+  const middle = Math.min(Math.max(x + side, half + 6), width - half - 6);
+  context.textAlign = "left";
   context.textBaseline = "middle";
   context.lineJoin = "round";
   context.lineWidth = size / 3;
   context.strokeStyle = rim;
   context.fillStyle = colour;
-  const half = context.measureText(text).width / 2 + 6;
-  const side = offset[0] === 0 ? 0 : Math.sign(offset[0]) * (half - 6) + offset[0];
-  const middle = Math.min(Math.max(x + side, half), width - half);
-  context.strokeText(text, middle, y + offset[1]);
-  context.fillText(text, middle, y + offset[1]);
+  for (const write of ["strokeText", "fillText"]) {
+    let start = middle - half;
+    for (const part of parts) {
+      context.font = part.font;
+      context[write](part.text, start, y + offset[1] + part.drop);
+      start += part.wide;
+    }
+  }
 }
 
 // widget.js
+var SYNC_EVERY = 200;
+function paced(send, interval) {
+  let timer = 0;
+  let waiting = null;
+  function flush() {
+    clearTimeout(timer);
+    timer = 0;
+    if (waiting === null) return;
+    const state = waiting;
+    waiting = null;
+    timer = setTimeout(flush, interval);
+    send(state);
+  }
+  return {
+    push(state) {
+      waiting = state;
+      if (timer === 0) flush();
+    },
+    end() {
+      flush();
+      clearTimeout(timer);
+    }
+  };
+}
 var widget = (mount2) => ({
   render({ model, el }) {
     const names = Object.keys(mount2.start);
     const state = () => Object.fromEntries(names.map((name) => [name, model.get(name)]));
-    const demo = mount2(el, state(), (changed) => {
+    let own = false;
+    const sync = paced((changed) => {
+      own = true;
       names.forEach((name) => model.set(name, changed[name]));
+      own = false;
       model.save_changes();
-    });
-    const follow = () => demo.update(state());
+    }, SYNC_EVERY);
+    const demo = mount2(el, state(), sync.push);
+    const follow = () => own || demo.update(state());
     names.forEach((name) => model.on(`change:${name}`, follow));
     return () => {
       names.forEach((name) => model.off(`change:${name}`, follow));
       demo.destroy();
+      sync.end();
     };
   }
 });
@@ -414,7 +488,7 @@ function readouts({ angle_error: angle, time }) {
 }
 function meaning(time, { velocity, position, printed: reckoned }) {
   if (position === 0) return "With an exact attitude gravity cancels, and a sensor at rest believes that it is at rest.";
-  return `After ${duration(time).long} a sensor that has not moved believes that it is ${distance(position)} away and moves at ${formatted(velocity)} m/s. The note's table loses a factor ½ and makes that ${distance(reckoned)}.`;
+  return `After ${duration(time).long} a sensor that has not moved believes that it is ${distance(position)} away and moves at ${formatted(velocity)} m/s. In ten times as long, its velocity gets ten times as wrong, its position a hundred times. The note's table loses a factor ½: ${distance(reckoned)}.`;
 }
 var COLUMNS = [
   { text: "acceleration, m/s²", time: 0, error: "acceleration" },
@@ -435,6 +509,12 @@ function row(angle) {
 function summary(state) {
   const texts = readouts(state);
   return `Acceleration error ${texts.acceleration_error} metres per second squared. ${texts.meaning}`;
+}
+function describe({ angle_error: angle, time }) {
+  const axes = "A chart on logarithmic axes of the errors of velocity and position from 1 second to 1 hour";
+  if (angle === 0) return `${axes}. Without an error of angle it is empty.`;
+  const { velocity, position, printed: reckoned } = errorsAfter(time, angle);
+  return `${axes}, for an angle that is off by ${formatted(angle)}°. All are straight lines, and position rises twice as steeply as velocity. At ${duration(time).long} velocity is off by ${formatted(velocity)} m/s, position by ${distance(position)}, and as in the table by ${distance(reckoned)}.`;
 }
 function duration(time) {
   const seconds = Number(time.toFixed(time < 10 ? 1 : 0));
@@ -478,9 +558,9 @@ function draw(context, { width, height }, { angle_error: angle, time }, colours)
   }
   for (const [metres, text] of SIZES) words(context, text, [left + 6, y(metres) - 8], small);
   if (angle === 0) {
-    label(context, "no error of angle, no drift", [(left + right) / 2, (top + bottom) / 2], {
+    label(context, ["no error of angle, no drift"], [(left + right) / 2, (top + bottom) / 2], {
       colour: colours("ink"),
-      rim: colours("surface"),
+      rim: colours("page"),
       width
     });
     return;
@@ -496,31 +576,33 @@ function draw(context, { width, height }, { angle_error: angle, time }, colours)
   });
   context.restore();
   CURVES.forEach((curve) => {
-    const style = { colour: colours(curve.colour), rim: colours("surface"), width };
-    label(context, curve.text, at(curve, curve.at), { ...style, offset: curve.offset, size: 13 });
+    const style = { colour: colours(curve.colour), rim: colours("page"), width };
+    label(context, [curve.text], at(curve, curve.at), { ...style, offset: curve.offset, size: 13 });
   });
   CURVES.forEach(
-    (curve) => mark(context, curve.shape, at(curve, time), { colour: colours(curve.colour), rim: colours("surface"), radius: 6 })
+    (curve) => mark(context, curve.shape, at(curve, time), { colour: colours(curve.colour), rim: colours("page"), radius: 6 })
   );
 }
+var METRES = { short: "m", long: "metres" };
 var still = { angle_error: 1, time: 10 };
 var SECONDS = {
   toPosition: (value) => STEPS * Math.log(value / FIRST) / Math.log(LAST / FIRST),
   toValue: (position) => Number((FIRST * (LAST / FIRST) ** (position / STEPS)).toPrecision(2))
 };
 var definition = {
-  title: "Growth of the errors of velocity and position over time, on logarithmic axes",
+  title: "Drift of dead reckoning",
+  hint: "Take the time from 10 seconds to an hour. Which error grows faster? Then make the angle ten times smaller.",
   aspect: 1.35,
   start: still,
   controls: [
-    { name: "angle_error", label: "Error of the angle", symbol: "ε", min: 0, max: 5, step: 0.1, unit: { short: "°", long: "degrees" } },
-    { name: "time", label: "Time", symbol: "t", min: 0, max: STEPS, step: 1, words: duration, ...SECONDS }
+    { name: "angle_error", label: "Error of the angle", symbol: ["ε"], min: 0, max: 5, step: 0.1, unit: { short: "°", long: "degrees" } },
+    { name: "time", label: "Time", symbol: ["t"], min: 0, max: STEPS, step: 1, words: duration, ...SECONDS }
   ],
   outputs: [
-    { name: "acceleration_error", label: "Acceleration error", unit: "m/s²" },
-    { name: "velocity_error", label: "Velocity error", unit: "m/s" },
-    { name: "position_error", label: "Position error", unit: "m" },
-    { name: "printed_position_error", label: "Position as printed", unit: "m" },
+    { name: "acceleration_error", label: "Acceleration error", unit: { short: "m/s²", long: "metres per second squared" } },
+    { name: "velocity_error", label: "Velocity error", unit: { short: "m/s", long: "metres per second" } },
+    { name: "position_error", label: "Position error", unit: METRES },
+    { name: "printed_position_error", label: "Position as printed", unit: METRES },
     { name: "meaning", label: "What it means", wide: true },
     { name: "row", table: true }
   ],
@@ -533,10 +615,10 @@ var definition = {
   ],
   readouts,
   summary,
+  describe,
   draw
 };
-var mount = (element, state, onChange) => mountDemo(element, definition, state, onChange);
-mount.start = definition.start;
+var mount = mountOf(definition);
 var drift_default = widget(mount);
 export {
   drift_default as default,

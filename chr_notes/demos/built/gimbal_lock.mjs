@@ -222,19 +222,31 @@ function paint(context, polygons, { eye, project, light }) {
     context.stroke();
   });
 }
-function label(context, text, [x, y], { colour, rim, size = 14, offset = [0, 0], width }) {
-  context.font = `600 ${size}px system-ui, sans-serif`;
-  context.textAlign = "center";
+function label(context, [text, subscript = ""], [x, y], { colour, rim, size = 14, offset = [0, 0], width }) {
+  const parts = [
+    { text, font: `600 ${size}px system-ui, sans-serif`, drop: 0 },
+    { text: subscript, font: `600 ${0.75 * size}px system-ui, sans-serif`, drop: 0.3 * size }
+  ].filter((part) => part.text !== "").map((part) => {
+    context.font = part.font;
+    return { ...part, wide: context.measureText(part.text).width };
+  });
+  const half = parts.reduce((wide, part) => wide + part.wide, 0) / 2;
+  const side = offset[0] === 0 ? 0 : Math.sign(offset[0]) * half + offset[0];
+  const middle = Math.min(Math.max(x + side, half + 6), width - half - 6);
+  context.textAlign = "left";
   context.textBaseline = "middle";
   context.lineJoin = "round";
   context.lineWidth = size / 3;
   context.strokeStyle = rim;
   context.fillStyle = colour;
-  const half = context.measureText(text).width / 2 + 6;
-  const side = offset[0] === 0 ? 0 : Math.sign(offset[0]) * (half - 6) + offset[0];
-  const middle = Math.min(Math.max(x + side, half), width - half);
-  context.strokeText(text, middle, y + offset[1]);
-  context.fillText(text, middle, y + offset[1]);
+  for (const write of ["strokeText", "fillText"]) {
+    let start = middle - half;
+    for (const part of parts) {
+      context.font = part.font;
+      context[write](part.text, start, y + offset[1] + part.drop);
+      start += part.wide;
+    }
+  }
 }
 var parsed = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16));
 var mixed = (a, b, t) => between(a, b, t);
@@ -309,6 +321,7 @@ function node(tag, attributes = {}, ...children) {
   element.append(...children);
   return element;
 }
+var symbolOf = ([letter = "", subscript = ""]) => node("span", { class: "chr-symbol" }, letter, ...subscript ? [node("sub", {}, subscript)] : []);
 function slider(control, touched) {
   const { name, label: label2, symbol, axis, min, max, step } = control;
   const { unit: unit2, toPosition = Number, toValue = Number } = control;
@@ -318,14 +331,20 @@ function slider(control, touched) {
   }));
   const input = node("input", { type: "range", name, min, max, step });
   const value = node("span", { class: "chr-value", "aria-hidden": "true" });
-  const symbols = node("span", { class: "chr-symbol", "aria-hidden": "true" }, symbol);
+  const symbols = symbolOf(symbol);
+  symbols.setAttribute("aria-hidden", "true");
   const caption = node("span", { class: "chr-caption" }, label2, " ", symbols, value);
+  const along = (position) => 100 * (position - min) / (max - min);
+  const zero = along(Math.max(0, min));
   input.addEventListener("input", () => touched({ [name]: toValue(input.valueAsNumber) }));
   return {
     element: node("label", { class: "chr-slider", "data-axis": axis }, caption, input),
     show(state) {
       const { short, long } = words(state[name]);
-      input.value = toPosition(state[name]);
+      const position = toPosition(state[name]);
+      input.value = position;
+      input.style.setProperty("--from", `${Math.min(zero, along(position))}%`);
+      input.style.setProperty("--to", `${Math.max(zero, along(position))}%`);
       input.setAttribute("aria-valuetext", long);
       value.textContent = short;
     }
@@ -335,18 +354,28 @@ function readout(output) {
   return output.table ? tableOf(output) : textOf(output);
 }
 function textOf({ name, label: label2, unit: unit2, wide, grid }) {
-  const output = node("output", { name, "aria-live": "off" });
+  const output = node("output", {
+    name,
+    "aria-live": "off",
+    "aria-label": unit2 ? `${label2}, ${unit2.long}` : label2
+  });
   const kind = wide ? " chr-wide" : grid ? " chr-grid" : "";
-  const units = unit2 ? [node("span", { class: unit2 === "°" ? "chr-unit chr-degree" : "chr-unit" }, unit2)] : [];
+  const short = unit2?.short.trim() ?? "";
+  const units = node("span", { class: short === "°" ? "chr-unit chr-degree" : "chr-unit" }, short);
+  const aside = node("span", { class: "chr-note" });
+  const element = node(
+    "div",
+    { class: `chr-readout${kind}` },
+    node("span", { class: "chr-name" }, label2),
+    node("div", {}, output, units, aside)
+  );
   return {
-    element: node(
-      "div",
-      { class: `chr-readout${kind}` },
-      node("span", { class: "chr-name" }, label2),
-      node("div", {}, output, ...units)
-    ),
+    element,
     show(texts) {
-      output.textContent = texts[name];
+      const { text, note = "" } = texts[name].text === void 0 ? { text: texts[name] } : texts[name];
+      output.textContent = text;
+      aside.textContent = note;
+      element.toggleAttribute("data-void", note !== "");
     }
   };
 }
@@ -366,7 +395,9 @@ function tableOf({ name }) {
 }
 function legend(entries) {
   if (entries.length === 0) return [];
-  return [node("ul", { class: "chr-legend" }, ...entries.map((entry2) => node("li", {}, sample(entry2), entry2.text)))];
+  const words = ({ symbol, text }) => symbol ? [symbolOf(symbol), ", ", text] : [text];
+  const item = (entry2) => node("li", {}, sample(entry2), node("span", {}, ...words(entry2)));
+  return [node("ul", { class: "chr-legend" }, ...entries.map(item))];
 }
 function sample({ colour, dash = [], width = 2.5, mark }) {
   const part = (tag, attributes) => {
@@ -384,10 +415,10 @@ function sample({ colour, dash = [], width = 2.5, mark }) {
 // story.js
 var WAIT = 3500;
 var MOVE = 2;
-var prefersStillness = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
+var stillness = () => matchMedia("(prefers-reduced-motion: reduce)");
 function glide(from, goal, seconds, { between: between2, changed, done = () => {
 } }) {
-  if (prefersStillness()) {
+  if (stillness().matches) {
     changed(goal);
     done();
     return () => {
@@ -402,14 +433,14 @@ function glide(from, goal, seconds, { between: between2, changed, done = () => {
   });
   return () => cancelAnimationFrame(frame);
 }
-function player(story, { current, between: between2, changed, say, name }) {
+function player(story, { current, between: between2, changed, say, name, signal }) {
   let next = 0;
   let running = false;
   let end = () => {
   };
   function rename() {
     if (running) name("Pause");
-    else if (prefersStillness()) name(next === 0 ? "Show me, step by step" : "Next step");
+    else if (stillness().matches) name(next === 0 ? "Show me, step by step" : "Next step");
     else name(next === 0 ? "Play" : "Go on");
   }
   function stop() {
@@ -433,11 +464,12 @@ function player(story, { current, between: between2, changed, say, name }) {
     end = glide(current(), state, seconds, { between: between2, changed, done });
   }
   rename();
+  stillness().addEventListener("change", stop, { signal });
   return {
     stop,
     press() {
       if (running) return stop();
-      running = !prefersStillness();
+      running = !stillness().matches;
       step();
       rename();
       return void 0;
@@ -480,6 +512,7 @@ function mountDemo(element, definition2, initial, onChange = () => {
   function show() {
     const texts = definition2.readouts(state);
     root.dataset.state = JSON.stringify(state);
+    canvas.setAttribute("aria-label", definition2.describe(state));
     sliders.forEach((each) => each.show(state));
     outputs.forEach((each) => each.show(texts));
     redraw();
@@ -500,12 +533,16 @@ function mountDemo(element, definition2, initial, onChange = () => {
     changed,
     current: () => ({ ...state }),
     say: (text) => said.textContent = text,
-    name: (text) => play.textContent = text
+    name: (text) => play.textContent = text,
+    signal: cleanup.signal
   });
-  function touched(part) {
+  function interrupt() {
     rest();
     tour.stop();
     said.textContent = "";
+  }
+  function touched(part) {
+    interrupt();
     changed(part);
   }
   play.addEventListener("click", () => {
@@ -522,6 +559,7 @@ function mountDemo(element, definition2, initial, onChange = () => {
   show();
   return {
     update(part) {
+      interrupt();
       Object.assign(state, part);
       show();
     },
@@ -535,10 +573,13 @@ function mountDemo(element, definition2, initial, onChange = () => {
     }
   };
 }
+var mountOf = (definition2) => {
+  const mount2 = (element, state, onChange) => mountDemo(element, definition2, state, onChange);
+  return Object.assign(mount2, { start: definition2.start });
+};
 function build(definition2, touched) {
   const canvas = node("canvas", {
     role: "img",
-    "aria-label": definition2.title,
     style: `aspect-ratio: 1 / ${definition2.aspect}`
   });
   const live = node("p", { class: "chr-live", "aria-live": "polite" });
@@ -547,6 +588,7 @@ function build(definition2, touched) {
   const outputs = definition2.outputs.map(readout);
   const play = node("button", { type: "button", name: "play" });
   const reset = node("button", { type: "button", name: "reset" }, "Reset");
+  const hint = node("p", { class: "chr-hint" }, node("b", {}, "Try first."), ` ${definition2.hint}`);
   const stage = node("div", { class: "chr-stage" }, canvas, ...legend(definition2.legend ?? []));
   const panel = node(
     "div",
@@ -560,11 +602,14 @@ function build(definition2, touched) {
     "div",
     // JupyterLab listens for shortcuts before the page does; this attribute tells it not to.
     { class: "chr-demo", role: "group", "aria-label": definition2.title, "data-lm-suppress-shortcuts": "true" },
+    hint,
     node("div", { class: "chr-body" }, stage, panel),
     live
   );
   for (const type of ["keydown", "keyup", "keypress"])
-    root.addEventListener(type, (event) => event.stopPropagation());
+    root.addEventListener(type, (event) => {
+      if (!event.ctrlKey && !event.metaKey && !event.altKey) event.stopPropagation();
+    });
   return { root, canvas, live, said, sliders, outputs, play, reset };
 }
 var betweenOf = (controls) => (from, to, t) => Object.fromEntries(
@@ -591,19 +636,48 @@ function watch(root, canvas, redraw, signal) {
 }
 
 // widget.js
+var SYNC_EVERY = 200;
+function paced(send, interval) {
+  let timer = 0;
+  let waiting = null;
+  function flush() {
+    clearTimeout(timer);
+    timer = 0;
+    if (waiting === null) return;
+    const state = waiting;
+    waiting = null;
+    timer = setTimeout(flush, interval);
+    send(state);
+  }
+  return {
+    push(state) {
+      waiting = state;
+      if (timer === 0) flush();
+    },
+    end() {
+      flush();
+      clearTimeout(timer);
+    }
+  };
+}
 var widget = (mount2) => ({
   render({ model, el }) {
     const names = Object.keys(mount2.start);
     const state = () => Object.fromEntries(names.map((name) => [name, model.get(name)]));
-    const demo = mount2(el, state(), (changed) => {
+    let own = false;
+    const sync = paced((changed) => {
+      own = true;
       names.forEach((name) => model.set(name, changed[name]));
+      own = false;
       model.save_changes();
-    });
-    const follow = () => demo.update(state());
+    }, SYNC_EVERY);
+    const demo = mount2(el, state(), sync.push);
+    const follow = () => own || demo.update(state());
     names.forEach((name) => model.on(`change:${name}`, follow));
     return () => {
       names.forEach((name) => model.off(`change:${name}`, follow));
       demo.destroy();
+      sync.end();
     };
   }
 });
@@ -638,9 +712,9 @@ var LOST = "About the dashed line no ring can turn it.";
 function rings(state) {
   const { apart, locked, opposite } = axesOf(state);
   if (locked && opposite)
-    return `Locked. Yaw and roll turn the aircraft about the same axis, in opposite senses: raise both by the same amount and it stays where it is. ${LOST}`;
+    return `Gimbal lock. Yaw and roll turn the aircraft about the same axis, in opposite senses: raise both by the same amount and it stays where it is. ${LOST}`;
   if (locked)
-    return `Locked. Yaw and roll turn the aircraft about the same axis, in the same sense: raise one, lower the other by as much, and it stays where it is. ${LOST}`;
+    return `Gimbal lock. Yaw and roll turn the aircraft about the same axis, in the same sense: raise one, lower the other by as much, and it stays where it is. ${LOST}`;
   const d = eulerRatesMatrix(state.roll * DEGREE, state.pitch * DEGREE);
   const fastest = formatted(Math.hypot(d[6], d[7], d[8]));
   const short = formatted(Math.min(apart, 180 - apart));
@@ -661,6 +735,13 @@ function readouts(state) {
 function summary(state) {
   const { determinant, condition, rings: sentence } = readouts(state);
   return `Determinant ${determinant}, condition number ${condition}. ${sentence}`;
+}
+function describe(state) {
+  const angles = ["yaw", "pitch", "roll"].map((name) => `${name} ${rounded(state[name])}°`).join(", ");
+  const nose = state.pitch === 0 ? "level" : state.pitch > 0 ? "up" : "down";
+  const { apart, locked } = axesOf(state);
+  const axes = locked ? "The yaw axis and the roll axis are one line, and a dashed line shows the axis about which no ring can turn" : `The roll axis is ${formatted(Math.min(apart, 180 - apart))}° from the line of the yaw axis`;
+  return `An aircraft in three rings, yaw outside, pitch in the middle, roll inside: ${angles}, nose ${nose}. ${axes}.`;
 }
 var arc = (u, v, centre, radius, from, to) => Array.from({ length: 25 }, (_, i) => {
   const angle = from + (to - from) * i / 24;
@@ -683,34 +764,36 @@ function dashes(along, from, to, count, colour, eye) {
   const each = (_, i) => strip([at(2 * i), at(2 * i + 1)], 0.022, colour, eye);
   return Array.from({ length: count }, each).flat();
 }
-function compass(context, { project }, colours, width) {
+var onFloor = (degrees, radius) => [
+  radius * Math.cos(degrees * DEGREE),
+  radius * Math.sin(degrees * DEGREE),
+  FLOOR
+];
+function compass(context, { project }, colours) {
   const line = (points, thickness) => {
     context.beginPath();
     points.forEach((point) => context.lineTo(...project(point)));
     context.lineWidth = thickness;
     context.stroke();
   };
-  const at = (degrees, radius) => [
-    radius * Math.cos(degrees * DEGREE),
-    radius * Math.sin(degrees * DEGREE),
-    FLOOR
-  ];
-  const rim = Array.from({ length: 121 }, (_, i) => at(3 * i, 1));
+  const rim = Array.from({ length: 121 }, (_, i) => onFloor(3 * i, 1));
   context.beginPath();
   rim.forEach((point) => context.lineTo(...project(point)));
-  context.fillStyle = colours("raised");
+  context.fillStyle = colours("surface");
   context.fill();
   context.strokeStyle = colours("line");
   line(rim, 2);
   for (let heading = 0; heading < 360; heading += 10) {
     const quarter = heading % 90 === 0;
-    line([at(heading, quarter ? 0.86 : 0.91), at(heading, 0.96)], quarter ? 2.5 : 1.2);
+    line([onFloor(heading, quarter ? 0.86 : 0.91), onFloor(heading, 0.96)], quarter ? 2.5 : 1.2);
   }
+}
+function letters(context, { project }, colours, width) {
   ["N", "E", "S", "W"].forEach(
-    (letter, i) => label(context, letter, project(at(90 * i, 0.73)), {
+    (letter, i) => label(context, [letter], project(onFloor(90 * i, 1.14)), {
       colour: colours("muted"),
-      rim: colours("raised"),
-      size: 12,
+      rim: colours("page"),
+      size: 13,
       width
     })
   );
@@ -722,11 +805,12 @@ function draw(context, size, state, colours) {
   const frame = frames(state);
   const { locked } = axesOf(state);
   const [yAxis, xAxis] = [toParent(frame.y, EAST), toParent(frame.x, NORTH)];
-  compass(context, view, colours, size.width);
+  compass(context, view, colours);
   paint(context, [...solids(frame, colour), ...arrows(frame, colour, eye, locked)], view);
-  const words = (text, point, name, offset) => label(context, text, project(point), {
+  letters(context, view, colours, size.width);
+  const words = (text, point, name, offset) => label(context, [text], project(point), {
     colour: colours(name),
-    rim: colours("surface"),
+    rim: colours("page"),
     offset,
     width: size.width
   });
@@ -740,7 +824,7 @@ function solids(frame, colour) {
   const steel = mixed(colour("body"), colour("muted"), 0.4);
   const rings2 = ["z", "y", "x"].flatMap((axis) => {
     const marked = colour(axis);
-    const fill = mixed(marked, colour("surface"), 0.55);
+    const fill = mixed(marked, colour("page"), 0.55);
     return placed(ring({ ...RINGS[axis], fill, marked, mark: MARKS[axis] }), frame[axis]);
   });
   const names = ["body", "glass", "x", "y", "z"];
@@ -774,13 +858,14 @@ function arrows(frame, colour, eye, locked) {
   ];
 }
 var definition = {
-  title: "An aircraft in three rings: yaw outside, pitch in the middle, roll inside",
+  title: "Gimbal lock",
+  hint: "Bring pitch to 90°, then move yaw and roll, one after the other. What does each do to the aircraft?",
   aspect: 1.08,
   start: { yaw: 0, pitch: 0, roll: 0 },
   controls: [
-    { name: "yaw", label: "Yaw", symbol: "ψ", axis: "z", min: -180, max: 180 },
-    { name: "pitch", label: "Pitch", symbol: "θ", axis: "y", min: -90, max: 90 },
-    { name: "roll", label: "Roll", symbol: "φ", axis: "x", min: -180, max: 180 }
+    { name: "yaw", label: "Yaw", symbol: ["ψ"], axis: "z", min: -180, max: 180 },
+    { name: "pitch", label: "Pitch", symbol: ["θ"], axis: "y", min: -90, max: 90 },
+    { name: "roll", label: "Roll", symbol: ["φ"], axis: "x", min: -180, max: 180 }
   ].map((control) => ({ ...control, step: 1, unit: { short: "°", long: "degrees" } })),
   outputs: [
     { name: "determinant", label: "Determinant of D" },
@@ -799,10 +884,10 @@ var definition = {
   ],
   readouts,
   summary,
+  describe,
   draw
 };
-var mount = (element, state, onChange) => mountDemo(element, definition, state, onChange);
-mount.start = definition.start;
+var mount = mountOf(definition);
 var gimbal_lock_default = widget(mount);
 export {
   gimbal_lock_default as default,

@@ -160,6 +160,14 @@
     context.fillStyle = colour;
     context.fill();
   }
+  function beside([x0, y0], [x1, y1], [ax, ay], apart) {
+    const [x, y] = [(x0 + x1) / 2, (y0 + y1) / 2];
+    const length = Math.hypot(x1 - x0, y1 - y0);
+    const across = [(y1 - y0) / length, (x0 - x1) / length];
+    const off = (x - ax) * across[0] + (y - ay) * across[1];
+    const side = Math.abs(off) > 1 ? Math.sign(off) : across[0] > 0 ? -1 : 1;
+    return [x + side * apart * across[0], y + side * apart * across[1]];
+  }
   var SHAPES = {
     circle: (context, x, y, r) => context.arc(x, y, r, 0, 2 * Math.PI),
     square: (context, x, y, r) => context.rect(x - 0.9 * r, y - 0.9 * r, 1.8 * r, 1.8 * r),
@@ -206,6 +214,7 @@
     element.append(...children);
     return element;
   }
+  var symbolOf = ([letter = "", subscript = ""]) => node("span", { class: "chr-symbol" }, letter, ...subscript ? [node("sub", {}, subscript)] : []);
   function slider(control, touched) {
     const { name, label: label2, symbol, axis, min, max, step } = control;
     const { unit: unit2, toPosition = Number, toValue = Number } = control;
@@ -215,14 +224,20 @@
     }));
     const input = node("input", { type: "range", name, min, max, step });
     const value = node("span", { class: "chr-value", "aria-hidden": "true" });
-    const symbols = node("span", { class: "chr-symbol", "aria-hidden": "true" }, symbol);
+    const symbols = symbolOf(symbol);
+    symbols.setAttribute("aria-hidden", "true");
     const caption = node("span", { class: "chr-caption" }, label2, " ", symbols, value);
+    const along = (position) => 100 * (position - min) / (max - min);
+    const zero = along(Math.max(0, min));
     input.addEventListener("input", () => touched({ [name]: toValue(input.valueAsNumber) }));
     return {
       element: node("label", { class: "chr-slider", "data-axis": axis }, caption, input),
       show(state) {
         const { short, long } = words2(state[name]);
-        input.value = toPosition(state[name]);
+        const position = toPosition(state[name]);
+        input.value = position;
+        input.style.setProperty("--from", `${Math.min(zero, along(position))}%`);
+        input.style.setProperty("--to", `${Math.max(zero, along(position))}%`);
         input.setAttribute("aria-valuetext", long);
         value.textContent = short;
       }
@@ -232,18 +247,28 @@
     return output.table ? tableOf(output) : textOf(output);
   }
   function textOf({ name, label: label2, unit: unit2, wide, grid }) {
-    const output = node("output", { name, "aria-live": "off" });
+    const output = node("output", {
+      name,
+      "aria-live": "off",
+      "aria-label": unit2 ? `${label2}, ${unit2.long}` : label2
+    });
     const kind = wide ? " chr-wide" : grid ? " chr-grid" : "";
-    const units = unit2 ? [node("span", { class: unit2 === "°" ? "chr-unit chr-degree" : "chr-unit" }, unit2)] : [];
+    const short = unit2?.short.trim() ?? "";
+    const units = node("span", { class: short === "°" ? "chr-unit chr-degree" : "chr-unit" }, short);
+    const aside = node("span", { class: "chr-note" });
+    const element = node(
+      "div",
+      { class: `chr-readout${kind}` },
+      node("span", { class: "chr-name" }, label2),
+      node("div", {}, output, units, aside)
+    );
     return {
-      element: node(
-        "div",
-        { class: `chr-readout${kind}` },
-        node("span", { class: "chr-name" }, label2),
-        node("div", {}, output, ...units)
-      ),
+      element,
       show(texts) {
-        output.textContent = texts[name];
+        const { text, note = "" } = texts[name].text === void 0 ? { text: texts[name] } : texts[name];
+        output.textContent = text;
+        aside.textContent = note;
+        element.toggleAttribute("data-void", note !== "");
       }
     };
   }
@@ -263,7 +288,9 @@
   }
   function legend(entries) {
     if (entries.length === 0) return [];
-    return [node("ul", { class: "chr-legend" }, ...entries.map((entry2) => node("li", {}, sample(entry2), entry2.text)))];
+    const words2 = ({ symbol, text }) => symbol ? [symbolOf(symbol), ", ", text] : [text];
+    const item = (entry2) => node("li", {}, sample(entry2), node("span", {}, ...words2(entry2)));
+    return [node("ul", { class: "chr-legend" }, ...entries.map(item))];
   }
   function sample({ colour, dash = [], width = 2.5, mark: mark2 }) {
     const part = (tag, attributes) => {
@@ -281,10 +308,10 @@
   // story.js
   var WAIT = 3500;
   var MOVE = 2;
-  var prefersStillness = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
+  var stillness = () => matchMedia("(prefers-reduced-motion: reduce)");
   function glide(from, goal, seconds, { between: between2, changed, done = () => {
   } }) {
-    if (prefersStillness()) {
+    if (stillness().matches) {
       changed(goal);
       done();
       return () => {
@@ -299,14 +326,14 @@
     });
     return () => cancelAnimationFrame(frame);
   }
-  function player(story, { current, between: between2, changed, say, name }) {
+  function player(story, { current, between: between2, changed, say, name, signal }) {
     let next = 0;
     let running = false;
     let end = () => {
     };
     function rename() {
       if (running) name("Pause");
-      else if (prefersStillness()) name(next === 0 ? "Show me, step by step" : "Next step");
+      else if (stillness().matches) name(next === 0 ? "Show me, step by step" : "Next step");
       else name(next === 0 ? "Play" : "Go on");
     }
     function stop() {
@@ -330,11 +357,12 @@
       end = glide(current(), state, seconds, { between: between2, changed, done });
     }
     rename();
+    stillness().addEventListener("change", stop, { signal });
     return {
       stop,
       press() {
         if (running) return stop();
-        running = !prefersStillness();
+        running = !stillness().matches;
         step();
         rename();
         return void 0;
@@ -377,6 +405,7 @@
     function show() {
       const texts = definition4.readouts(state);
       root.dataset.state = JSON.stringify(state);
+      canvas.setAttribute("aria-label", definition4.describe(state));
       sliders.forEach((each) => each.show(state));
       outputs.forEach((each) => each.show(texts));
       redraw();
@@ -397,12 +426,16 @@
       changed,
       current: () => ({ ...state }),
       say: (text) => said.textContent = text,
-      name: (text) => play.textContent = text
+      name: (text) => play.textContent = text,
+      signal: cleanup.signal
     });
-    function touched(part) {
+    function interrupt() {
       rest();
       tour.stop();
       said.textContent = "";
+    }
+    function touched(part) {
+      interrupt();
       changed(part);
     }
     play.addEventListener("click", () => {
@@ -419,6 +452,7 @@
     show();
     return {
       update(part) {
+        interrupt();
         Object.assign(state, part);
         show();
       },
@@ -432,10 +466,13 @@
       }
     };
   }
+  var mountOf = (definition4) => {
+    const mount4 = (element, state, onChange) => mountDemo(element, definition4, state, onChange);
+    return Object.assign(mount4, { start: definition4.start });
+  };
   function build(definition4, touched) {
     const canvas = node("canvas", {
       role: "img",
-      "aria-label": definition4.title,
       style: `aspect-ratio: 1 / ${definition4.aspect}`
     });
     const live = node("p", { class: "chr-live", "aria-live": "polite" });
@@ -444,6 +481,7 @@
     const outputs = definition4.outputs.map(readout);
     const play = node("button", { type: "button", name: "play" });
     const reset = node("button", { type: "button", name: "reset" }, "Reset");
+    const hint = node("p", { class: "chr-hint" }, node("b", {}, "Try first."), ` ${definition4.hint}`);
     const stage = node("div", { class: "chr-stage" }, canvas, ...legend(definition4.legend ?? []));
     const panel = node(
       "div",
@@ -457,11 +495,14 @@
       "div",
       // JupyterLab listens for shortcuts before the page does; this attribute tells it not to.
       { class: "chr-demo", role: "group", "aria-label": definition4.title, "data-lm-suppress-shortcuts": "true" },
+      hint,
       node("div", { class: "chr-body" }, stage, panel),
       live
     );
     for (const type of ["keydown", "keyup", "keypress"])
-      root.addEventListener(type, (event) => event.stopPropagation());
+      root.addEventListener(type, (event) => {
+        if (!event.ctrlKey && !event.metaKey && !event.altKey) event.stopPropagation();
+      });
     return { root, canvas, live, said, sliders, outputs, play, reset };
   }
   var betweenOf = (controls) => (from, to, t) => Object.fromEntries(
@@ -637,38 +678,79 @@
       context.stroke();
     });
   }
-  function label(context, text, [x, y], { colour, rim, size = 14, offset = [0, 0], width }) {
-    context.font = `600 ${size}px system-ui, sans-serif`;
-    context.textAlign = "center";
+  function label(context, [text, subscript = ""], [x, y], { colour, rim, size = 14, offset = [0, 0], width }) {
+    const parts = [
+      { text, font: `600 ${size}px system-ui, sans-serif`, drop: 0 },
+      { text: subscript, font: `600 ${0.75 * size}px system-ui, sans-serif`, drop: 0.3 * size }
+    ].filter((part) => part.text !== "").map((part) => {
+      context.font = part.font;
+      return { ...part, wide: context.measureText(part.text).width };
+    });
+    const half = parts.reduce((wide, part) => wide + part.wide, 0) / 2;
+    const side = offset[0] === 0 ? 0 : Math.sign(offset[0]) * half + offset[0];
+    const middle = Math.min(Math.max(x + side, half + 6), width - half - 6);
+    context.textAlign = "left";
     context.textBaseline = "middle";
     context.lineJoin = "round";
     context.lineWidth = size / 3;
     context.strokeStyle = rim;
     context.fillStyle = colour;
-    const half = context.measureText(text).width / 2 + 6;
-    const side = offset[0] === 0 ? 0 : Math.sign(offset[0]) * (half - 6) + offset[0];
-    const middle = Math.min(Math.max(x + side, half), width - half);
-    context.strokeText(text, middle, y + offset[1]);
-    context.fillText(text, middle, y + offset[1]);
+    for (const write of ["strokeText", "fillText"]) {
+      let start = middle - half;
+      for (const part of parts) {
+        context.font = part.font;
+        context[write](part.text, start, y + offset[1] + part.drop);
+        start += part.wide;
+      }
+    }
   }
   var parsed = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16));
   var mixed = (a, b, t) => between(a, b, t);
   var rgb = (channels) => `rgb(${channels.map((value) => Math.round(Math.min(255, value))).join(" ")})`;
 
   // widget.js
+  var SYNC_EVERY = 200;
+  function paced(send, interval) {
+    let timer = 0;
+    let waiting = null;
+    function flush() {
+      clearTimeout(timer);
+      timer = 0;
+      if (waiting === null) return;
+      const state = waiting;
+      waiting = null;
+      timer = setTimeout(flush, interval);
+      send(state);
+    }
+    return {
+      push(state) {
+        waiting = state;
+        if (timer === 0) flush();
+      },
+      end() {
+        flush();
+        clearTimeout(timer);
+      }
+    };
+  }
   var widget = (mount4) => ({
     render({ model, el }) {
       const names = Object.keys(mount4.start);
       const state = () => Object.fromEntries(names.map((name) => [name, model.get(name)]));
-      const demo = mount4(el, state(), (changed) => {
+      let own = false;
+      const sync = paced((changed) => {
+        own = true;
         names.forEach((name) => model.set(name, changed[name]));
+        own = false;
         model.save_changes();
-      });
-      const follow = () => demo.update(state());
+      }, SYNC_EVERY);
+      const demo = mount4(el, state(), sync.push);
+      const follow = () => own || demo.update(state());
       names.forEach((name) => model.on(`change:${name}`, follow));
       return () => {
         names.forEach((name) => model.off(`change:${name}`, follow));
         demo.destroy();
+        sync.end();
       };
     }
   });
@@ -695,7 +777,7 @@
   }
   function meaning(time, { velocity, position, printed: reckoned }) {
     if (position === 0) return "With an exact attitude gravity cancels, and a sensor at rest believes that it is at rest.";
-    return `After ${duration(time).long} a sensor that has not moved believes that it is ${distance(position)} away and moves at ${formatted(velocity)} m/s. The note's table loses a factor ½ and makes that ${distance(reckoned)}.`;
+    return `After ${duration(time).long} a sensor that has not moved believes that it is ${distance(position)} away and moves at ${formatted(velocity)} m/s. In ten times as long, its velocity gets ten times as wrong, its position a hundred times. The note's table loses a factor ½: ${distance(reckoned)}.`;
   }
   var COLUMNS = [
     { text: "acceleration, m/s²", time: 0, error: "acceleration" },
@@ -716,6 +798,12 @@
   function summary(state) {
     const texts = readouts(state);
     return `Acceleration error ${texts.acceleration_error} metres per second squared. ${texts.meaning}`;
+  }
+  function describe({ angle_error: angle, time }) {
+    const axes = "A chart on logarithmic axes of the errors of velocity and position from 1 second to 1 hour";
+    if (angle === 0) return `${axes}. Without an error of angle it is empty.`;
+    const { velocity, position, printed: reckoned } = errorsAfter(time, angle);
+    return `${axes}, for an angle that is off by ${formatted(angle)}°. All are straight lines, and position rises twice as steeply as velocity. At ${duration(time).long} velocity is off by ${formatted(velocity)} m/s, position by ${distance(position)}, and as in the table by ${distance(reckoned)}.`;
   }
   function duration(time) {
     const seconds = Number(time.toFixed(time < 10 ? 1 : 0));
@@ -759,9 +847,9 @@
     }
     for (const [metres, text] of SIZES) words(context, text, [left + 6, y(metres) - 8], small);
     if (angle === 0) {
-      label(context, "no error of angle, no drift", [(left + right) / 2, (top + bottom) / 2], {
+      label(context, ["no error of angle, no drift"], [(left + right) / 2, (top + bottom) / 2], {
         colour: colours("ink"),
-        rim: colours("surface"),
+        rim: colours("page"),
         width
       });
       return;
@@ -777,31 +865,33 @@
     });
     context.restore();
     CURVES.forEach((curve) => {
-      const style = { colour: colours(curve.colour), rim: colours("surface"), width };
-      label(context, curve.text, at(curve, curve.at), { ...style, offset: curve.offset, size: 13 });
+      const style = { colour: colours(curve.colour), rim: colours("page"), width };
+      label(context, [curve.text], at(curve, curve.at), { ...style, offset: curve.offset, size: 13 });
     });
     CURVES.forEach(
-      (curve) => mark(context, curve.shape, at(curve, time), { colour: colours(curve.colour), rim: colours("surface"), radius: 6 })
+      (curve) => mark(context, curve.shape, at(curve, time), { colour: colours(curve.colour), rim: colours("page"), radius: 6 })
     );
   }
+  var METRES = { short: "m", long: "metres" };
   var still = { angle_error: 1, time: 10 };
   var SECONDS = {
     toPosition: (value) => STEPS * Math.log(value / FIRST) / Math.log(LAST / FIRST),
     toValue: (position) => Number((FIRST * (LAST / FIRST) ** (position / STEPS)).toPrecision(2))
   };
   var definition = {
-    title: "Growth of the errors of velocity and position over time, on logarithmic axes",
+    title: "Drift of dead reckoning",
+    hint: "Take the time from 10 seconds to an hour. Which error grows faster? Then make the angle ten times smaller.",
     aspect: 1.35,
     start: still,
     controls: [
-      { name: "angle_error", label: "Error of the angle", symbol: "ε", min: 0, max: 5, step: 0.1, unit: { short: "°", long: "degrees" } },
-      { name: "time", label: "Time", symbol: "t", min: 0, max: STEPS, step: 1, words: duration, ...SECONDS }
+      { name: "angle_error", label: "Error of the angle", symbol: ["ε"], min: 0, max: 5, step: 0.1, unit: { short: "°", long: "degrees" } },
+      { name: "time", label: "Time", symbol: ["t"], min: 0, max: STEPS, step: 1, words: duration, ...SECONDS }
     ],
     outputs: [
-      { name: "acceleration_error", label: "Acceleration error", unit: "m/s²" },
-      { name: "velocity_error", label: "Velocity error", unit: "m/s" },
-      { name: "position_error", label: "Position error", unit: "m" },
-      { name: "printed_position_error", label: "Position as printed", unit: "m" },
+      { name: "acceleration_error", label: "Acceleration error", unit: { short: "m/s²", long: "metres per second squared" } },
+      { name: "velocity_error", label: "Velocity error", unit: { short: "m/s", long: "metres per second" } },
+      { name: "position_error", label: "Position error", unit: METRES },
+      { name: "printed_position_error", label: "Position as printed", unit: METRES },
       { name: "meaning", label: "What it means", wide: true },
       { name: "row", table: true }
     ],
@@ -814,10 +904,10 @@
     ],
     readouts,
     summary,
+    describe,
     draw
   };
-  var mount = (element, state, onChange) => mountDemo(element, definition, state, onChange);
-  mount.start = definition.start;
+  var mount = mountOf(definition);
   var drift_default = widget(mount);
 
   // aircraft.js
@@ -906,9 +996,9 @@
   function rings(state) {
     const { apart, locked, opposite } = axesOf(state);
     if (locked && opposite)
-      return `Locked. Yaw and roll turn the aircraft about the same axis, in opposite senses: raise both by the same amount and it stays where it is. ${LOST}`;
+      return `Gimbal lock. Yaw and roll turn the aircraft about the same axis, in opposite senses: raise both by the same amount and it stays where it is. ${LOST}`;
     if (locked)
-      return `Locked. Yaw and roll turn the aircraft about the same axis, in the same sense: raise one, lower the other by as much, and it stays where it is. ${LOST}`;
+      return `Gimbal lock. Yaw and roll turn the aircraft about the same axis, in the same sense: raise one, lower the other by as much, and it stays where it is. ${LOST}`;
     const d = eulerRatesMatrix(state.roll * DEGREE2, state.pitch * DEGREE2);
     const fastest = formatted(Math.hypot(d[6], d[7], d[8]));
     const short = formatted(Math.min(apart, 180 - apart));
@@ -916,19 +1006,26 @@
   }
   var entry = (value) => Number(value.toFixed(3)).toFixed(3).replace("-", "−").padStart(6);
   function readouts2(state) {
-    const angles = [state.roll * DEGREE2, state.pitch * DEGREE2, state.yaw * DEGREE2];
-    const matrix = matrixFromEuler(...angles).map(entry);
+    const angles2 = [state.roll * DEGREE2, state.pitch * DEGREE2, state.yaw * DEGREE2];
+    const matrix = matrixFromEuler(...angles2).map(entry);
     return {
       determinant: formatted(eulerRatesDeterminant(state.pitch * DEGREE2)),
       condition: formatted(eulerRatesCondition(state.pitch * DEGREE2)),
       rings: rings(state),
       matrix: [0, 3, 6].map((start) => matrix.slice(start, start + 3).join(" ")).join("\n"),
-      quaternion: quaternionFromEuler(...angles).map(entry).join("\n")
+      quaternion: quaternionFromEuler(...angles2).map(entry).join("\n")
     };
   }
   function summary2(state) {
     const { determinant, condition, rings: sentence } = readouts2(state);
     return `Determinant ${determinant}, condition number ${condition}. ${sentence}`;
+  }
+  function describe2(state) {
+    const angles2 = ["yaw", "pitch", "roll"].map((name) => `${name} ${rounded(state[name])}°`).join(", ");
+    const nose = state.pitch === 0 ? "level" : state.pitch > 0 ? "up" : "down";
+    const { apart, locked } = axesOf(state);
+    const axes = locked ? "The yaw axis and the roll axis are one line, and a dashed line shows the axis about which no ring can turn" : `The roll axis is ${formatted(Math.min(apart, 180 - apart))}° from the line of the yaw axis`;
+    return `An aircraft in three rings, yaw outside, pitch in the middle, roll inside: ${angles2}, nose ${nose}. ${axes}.`;
   }
   var arc = (u, v, centre, radius, from, to) => Array.from({ length: 25 }, (_, i) => {
     const angle = from + (to - from) * i / 24;
@@ -951,34 +1048,36 @@
     const each = (_, i) => strip([at(2 * i), at(2 * i + 1)], 0.022, colour, eye);
     return Array.from({ length: count }, each).flat();
   }
-  function compass(context, { project }, colours, width) {
+  var onFloor = (degrees, radius) => [
+    radius * Math.cos(degrees * DEGREE2),
+    radius * Math.sin(degrees * DEGREE2),
+    FLOOR
+  ];
+  function compass(context, { project }, colours) {
     const line2 = (points, thickness) => {
       context.beginPath();
       points.forEach((point) => context.lineTo(...project(point)));
       context.lineWidth = thickness;
       context.stroke();
     };
-    const at = (degrees, radius) => [
-      radius * Math.cos(degrees * DEGREE2),
-      radius * Math.sin(degrees * DEGREE2),
-      FLOOR
-    ];
-    const rim = Array.from({ length: 121 }, (_, i) => at(3 * i, 1));
+    const rim = Array.from({ length: 121 }, (_, i) => onFloor(3 * i, 1));
     context.beginPath();
     rim.forEach((point) => context.lineTo(...project(point)));
-    context.fillStyle = colours("raised");
+    context.fillStyle = colours("surface");
     context.fill();
     context.strokeStyle = colours("line");
     line2(rim, 2);
     for (let heading = 0; heading < 360; heading += 10) {
       const quarter = heading % 90 === 0;
-      line2([at(heading, quarter ? 0.86 : 0.91), at(heading, 0.96)], quarter ? 2.5 : 1.2);
+      line2([onFloor(heading, quarter ? 0.86 : 0.91), onFloor(heading, 0.96)], quarter ? 2.5 : 1.2);
     }
+  }
+  function letters(context, { project }, colours, width) {
     ["N", "E", "S", "W"].forEach(
-      (letter, i) => label(context, letter, project(at(90 * i, 0.73)), {
+      (letter, i) => label(context, [letter], project(onFloor(90 * i, 1.14)), {
         colour: colours("muted"),
-        rim: colours("raised"),
-        size: 12,
+        rim: colours("page"),
+        size: 13,
         width
       })
     );
@@ -990,11 +1089,12 @@
     const frame = frames(state);
     const { locked } = axesOf(state);
     const [yAxis, xAxis] = [toParent(frame.y, EAST), toParent(frame.x, NORTH)];
-    compass(context, view, colours, size.width);
+    compass(context, view, colours);
     paint(context, [...solids(frame, colour), ...arrows(frame, colour, eye, locked)], view);
-    const words2 = (text, point, name, offset) => label(context, text, project(point), {
+    letters(context, view, colours, size.width);
+    const words2 = (text, point, name, offset) => label(context, [text], project(point), {
       colour: colours(name),
-      rim: colours("surface"),
+      rim: colours("page"),
       offset,
       width: size.width
     });
@@ -1008,7 +1108,7 @@
     const steel = mixed(colour("body"), colour("muted"), 0.4);
     const rings2 = ["z", "y", "x"].flatMap((axis) => {
       const marked = colour(axis);
-      const fill = mixed(marked, colour("surface"), 0.55);
+      const fill = mixed(marked, colour("page"), 0.55);
       return placed(ring({ ...RINGS[axis], fill, marked, mark: MARKS[axis] }), frame[axis]);
     });
     const names = ["body", "glass", "x", "y", "z"];
@@ -1042,13 +1142,14 @@
     ];
   }
   var definition2 = {
-    title: "An aircraft in three rings: yaw outside, pitch in the middle, roll inside",
+    title: "Gimbal lock",
+    hint: "Bring pitch to 90°, then move yaw and roll, one after the other. What does each do to the aircraft?",
     aspect: 1.08,
     start: { yaw: 0, pitch: 0, roll: 0 },
     controls: [
-      { name: "yaw", label: "Yaw", symbol: "ψ", axis: "z", min: -180, max: 180 },
-      { name: "pitch", label: "Pitch", symbol: "θ", axis: "y", min: -90, max: 90 },
-      { name: "roll", label: "Roll", symbol: "φ", axis: "x", min: -180, max: 180 }
+      { name: "yaw", label: "Yaw", symbol: ["ψ"], axis: "z", min: -180, max: 180 },
+      { name: "pitch", label: "Pitch", symbol: ["θ"], axis: "y", min: -90, max: 90 },
+      { name: "roll", label: "Roll", symbol: ["φ"], axis: "x", min: -180, max: 180 }
     ].map((control) => ({ ...control, step: 1, unit: { short: "°", long: "degrees" } })),
     outputs: [
       { name: "determinant", label: "Determinant of D" },
@@ -1067,10 +1168,10 @@
     ],
     readouts: readouts2,
     summary: summary2,
+    describe: describe2,
     draw: draw2
   };
-  var mount2 = (element, state, onChange) => mountDemo(element, definition2, state, onChange);
-  mount2.start = definition2.start;
+  var mount2 = mountOf(definition2);
   var gimbal_lock_default = widget(mount2);
 
   // vibration.json
@@ -1177,16 +1278,16 @@
     [2.243, -0.607, 1.364]
   ];
 
-  // tilt.js
+  // tilt_estimates.js
   var DEGREE3 = Math.PI / 180;
-  var RIGHT = 5e-3;
   var attitude = ({ roll, pitch }) => [roll * DEGREE3, pitch * DEGREE3];
+  var unaccelerated = (state) => state.forward_acceleration === 0 && state.lateral_acceleration === 0;
   function reading(state) {
-    const angles = [...attitude(state), 0];
+    const angles2 = [...attitude(state), 0];
     const acceleration = [state.forward_acceleration, state.lateral_acceleration, 0];
     return accelerometerFromAcceleration(
-      ...toParent(matrixFromEuler(...angles), acceleration),
-      ...angles,
+      ...toParent(matrixFromEuler(...angles2), acceleration),
+      ...angles2,
       9.80665
     );
   }
@@ -1194,6 +1295,7 @@
     const still3 = reading(state);
     return vibration_default.map((shake) => sum(still3, scaled(shake, state.vibration)));
   };
+  var upToHalfTurn = (angle) => -wrapAngle(-angle);
   var rms = (values) => Math.hypot(...values) / Math.sqrt(values.length);
   var errors = (state, sensed) => {
     const truth = attitude(state);
@@ -1206,57 +1308,45 @@
     const scatter = error.map(
       (mean, i) => rms(single.map((each) => wrapAngle((each[i] - mean) * DEGREE3) / DEGREE3))
     );
-    const estimate = tiltFromAccelerometer(...average).map((angle) => angle / DEGREE3);
-    return { estimate, error, single, scatter };
+    const estimate = tiltFromAccelerometer(...average).map((angle) => upToHalfTurn(angle) / DEGREE3);
+    const unknown = [Math.hypot(average[1], average[2]), Math.hypot(...average)].map(
+      (force) => force < 1e-9
+    );
+    return { estimate, error, single, scatter, unknown };
   }
-  function readouts3(state) {
-    const { estimate, error, scatter } = estimates(state);
-    return {
-      roll_estimate: rounded(estimate[0]),
-      pitch_estimate: rounded(estimate[1]),
-      roll_error: rounded(error[0]),
-      pitch_error: rounded(error[1]),
-      roll_scatter: rounded(scatter[0]),
-      pitch_scatter: rounded(scatter[1]),
-      meaning: meaning2(state, error, scatter)
-    };
-  }
-  function meaning2(state, error, scatter) {
-    const still3 = state.forward_acceleration === 0 && state.lateral_acceleration === 0;
-    const wrong = ["roll", "pitch"].filter((_, i) => Math.abs(error[i]) > RIGHT);
-    const shaken = state.vibration > 0 && scatter.some((each) => each > RIGHT);
-    const sentences = [];
-    if (still3 && Math.abs(state.pitch) >= 90)
-      return "Gravity lies along the roll axis: roll about it changes nothing that the accelerometer feels, so its roll means nothing.";
-    if (still3) sentences.push("The body does not accelerate, so the two verticals agree and both angles are right.");
-    else if (wrong.length > 0) sentences.push(`The sensor cannot tell acceleration from tilt. Its ${wrong.join(" and its ")} will be wrong for as long as the acceleration lasts.`);
-    else sentences.push("The acceleration happens to leave both angles as they are.");
-    if (shaken) sentences.push("Single readings scatter; their average does not.");
-    return sentences.join(" ");
-  }
-  function summary3(state) {
-    const texts = readouts3(state);
-    const angle = (name) => `${name} ${texts[`${name}_estimate`]} degrees, error ${texts[`${name}_error`]}, scatter ${texts[`${name}_scatter`]}`;
-    return `Estimated ${angle("roll")}; ${angle("pitch")}. ${texts.meaning}`;
-  }
+
+  // tilt_picture.js
   var PER_GRAVITY = 0.6;
   var SIZE = 1.25;
   var PLUMB = 1;
   var DISTANCE = 60;
+  var WEST = -Math.PI / 2;
   var VIEWS = [
-    { title: "from behind", axis: "y", view: matrixFromEuler(0, 0, 0) },
-    { title: "from the right", axis: "x", view: matrixFromEuler(0, 0, -90 * DEGREE3) }
+    { title: "from behind", view: matrixFromEuler(0, 0, 0) },
+    { title: "from the right", view: matrixFromEuler(0, 0, WEST) }
   ];
   var STRIPS = [
-    { title: "roll error", axis: "x", shape: "circle" },
-    { title: "pitch error", axis: "y", shape: "square" }
+    { title: "roll error over 1 s", axis: "x", shape: "circle" },
+    { title: "pitch error over 1 s", axis: "y", shape: "square" }
   ];
   var DASH = { x: [], y: [7, 3], z: [2, 2], real: [9, 5], believed: [2, 4] };
+  var LEGEND = [
+    { symbol: ["f"], colour: "ink", width: 3.5, text: "what the accelerometer feels" },
+    { symbol: ["−g"], colour: "z", dash: DASH.z, width: 3, text: "held up against gravity" },
+    { symbol: ["a", "x"], colour: "x", width: 3, text: "forward acceleration" },
+    { symbol: ["a", "y"], colour: "y", dash: DASH.y, width: 3, text: "lateral acceleration" },
+    { colour: "ink", dash: DASH.real, width: 2, text: "the real vertical" },
+    { colour: "alert", dash: DASH.believed, width: 3, text: "the vertical it believes in" }
+  ];
   function draw3(context, { width, height }, state, colours) {
-    const [half, views] = [width / 2, 0.64 * height];
+    const [half, views] = [width / 2, 0.66 * height];
     const found = estimates(state);
     [0, 1].forEach((i) => {
-      inPart(context, [i * half, 0, half, views], (size) => scene(context, size, state, VIEWS[i], colours));
+      inPart(
+        context,
+        [i * half, 0, half, views],
+        (size) => scene(context, size, state, VIEWS[i], found, colours)
+      );
       inPart(
         context,
         [i * half, views, half, height - views],
@@ -1274,124 +1364,186 @@
     drawIt({ width, height });
     context.restore();
   }
-  function scene(context, size, state, { title, view }, colours) {
+  function scene(context, size, state, { title, view }, { unknown }, colours) {
     const attitudeMatrix = matrixFromEuler(...attitude(state), 0);
     const look = camera(view, DISTANCE, size, { wide: 2.2, high: 2.85, shift: 0.12 });
     const at = (point) => look.project(point);
     const toInertial = (vector) => toParent(attitudeMatrix, vector);
-    const colour = (name) => colours(name);
     const along = (vector, length) => scaled(vector, length / Math.hypot(...vector));
-    words(context, title, [size.width / 2, 14], { colour: colour("muted"), align: "center", weight: 600 });
-    const [left, right] = [8, size.width - 8];
-    const [, level] = at([0, 0, 0]);
-    line(context, [[left, level], [right, level]], { colour: colour("line"), width: 1 });
+    words(context, title, [size.width / 2, 14], { colour: colours("muted"), align: "center", weight: 600 });
+    const centre = at([0, 0, 0]);
+    const level = [[8, centre[1]], [size.width - 8, centre[1]]];
+    line(context, level, { colour: colours("line"), width: 1 });
     const names = ["body", "glass", "x", "y", "z"];
-    const fills = Object.fromEntries(names.map((name) => [name, parsed(colour(name))]));
+    const fills = Object.fromEntries(names.map((name) => [name, parsed(colours(name))]));
     paint(context, placed(aircraft(fills), scaled(attitudeMatrix, SIZE)), look);
     const believed = (sensed) => at(along(toInertial(sensed), -PLUMB));
-    const centre = at([0, 0, 0]);
     if (state.vibration > 0)
       readings(state).forEach(
-        (sensed) => mark(context, "circle", believed(sensed), { colour: `${colour("alert")}66`, radius: 2 })
+        (sensed) => mark(context, "circle", believed(sensed), { colour: `${colours("alert")}66`, radius: 2 })
       );
-    const real = at([0, 0, PLUMB * 1.12]);
-    line(context, [centre, real], { colour: colour("ink"), width: 2, dash: DASH.real });
-    const bob = believed(reading(state));
-    line(context, [centre, bob], { colour: colour("alert"), width: 3, dash: DASH.believed });
-    mark(context, "circle", bob, { colour: colour("alert"), rim: colour("surface"), radius: 7 });
+    line(context, [centre, at([0, 0, PLUMB * 1.12])], { colour: colours("ink"), width: 2, dash: DASH.real });
+    if (!unknown[1]) {
+      const bob = believed(reading(state));
+      line(context, [centre, bob], { colour: colours("alert"), width: 3, dash: DASH.believed });
+      mark(context, "circle", bob, { colour: colours("alert"), rim: colours("page"), radius: 7 });
+    }
     arrows2(context, state, { at, toInertial, colours, width: size.width });
   }
+  var LEGIBLE = 12;
   function arrows2(context, state, { at, toInertial, colours, width }) {
+    const [force, gravity, forward, lateral] = LEGEND;
     const parts = [
-      { name: "−g", axis: "z", vector: accelerometerAtRest(...attitude(state), 9.80665) },
-      { name: "a", axis: "x", vector: [state.forward_acceleration, 0, 0] },
-      { name: "a", axis: "y", vector: [0, state.lateral_acceleration, 0] }
+      { ...gravity, vector: accelerometerAtRest(...attitude(state), 9.80665) },
+      { ...forward, vector: [state.forward_acceleration, 0, 0] },
+      { ...lateral, vector: [0, state.lateral_acceleration, 0] }
     ];
-    const drawn = (vector) => scaled(toInertial(vector), PER_GRAVITY / 9.80665);
-    const say = (text, point, name, offset) => label(context, text, at(point), { colour: colours(name), rim: colours("surface"), offset, width, size: 13 });
-    let tail = [0, 0, 0];
-    for (const { name, axis, vector } of parts) {
-      const tip = sum(tail, drawn(vector));
-      const [from, to] = [at(tail), at(tip)];
-      arrow(context, from, to, { colour: colours(axis), width: 3, dash: DASH[axis] });
-      if (Math.hypot(to[0] - from[0], to[1] - from[1]) > 12)
-        say(name, scaled(sum(tail, tip), 0.5), axis, axis === "z" ? [-9, 0] : [0, -12]);
-      tail = tip;
-    }
-    const still3 = state.forward_acceleration === 0 && state.lateral_acceleration === 0;
-    if (!still3) arrow(context, at([0, 0, 0]), at(tail), { colour: colours("ink"), width: 3.5 });
-    say(still3 ? "f = −g" : "f", tail, "ink", [10, 0]);
+    const steps = parts.map(({ vector }) => scaled(toInertial(vector), PER_GRAVITY / 9.80665));
+    const total = steps.reduce(sum);
+    const [centre, tip] = [at([0, 0, 0]), at(total)];
+    const middle = at(scaled(total, 0.5));
+    const letter = (symbol, point, colour) => label(context, symbol, point, { colour: colours(colour), rim: colours("page"), width, size: 13 });
+    const shafts = steps.map((_, i) => [0, 1].map((end) => at([[0, 0, 0], ...steps.slice(0, i + end)].reduce(sum))));
+    shafts.forEach(
+      ([from, to], i) => arrow(context, from, to, { colour: colours(parts[i].colour), width: 3, dash: parts[i].dash })
+    );
+    const still3 = unaccelerated(state);
+    if (!still3) arrow(context, centre, tip, { colour: colours(force.colour), width: 3.5 });
+    shafts.forEach(([from, to], i) => {
+      if (Math.hypot(to[0] - from[0], to[1] - from[1]) > LEGIBLE)
+        letter(parts[i].symbol, beside(from, to, middle, 13), parts[i].colour);
+    });
+    const length = Math.hypot(tip[0] - centre[0], tip[1] - centre[1]) || 1;
+    const beyond = tip.map((value, i) => value + 14 * (value - centre[i]) / length);
+    letter(still3 ? ["f = −g"] : force.symbol, beyond, force.colour);
   }
   var LIMITS = [2, 5, 10, 20, 45, 90, 180];
-  function strip2(context, { width, height }, { error, single }, which, colours) {
+  function strip2(context, { width, height }, { error, scatter, single, unknown }, which, colours) {
     const { title, axis, shape } = STRIPS[which];
     const values = single.map((each) => each[which]);
     const largest = Math.max(Math.abs(error[which]), ...values.map(Math.abs));
     const limit = LIMITS.find((each) => each >= largest * 1.05) ?? 180;
-    const [left, right, top, bottom] = [40, width - 12, 26, height - 22];
+    const [left, right, top, bottom] = [46, width - 12, 26, height - 22];
     const [x, y] = [linear(0, 1, left, right), linear(-limit, limit, bottom, top)];
-    const small = { colour: colours("muted"), size: 11 };
-    words(context, `${title} over 1 s`, [left, 10], { ...small, weight: 600 });
+    const small = { colour: colours("muted"), size: 12 };
+    words(context, title, [8, 10], { ...small, weight: 600 });
     for (const tick of [-limit, 0, limit]) {
       line(context, [[left, y(tick)], [right, y(tick)]], { colour: colours("line"), width: 1 });
       words(context, `${tick}°`.replace("-", "−"), [left - 5, y(tick)], { ...small, align: "right" });
     }
     line(context, [[left, y(0)], [right, y(0)]], { colour: colours("ink"), width: 1.5, dash: DASH.real });
-    values.forEach(
+    if (scatter[which] > 0) values.forEach(
       (value, i) => mark(context, shape, [x((i + 0.5) / values.length), y(value)], { colour: `${colours(axis)}80`, radius: 2 })
     );
-    const average = [[left, y(error[which])], [right, y(error[which])]];
-    line(context, average, { colour: colours("surface"), width: 6 });
-    line(context, average, { colour: colours("alert"), width: 3, dash: DASH.believed });
-    mark(context, "circle", average[1], { colour: colours("alert"), rim: colours("surface"), radius: 5 });
     words(context, "0 s", [left, bottom + 12], small);
     words(context, "1 s", [right, bottom + 12], { ...small, align: "right" });
+    if (unknown[which]) {
+      const style = { colour: colours("alert"), rim: colours("page"), width, size: 13 };
+      label(context, ["undefined"], [(left + right) / 2, y(limit / 2)], style);
+      return;
+    }
+    const average = [[left, y(error[which])], [right, y(error[which])]];
+    line(context, average, { colour: colours("page"), width: 6 });
+    line(context, average, { colour: colours("alert"), width: 3, dash: DASH.believed });
+    mark(context, "circle", average[1], { colour: colours("alert"), rim: colours("page"), radius: 5 });
+  }
+
+  // tilt.js
+  var RIGHT = 5e-3;
+  var ANGLES = ["roll", "pitch"];
+  function angles(state) {
+    const found = estimates(state);
+    return ANGLES.map((name, i) => ({
+      name,
+      estimate: rounded(found.estimate[i]),
+      error: rounded(found.error[i]),
+      scatter: rounded(found.scatter[i]),
+      wrong: Math.abs(found.error[i]) > RIGHT,
+      scattered: found.scatter[i] > RIGHT,
+      unknown: found.unknown[i]
+    }));
+  }
+  function readouts3(state) {
+    const texts = angles(state).flatMap(
+      ({ name, unknown, ...numbers }) => ["estimate", "error", "scatter"].map((kind) => [
+        `${name}_${kind}`,
+        { text: numbers[kind], note: unknown ? "undefined" : "" }
+      ])
+    );
+    return { ...Object.fromEntries(texts), meaning: meaning2(state) };
+  }
+  function meaning2(state) {
+    const [roll, pitch] = angles(state);
+    if (pitch.unknown)
+      return "The body falls freely: nothing holds it up, and its accelerometer feels nothing. Its angles are what rounding makes of no reading, and mean nothing.";
+    const wrong = [roll, pitch].filter((angle) => angle.wrong && !angle.unknown);
+    const sentences = [];
+    if (roll.unknown)
+      sentences.push(`What the sensor feels lies along the roll axis: at any roll it would feel the same. The ${roll.estimate}° is left by rounding and means nothing.`);
+    if (wrong.length > 0) {
+      const list = wrong.map(({ name, error }) => `its ${name} is wrong by ${error}°`).join(" and ");
+      sentences.push(`The sensor takes the acceleration for tilt: ${list}, for as long as the acceleration lasts.`);
+    } else if (!roll.unknown)
+      sentences.push(
+        unaccelerated(state) ? "The body does not accelerate, so the two verticals agree and both angles are right." : "The acceleration happens to leave both angles as they are."
+      );
+    if (roll.scattered || pitch.scattered) sentences.push("Single readings scatter; the average reading does not.");
+    return sentences.join(" ");
+  }
+  function summary3(state) {
+    const texts = angles(state).map(
+      ({ name, estimate, error, scatter, unknown }) => unknown ? `${name} undefined` : `${name} ${estimate} degrees, error ${error}, scatter ${scatter}`
+    );
+    return `Estimated ${texts.join("; ")}. ${meaning2(state)}`;
+  }
+  function describe3(state) {
+    const [north, east, down] = toParent(matrixFromEuler(...attitude(state), 0), reading(state));
+    const apart = rounded(Math.atan2(Math.hypot(north, east), -down) * 180 / Math.PI);
+    const [roll, pitch] = angles(state);
+    const { forward_acceleration: forward, lateral_acceleration: lateral, vibration } = state;
+    const vertical = pitch.unknown ? "It believes in no vertical" : `The vertical that it believes in leans ${apart}° from the real one`;
+    const shaken = vibration > 0 ? `, and single readings scatter round it: ${roll.scatter}° in roll, ${pitch.scatter}° in pitch` : "";
+    return `An aircraft from behind and from the right. Roll ${rounded(state.roll)}°, pitch ${rounded(state.pitch)}°. It accelerates by ${rounded(forward)} m/s² forward and ${rounded(lateral)} m/s² to the right. ${vertical}${shaken}.`;
   }
   var DEGREES = { short: "°", long: "degrees" };
-  var METRES = { short: " m/s²", long: "metres per second squared" };
+  var METRES2 = { short: " m/s²", long: "metres per second squared" };
+  var still2 = { roll: 0, pitch: 0, forward_acceleration: 0, lateral_acceleration: 0, vibration: 0 };
   var definition3 = {
-    title: "An aircraft from behind and from the right, with the real vertical and the one that its accelerometer believes in",
+    title: "Tilt from an accelerometer",
+    hint: "Move the forward acceleration. Which of the two angles goes wrong? Then try the lateral one, and the vibration.",
     aspect: 1.12,
-    start: { roll: 0, pitch: 0, forward_acceleration: 0, lateral_acceleration: 0, vibration: 0 },
-    legend: [
-      { colour: "ink", width: 3.5, text: "f, what the accelerometer feels" },
-      { colour: "z", dash: DASH.z, width: 3, text: "−g, held up against gravity" },
-      { colour: "x", width: 3, text: "a, forward acceleration" },
-      { colour: "y", dash: DASH.y, width: 3, text: "a, lateral acceleration" },
-      { colour: "ink", dash: DASH.real, width: 2, text: "the real vertical" },
-      { colour: "alert", dash: DASH.believed, width: 3, text: "the vertical it believes in" }
-    ],
+    start: still2,
+    legend: LEGEND,
     controls: [
-      { name: "roll", label: "Roll", symbol: "φ", axis: "x", min: -180, max: 180, step: 1, unit: DEGREES },
-      { name: "pitch", label: "Pitch", symbol: "θ", axis: "y", min: -90, max: 90, step: 1, unit: DEGREES },
-      { name: "forward_acceleration", label: "Forward acceleration", symbol: "", axis: "x", min: -10, max: 10, step: 0.1, unit: METRES },
-      { name: "lateral_acceleration", label: "Lateral acceleration", symbol: "", axis: "y", min: -10, max: 10, step: 0.1, unit: METRES },
-      { name: "vibration", label: "Vibration, RMS", symbol: "", min: 0, max: 5, step: 0.1, unit: METRES }
+      { name: "roll", label: "Roll", symbol: ["φ"], axis: "x", min: -180, max: 180, step: 1, unit: DEGREES },
+      { name: "pitch", label: "Pitch", symbol: ["θ"], axis: "y", min: -90, max: 90, step: 1, unit: DEGREES },
+      { name: "forward_acceleration", label: "Forward acceleration", symbol: ["a", "x"], axis: "x", min: -10, max: 10, step: 0.1, unit: METRES2 },
+      { name: "lateral_acceleration", label: "Lateral acceleration", symbol: ["a", "y"], axis: "y", min: -10, max: 10, step: 0.1, unit: METRES2 },
+      { name: "vibration", label: "Vibration, RMS", symbol: [], min: 0, max: 5, step: 0.1, unit: METRES2 }
     ],
     outputs: [
-      { name: "roll_estimate", label: "Roll estimate", unit: "°" },
-      { name: "pitch_estimate", label: "Pitch estimate", unit: "°" },
-      { name: "roll_error", label: "Roll error", unit: "°" },
-      { name: "pitch_error", label: "Pitch error", unit: "°" },
-      { name: "roll_scatter", label: "Roll scatter", unit: "°" },
-      { name: "pitch_scatter", label: "Pitch scatter", unit: "°" },
+      { name: "roll_estimate", label: "Roll estimate", unit: DEGREES },
+      { name: "pitch_estimate", label: "Pitch estimate", unit: DEGREES },
+      { name: "roll_error", label: "Roll error", unit: DEGREES },
+      { name: "pitch_error", label: "Pitch error", unit: DEGREES },
+      { name: "roll_scatter", label: "Roll scatter", unit: DEGREES },
+      { name: "pitch_scatter", label: "Pitch scatter", unit: DEGREES },
       { name: "meaning", label: "What it means", wide: true }
+    ],
+    story: [
+      { state: still2, says: "At rest and level, the accelerometer feels one thing: what holds it up against gravity. The vertical that it believes in is the real one." },
+      { state: { ...still2, roll: 25, pitch: 15 }, says: "Tilted, and still at rest: both angles are right." },
+      { state: { ...still2, forward_acceleration: 4 }, says: "Level again, and gaining speed. An aircraft at rest with its nose up would give the same reading, so that is what the sensor believes." },
+      { state: { ...still2, roll: 30, lateral_acceleration: 4.9 }, says: "Banked in a turn. The reading has no sideways part left, and the sensor takes 30° of roll for none." },
+      { state: { ...still2, vibration: 3 }, says: "At rest, but shaken. Single readings scatter on both sides, and their average is right." },
+      { state: { ...still2, forward_acceleration: 4, vibration: 3 }, says: "Shaken and gaining speed. An average gets rid of the shaking and keeps the error of the acceleration." }
     ],
     readouts: readouts3,
     summary: summary3,
+    describe: describe3,
     draw: draw3
   };
-  var still2 = definition3.start;
-  definition3.story = [
-    { state: still2, says: "At rest and level, the accelerometer feels one thing: what holds it up against gravity. The vertical that it believes in is the real one." },
-    { state: { ...still2, roll: 25, pitch: 15 }, says: "Tilted, and still at rest: both angles are right." },
-    { state: { ...still2, forward_acceleration: 4 }, says: "Level again, and gaining speed. An aircraft at rest with its nose up would give the same reading, so that is what the sensor believes." },
-    { state: { ...still2, roll: 30, lateral_acceleration: 4.9 }, says: "Banked in a turn. The reading has no sideways part left, and the sensor takes 30° of roll for none." },
-    { state: { ...still2, vibration: 3 }, says: "At rest, but shaken. Single readings scatter on both sides, and their average is right." },
-    { state: { ...still2, forward_acceleration: 4, vibration: 3 }, says: "Shaken and gaining speed. An average gets rid of the shaking and keeps the error of the acceleration." }
-  ];
-  var mount3 = (element, state, onChange) => mountDemo(element, definition3, state, onChange);
-  mount3.start = definition3.start;
+  var mount3 = mountOf(definition3);
   var tilt_default = widget(mount3);
 
   // pages.js

@@ -1,72 +1,327 @@
 // Bundled by `python -m chr_notes.demos.build` with esbuild@0.28.2. Do not edit.
 // From chr_notes/demos/*.js and chr_notes/generated/javascript.
 
-// ../generated/javascript/attitude.mjs
-function matrixFromEuler(roll, pitch, yaw) {
-  const sinPitch = Math.sin(pitch);
-  const cosPitch = Math.cos(pitch);
-  const sinRoll = Math.sin(roll);
-  const cosRoll = Math.cos(roll);
-  const sinYaw = Math.sin(yaw);
-  const cosYaw = Math.cos(yaw);
-  const cosRollSinYaw = cosRoll * sinYaw;
-  const cosRollCosYaw = cosRoll * cosYaw;
-  const sinRollSinYaw = sinRoll * sinYaw;
-  return [
-    cosPitch * cosYaw,
-    cosPitch * sinYaw,
-    -sinPitch,
-    cosYaw * sinPitch * sinRoll - cosRollSinYaw,
-    cosRollCosYaw + sinPitch * sinRollSinYaw,
-    cosPitch * sinRoll,
-    cosRollCosYaw * sinPitch + sinRollSinYaw,
-    cosRollSinYaw * sinPitch - cosYaw * sinRoll,
-    cosPitch * cosRoll
-  ];
+// parts.js
+var SVG = "http://www.w3.org/2000/svg";
+var rounded = (value) => String(Number(value.toFixed(2))).replace("-", "−");
+function node(tag, attributes = {}, ...children) {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+  element.append(...children);
+  return element;
 }
-function wrapAngle(angle) {
-  const rest = angle % 6.283185307179586;
-  let wrapped;
-  if (rest >= 3.141592653589793) {
-    wrapped = rest - 6.283185307179586;
-  } else if (rest < -3.141592653589793) {
-    wrapped = rest + 6.283185307179586;
-  } else {
-    wrapped = rest;
+var symbolOf = ([letter = "", subscript = ""]) => node("span", { class: "chr-symbol" }, letter, ...subscript ? [node("sub", {}, subscript)] : []);
+function slider(control, touched) {
+  const { name, label: label2, symbol, axis, min, max, step } = control;
+  const { unit: unit2, toPosition = Number, toValue = Number } = control;
+  const words2 = control.words ?? ((value2) => ({
+    short: rounded(value2) + unit2.short,
+    long: `${Number(value2.toFixed(2))} ${unit2.long}`
+  }));
+  const input = node("input", { type: "range", name, min, max, step });
+  const value = node("span", { class: "chr-value", "aria-hidden": "true" });
+  const symbols = symbolOf(symbol);
+  symbols.setAttribute("aria-hidden", "true");
+  const caption = node("span", { class: "chr-caption" }, label2, " ", symbols, value);
+  const along = (position) => 100 * (position - min) / (max - min);
+  const zero = along(Math.max(0, min));
+  input.addEventListener("input", () => touched({ [name]: toValue(input.valueAsNumber) }));
+  return {
+    element: node("label", { class: "chr-slider", "data-axis": axis }, caption, input),
+    show(state) {
+      const { short, long } = words2(state[name]);
+      const position = toPosition(state[name]);
+      input.value = position;
+      input.style.setProperty("--from", `${Math.min(zero, along(position))}%`);
+      input.style.setProperty("--to", `${Math.max(zero, along(position))}%`);
+      input.setAttribute("aria-valuetext", long);
+      value.textContent = short;
+    }
+  };
+}
+function readout(output) {
+  return output.table ? tableOf(output) : textOf(output);
+}
+function textOf({ name, label: label2, unit: unit2, wide, grid }) {
+  const output = node("output", {
+    name,
+    "aria-live": "off",
+    "aria-label": unit2 ? `${label2}, ${unit2.long}` : label2
+  });
+  const kind = wide ? " chr-wide" : grid ? " chr-grid" : "";
+  const short = unit2?.short.trim() ?? "";
+  const units = node("span", { class: short === "°" ? "chr-unit chr-degree" : "chr-unit" }, short);
+  const aside = node("span", { class: "chr-note" });
+  const element = node(
+    "div",
+    { class: `chr-readout${kind}` },
+    node("span", { class: "chr-name" }, label2),
+    node("div", {}, output, units, aside)
+  );
+  return {
+    element,
+    show(texts) {
+      const { text, note = "" } = texts[name].text === void 0 ? { text: texts[name] } : texts[name];
+      output.textContent = text;
+      aside.textContent = note;
+      element.toggleAttribute("data-void", note !== "");
+    }
+  };
+}
+function tableOf({ name }) {
+  const table = node("table", { class: "chr-table chr-wide" });
+  const cell = (head) => (text, column) => head || column === 0 ? node("th", { scope: head ? "col" : "row" }, text) : node("td", {}, text);
+  return {
+    element: table,
+    show(texts) {
+      const [head, ...rows] = texts[name];
+      table.replaceChildren(
+        node("thead", {}, node("tr", {}, ...head.map(cell(true)))),
+        node("tbody", {}, ...rows.map((row) => node("tr", {}, ...row.map(cell(false)))))
+      );
+    }
+  };
+}
+function legend(entries) {
+  if (entries.length === 0) return [];
+  const words2 = ({ symbol, text }) => symbol ? [symbolOf(symbol), ", ", text] : [text];
+  const item = (entry) => node("li", {}, sample(entry), node("span", {}, ...words2(entry)));
+  return [node("ul", { class: "chr-legend" }, ...entries.map(item))];
+}
+function sample({ colour, dash = [], width = 2.5, mark: mark2 }) {
+  const part = (tag, attributes) => {
+    const element = document.createElementNS(SVG, tag);
+    for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+    return element;
+  };
+  const svg = part("svg", { viewBox: "0 0 30 12", width: 30, height: 12, "aria-hidden": "true" });
+  const style = `stroke: var(--chr-${colour}); stroke-width: ${width}px`;
+  svg.append(part("line", { x1: 1, y1: 6, x2: 29, y2: 6, style, "stroke-dasharray": dash.join(" ") }));
+  if (mark2) svg.append(part("path", { d: mark2, style: `fill: var(--chr-${colour})` }));
+  return svg;
+}
+
+// story.js
+var WAIT = 3500;
+var MOVE = 2;
+var stillness = () => matchMedia("(prefers-reduced-motion: reduce)");
+function glide(from, goal, seconds, { between: between2, changed, done = () => {
+} }) {
+  if (stillness().matches) {
+    changed(goal);
+    done();
+    return () => {
+    };
   }
-  return wrapped;
+  const began = performance.now();
+  let frame = requestAnimationFrame(function step(now) {
+    const t = Math.min(1, Math.max(0, (now - began) / (1e3 * seconds)));
+    changed(t === 1 ? goal : between2(from, goal, t * t * (3 - 2 * t)));
+    if (t < 1) frame = requestAnimationFrame(step);
+    else done();
+  });
+  return () => cancelAnimationFrame(frame);
 }
-function accelerometerAtRest(roll, pitch, gravity) {
-  const sinPitch = Math.sin(pitch);
-  const cosPitch = Math.cos(pitch);
-  const sinRoll = Math.sin(roll);
-  const cosRoll = Math.cos(roll);
-  const cosPitchGravity = cosPitch * gravity;
-  return [gravity * sinPitch, -cosPitchGravity * sinRoll, -cosPitchGravity * cosRoll];
+function player(story, { current, between: between2, changed, say, name, signal }) {
+  let next = 0;
+  let running = false;
+  let end = () => {
+  };
+  function rename() {
+    if (running) name("Pause");
+    else if (stillness().matches) name(next === 0 ? "Show me, step by step" : "Next step");
+    else name(next === 0 ? "Play" : "Go on");
+  }
+  function stop() {
+    end();
+    end = () => {
+    };
+    running = false;
+    rename();
+  }
+  function step() {
+    const index = next;
+    const { says, state, seconds = MOVE } = story[index];
+    say(says);
+    const done = () => {
+      next = (index + 1) % story.length;
+      if (!running || next === 0) return stop();
+      const timer = setTimeout(step, WAIT);
+      end = () => clearTimeout(timer);
+      return void 0;
+    };
+    end = glide(current(), state, seconds, { between: between2, changed, done });
+  }
+  rename();
+  stillness().addEventListener("change", stop, { signal });
+  return {
+    stop,
+    press() {
+      if (running) return stop();
+      running = !stillness().matches;
+      step();
+      rename();
+      return void 0;
+    },
+    rewind() {
+      next = 0;
+      say("");
+      stop();
+    }
+  };
 }
-function tiltFromAccelerometer(accelX, accelY, accelZ) {
-  return [Math.atan2(-accelY, -accelZ), Math.atan2(accelX, Math.hypot(accelY, accelZ))];
+
+// controls.js
+var ANNOUNCE_AFTER = 600;
+var RESET = 0.45;
+function mountDemo(element, definition2, initial, onChange = () => {
+}) {
+  const state = { ...definition2.start, ...initial };
+  const cleanup = new AbortController();
+  const parts = build(definition2, touched);
+  const { root, canvas, live, sliders, outputs, said, play, reset } = parts;
+  let frame = 0;
+  let timer = 0;
+  let rest = () => {
+  };
+  function paint2() {
+    frame = 0;
+    const ratio = devicePixelRatio || 1;
+    const { width, height } = canvas.getBoundingClientRect();
+    if (width === 0) return;
+    canvas.width = Math.round(width * ratio);
+    canvas.height = Math.round(height * ratio);
+    const context = canvas.getContext("2d");
+    context.scale(ratio, ratio);
+    definition2.draw(context, { width, height }, state, coloursOf(root));
+  }
+  function redraw() {
+    frame ||= requestAnimationFrame(paint2);
+  }
+  function show() {
+    const texts = definition2.readouts(state);
+    root.dataset.state = JSON.stringify(state);
+    canvas.setAttribute("aria-label", definition2.describe(state));
+    sliders.forEach((each) => each.show(state));
+    outputs.forEach((each) => each.show(texts));
+    redraw();
+  }
+  function announce() {
+    live.textContent = `${said.textContent} ${definition2.summary(state)}`.trim();
+  }
+  function changed(part) {
+    Object.assign(state, part);
+    show();
+    onChange({ ...state });
+    clearTimeout(timer);
+    timer = setTimeout(announce, ANNOUNCE_AFTER);
+  }
+  const between2 = betweenOf(definition2.controls);
+  const tour = player(definition2.story, {
+    between: between2,
+    changed,
+    current: () => ({ ...state }),
+    say: (text) => said.textContent = text,
+    name: (text) => play.textContent = text,
+    signal: cleanup.signal
+  });
+  function interrupt() {
+    rest();
+    tour.stop();
+    said.textContent = "";
+  }
+  function touched(part) {
+    interrupt();
+    changed(part);
+  }
+  play.addEventListener("click", () => {
+    rest();
+    tour.press();
+  });
+  reset.addEventListener("click", () => {
+    rest();
+    tour.rewind();
+    rest = glide({ ...state }, definition2.start, RESET, { between: between2, changed });
+  });
+  watch(root, canvas, redraw, cleanup.signal);
+  element.replaceChildren(root);
+  show();
+  return {
+    update(part) {
+      interrupt();
+      Object.assign(state, part);
+      show();
+    },
+    destroy() {
+      rest();
+      tour.stop();
+      cleanup.abort();
+      clearTimeout(timer);
+      cancelAnimationFrame(frame);
+      root.remove();
+    }
+  };
 }
-function accelerometerFromAcceleration(accelNorth, accelEast, accelDown, roll, pitch, yaw, gravity) {
-  const sinPitch = Math.sin(pitch);
-  const cosPitch = Math.cos(pitch);
-  const sinRoll = Math.sin(roll);
-  const cosRoll = Math.cos(roll);
-  const sinYaw = Math.sin(yaw);
-  const cosYaw = Math.cos(yaw);
-  const accelEastSinYaw = accelEast * sinYaw;
-  const accelNorthCosYaw = accelNorth * cosYaw;
-  const cosPitchSinRoll = cosPitch * sinRoll;
-  const accelEastCosYaw = accelEast * cosYaw;
-  const accelNorthSinYaw = accelNorth * sinYaw;
-  const sinPitchSinRoll = sinPitch * sinRoll;
-  const cosPitchCosRoll = cosPitch * cosRoll;
-  const cosRollSinPitch = cosRoll * sinPitch;
-  return [
-    accelEastSinYaw * cosPitch - accelDown * sinPitch + accelNorthCosYaw * cosPitch + gravity * sinPitch,
-    accelDown * cosPitchSinRoll + accelEastCosYaw * cosRoll + accelEastSinYaw * sinPitchSinRoll + accelNorthCosYaw * sinPitchSinRoll - accelNorthSinYaw * cosRoll - cosPitchSinRoll * gravity,
-    accelDown * cosPitchCosRoll - accelEastCosYaw * sinRoll + accelEastSinYaw * cosRollSinPitch + accelNorthCosYaw * cosRollSinPitch + accelNorthSinYaw * sinRoll - cosPitchCosRoll * gravity
-  ];
+var mountOf = (definition2) => {
+  const mount2 = (element, state, onChange) => mountDemo(element, definition2, state, onChange);
+  return Object.assign(mount2, { start: definition2.start });
+};
+function build(definition2, touched) {
+  const canvas = node("canvas", {
+    role: "img",
+    style: `aspect-ratio: 1 / ${definition2.aspect}`
+  });
+  const live = node("p", { class: "chr-live", "aria-live": "polite" });
+  const said = node("p", { class: "chr-said" });
+  const sliders = definition2.controls.map((control) => slider(control, touched));
+  const outputs = definition2.outputs.map(readout);
+  const play = node("button", { type: "button", name: "play" });
+  const reset = node("button", { type: "button", name: "reset" }, "Reset");
+  const hint = node("p", { class: "chr-hint" }, node("b", {}, "Try first."), ` ${definition2.hint}`);
+  const stage = node("div", { class: "chr-stage" }, canvas, ...legend(definition2.legend ?? []));
+  const panel = node(
+    "div",
+    { class: "chr-panel" },
+    ...sliders.map((each) => each.element),
+    node("div", { class: "chr-buttons" }, play, reset),
+    said,
+    node("div", { class: "chr-readouts" }, ...outputs.map((each) => each.element))
+  );
+  const root = node(
+    "div",
+    // JupyterLab listens for shortcuts before the page does; this attribute tells it not to.
+    { class: "chr-demo", role: "group", "aria-label": definition2.title, "data-lm-suppress-shortcuts": "true" },
+    hint,
+    node("div", { class: "chr-body" }, stage, panel),
+    live
+  );
+  for (const type of ["keydown", "keyup", "keypress"])
+    root.addEventListener(type, (event) => {
+      if (!event.ctrlKey && !event.metaKey && !event.altKey) event.stopPropagation();
+    });
+  return { root, canvas, live, said, sliders, outputs, play, reset };
+}
+var betweenOf = (controls) => (from, to, t) => Object.fromEntries(
+  controls.map(({ name, toPosition = Number, toValue = Number }) => {
+    const [start, end] = [toPosition(from[name]), toPosition(to[name])];
+    return [name, start === end ? to[name] : toValue(start + t * (end - start))];
+  })
+);
+function coloursOf(element) {
+  const style = getComputedStyle(element);
+  return (name) => style.getPropertyValue(`--chr-${name}`).trim();
+}
+function watch(root, canvas, redraw, signal) {
+  const sizes = new ResizeObserver(redraw);
+  sizes.observe(canvas);
+  const themes = new MutationObserver(redraw);
+  for (const host of [document.documentElement, document.body])
+    themes.observe(host, { attributes: true });
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw, { signal });
+  signal.addEventListener("abort", () => {
+    sizes.disconnect();
+    themes.disconnect();
+  });
 }
 
 // draw.js
@@ -170,424 +425,101 @@ function paint(context, polygons, { eye, project, light }) {
     context.stroke();
   });
 }
-function label(context, text, [x, y], { colour, rim, size = 14, offset = [0, 0], width }) {
-  context.font = `600 ${size}px system-ui, sans-serif`;
-  context.textAlign = "center";
+function label(context, [text, subscript = ""], [x, y], { colour, rim, size = 14, offset = [0, 0], width }) {
+  const parts = [
+    { text, font: `600 ${size}px system-ui, sans-serif`, drop: 0 },
+    { text: subscript, font: `600 ${0.75 * size}px system-ui, sans-serif`, drop: 0.3 * size }
+  ].filter((part) => part.text !== "").map((part) => {
+    context.font = part.font;
+    return { ...part, wide: context.measureText(part.text).width };
+  });
+  const half = parts.reduce((wide, part) => wide + part.wide, 0) / 2;
+  const side = offset[0] === 0 ? 0 : Math.sign(offset[0]) * half + offset[0];
+  const middle = Math.min(Math.max(x + side, half + 6), width - half - 6);
+  context.textAlign = "left";
   context.textBaseline = "middle";
   context.lineJoin = "round";
   context.lineWidth = size / 3;
   context.strokeStyle = rim;
   context.fillStyle = colour;
-  const half = context.measureText(text).width / 2 + 6;
-  const side = offset[0] === 0 ? 0 : Math.sign(offset[0]) * (half - 6) + offset[0];
-  const middle = Math.min(Math.max(x + side, half), width - half);
-  context.strokeText(text, middle, y + offset[1]);
-  context.fillText(text, middle, y + offset[1]);
+  for (const write of ["strokeText", "fillText"]) {
+    let start = middle - half;
+    for (const part of parts) {
+      context.font = part.font;
+      context[write](part.text, start, y + offset[1] + part.drop);
+      start += part.wide;
+    }
+  }
 }
 var parsed = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16));
 var rgb = (channels) => `rgb(${channels.map((value) => Math.round(Math.min(255, value))).join(" ")})`;
 
-// aircraft.js
-var CORNERS = 10;
-var SECTIONS = [
-  [-0.55, 0.012, 0.02, -0.05],
-  [-0.42, 0.035, 0.045, -0.035],
-  [-0.15, 0.075, 0.085, -0.01],
-  [0.12, 0.085, 0.09, 0],
-  [0.32, 0.07, 0.07, 0.01],
-  [0.45, 0.04, 0.042, 0.018]
-];
-var TIP = [0.54, 8e-3, 8e-3, 0.02];
-var section = ([x, wide, high, middle]) => Array.from({ length: CORNERS }, (_, i) => {
-  const angle = 2 * Math.PI * (i + 0.5) / CORNERS;
-  return [x, wide * Math.cos(angle), middle + high * Math.sin(angle)];
-});
-var plate = (root, tip, fill, upright = false) => {
-  const outline = ([front, back, side, height, half]) => {
-    const at = (x, offset) => upright ? [x, offset, height] : [x, side, height + offset];
-    const thickest = (2 * front + back) / 3;
-    return [at(front, 0), at(thickest, -half), at(back, 0), at(thickest, half)];
-  };
-  return loft([outline(root), outline(tip)], fill);
-};
-var mirrored = (polygons) => polygons.map((polygon) => ({
-  ...polygon,
-  points: polygon.points.map(([x, y, z]) => [x, -y, z]).reverse()
-}));
-function aircraft({ body, glass, x, y, z }) {
-  const wing = plate([0.2, -0.1, 0.06, 0.02, 0.022], [0.04, -0.09, 0.42, -5e-3, 0.012], body);
-  const tip = plate([0.04, -0.09, 0.42, -5e-3, 0.012], [0, -0.085, 0.53, -0.013, 8e-3], y);
-  const bare = plate([0.04, -0.09, 0.42, -5e-3, 0.012], [0, -0.085, 0.53, -0.013, 8e-3], body);
-  const tail = plate([-0.38, -0.52, 0.02, -0.05, 0.012], [-0.46, -0.53, 0.2, -0.06, 6e-3], body);
-  const fin = plate([-0.3, -0.52, 0, -0.05, 0.012], [-0.46, -0.56, 0, -0.25, 6e-3], body, true);
-  const canopy = loft(
-    [
-      section([0.02, 0.035, 0.03, -0.085]),
-      section([0.12, 0.05, 0.055, -0.085]),
-      section([0.24, 0.045, 0.045, -0.07]),
-      section([0.33, 0.02, 0.02, -0.05])
-    ],
-    glass
-  );
-  const belly = loft([section([-0.05, 0.03, 0.02, 0.085]), section([0.15, 0.03, 0.02, 0.085])], z);
+// ../generated/javascript/attitude.mjs
+function matrixFromEuler(roll, pitch, yaw) {
+  const sinPitch = Math.sin(pitch);
+  const cosPitch = Math.cos(pitch);
+  const sinRoll = Math.sin(roll);
+  const cosRoll = Math.cos(roll);
+  const sinYaw = Math.sin(yaw);
+  const cosYaw = Math.cos(yaw);
+  const cosRollSinYaw = cosRoll * sinYaw;
+  const cosRollCosYaw = cosRoll * cosYaw;
+  const sinRollSinYaw = sinRoll * sinYaw;
   return [
-    ...loft(SECTIONS.map(section), body),
-    ...loft([SECTIONS.at(-1), TIP].map(section), x),
-    ...wing,
-    ...tip,
-    ...tail,
-    ...mirrored([...wing, ...bare, ...tail]),
-    ...fin,
-    ...canopy,
-    ...belly
+    cosPitch * cosYaw,
+    cosPitch * sinYaw,
+    -sinPitch,
+    cosYaw * sinPitch * sinRoll - cosRollSinYaw,
+    cosRollCosYaw + sinPitch * sinRollSinYaw,
+    cosPitch * sinRoll,
+    cosRollCosYaw * sinPitch + sinRollSinYaw,
+    cosRollSinYaw * sinPitch - cosYaw * sinRoll,
+    cosPitch * cosRoll
   ];
 }
-
-// chart.js
-var ARROWHEAD = 9;
-function line(context, points, { colour, width = 2, dash = [] }) {
-  context.save();
-  context.beginPath();
-  points.forEach(([x, y]) => context.lineTo(x, y));
-  context.strokeStyle = colour;
-  context.lineWidth = width;
-  context.lineJoin = "round";
-  context.setLineDash(dash);
-  context.stroke();
-  context.restore();
-}
-function arrow(context, [x0, y0], [x1, y1], { colour, width = 2.5, dash = [] }) {
-  const length = Math.hypot(x1 - x0, y1 - y0);
-  if (length < 1) return;
-  const head = Math.min(ARROWHEAD + width, length);
-  const [along, across] = [[(x1 - x0) / length, (y1 - y0) / length], 0.42 * head];
-  const neck = [x1 - head * along[0], y1 - head * along[1]];
-  line(context, [[x0, y0], neck], { colour, width, dash });
-  context.beginPath();
-  context.moveTo(x1, y1);
-  context.lineTo(neck[0] - across * along[1], neck[1] + across * along[0]);
-  context.lineTo(neck[0] + across * along[1], neck[1] - across * along[0]);
-  context.closePath();
-  context.fillStyle = colour;
-  context.fill();
-}
-var SHAPES = {
-  circle: (context, x, y, r) => context.arc(x, y, r, 0, 2 * Math.PI),
-  square: (context, x, y, r) => context.rect(x - 0.9 * r, y - 0.9 * r, 1.8 * r, 1.8 * r),
-  triangle: (context, x, y, r) => {
-    context.moveTo(x, y - 1.2 * r);
-    context.lineTo(x + 1.1 * r, y + 0.8 * r);
-    context.lineTo(x - 1.1 * r, y + 0.8 * r);
-    context.closePath();
+function wrapAngle(angle) {
+  const rest = angle % 6.283185307179586;
+  let wrapped;
+  if (rest >= 3.141592653589793) {
+    wrapped = rest - 6.283185307179586;
+  } else if (rest < -3.141592653589793) {
+    wrapped = rest + 6.283185307179586;
+  } else {
+    wrapped = rest;
   }
-};
-function mark(context, shape, [x, y], { colour, rim, radius = 5 }) {
-  context.beginPath();
-  SHAPES[shape](context, x, y, radius);
-  context.fillStyle = colour;
-  context.fill();
-  if (!rim) return;
-  context.strokeStyle = rim;
-  context.lineWidth = 1.5;
-  context.stroke();
+  return wrapped;
 }
-function words(context, text, [x, y], { colour, size = 12, align = "left", weight = 400 }) {
-  context.font = `${weight} ${size}px system-ui, sans-serif`;
-  context.textAlign = align;
-  context.textBaseline = "middle";
-  context.fillStyle = colour;
-  context.fillText(text, x, y);
+function accelerometerAtRest(roll, pitch, gravity) {
+  const sinPitch = Math.sin(pitch);
+  const cosPitch = Math.cos(pitch);
+  const sinRoll = Math.sin(roll);
+  const cosRoll = Math.cos(roll);
+  const cosPitchGravity = cosPitch * gravity;
+  return [gravity * sinPitch, -cosPitchGravity * sinRoll, -cosPitchGravity * cosRoll];
 }
-var linear = (low, high, start, end) => (value) => start + (value - low) / (high - low) * (end - start);
-
-// parts.js
-var SVG = "http://www.w3.org/2000/svg";
-var rounded = (value) => String(Number(value.toFixed(2))).replace("-", "−");
-function node(tag, attributes = {}, ...children) {
-  const element = document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
-  element.append(...children);
-  return element;
+function tiltFromAccelerometer(accelX, accelY, accelZ) {
+  return [Math.atan2(-accelY, -accelZ), Math.atan2(accelX, Math.hypot(accelY, accelZ))];
 }
-function slider(control, touched) {
-  const { name, label: label2, symbol, axis, min, max, step } = control;
-  const { unit: unit2, toPosition = Number, toValue = Number } = control;
-  const words2 = control.words ?? ((value2) => ({
-    short: rounded(value2) + unit2.short,
-    long: `${Number(value2.toFixed(2))} ${unit2.long}`
-  }));
-  const input = node("input", { type: "range", name, min, max, step });
-  const value = node("span", { class: "chr-value", "aria-hidden": "true" });
-  const symbols = node("span", { class: "chr-symbol", "aria-hidden": "true" }, symbol);
-  const caption = node("span", { class: "chr-caption" }, label2, " ", symbols, value);
-  input.addEventListener("input", () => touched({ [name]: toValue(input.valueAsNumber) }));
-  return {
-    element: node("label", { class: "chr-slider", "data-axis": axis }, caption, input),
-    show(state) {
-      const { short, long } = words2(state[name]);
-      input.value = toPosition(state[name]);
-      input.setAttribute("aria-valuetext", long);
-      value.textContent = short;
-    }
-  };
-}
-function readout(output) {
-  return output.table ? tableOf(output) : textOf(output);
-}
-function textOf({ name, label: label2, unit: unit2, wide, grid }) {
-  const output = node("output", { name, "aria-live": "off" });
-  const kind = wide ? " chr-wide" : grid ? " chr-grid" : "";
-  const units = unit2 ? [node("span", { class: unit2 === "°" ? "chr-unit chr-degree" : "chr-unit" }, unit2)] : [];
-  return {
-    element: node(
-      "div",
-      { class: `chr-readout${kind}` },
-      node("span", { class: "chr-name" }, label2),
-      node("div", {}, output, ...units)
-    ),
-    show(texts) {
-      output.textContent = texts[name];
-    }
-  };
-}
-function tableOf({ name }) {
-  const table = node("table", { class: "chr-table chr-wide" });
-  const cell = (head) => (text, column) => head || column === 0 ? node("th", { scope: head ? "col" : "row" }, text) : node("td", {}, text);
-  return {
-    element: table,
-    show(texts) {
-      const [head, ...rows] = texts[name];
-      table.replaceChildren(
-        node("thead", {}, node("tr", {}, ...head.map(cell(true)))),
-        node("tbody", {}, ...rows.map((row) => node("tr", {}, ...row.map(cell(false)))))
-      );
-    }
-  };
-}
-function legend(entries) {
-  if (entries.length === 0) return [];
-  return [node("ul", { class: "chr-legend" }, ...entries.map((entry) => node("li", {}, sample(entry), entry.text)))];
-}
-function sample({ colour, dash = [], width = 2.5, mark: mark2 }) {
-  const part = (tag, attributes) => {
-    const element = document.createElementNS(SVG, tag);
-    for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
-    return element;
-  };
-  const svg = part("svg", { viewBox: "0 0 30 12", width: 30, height: 12, "aria-hidden": "true" });
-  const style = `stroke: var(--chr-${colour}); stroke-width: ${width}px`;
-  svg.append(part("line", { x1: 1, y1: 6, x2: 29, y2: 6, style, "stroke-dasharray": dash.join(" ") }));
-  if (mark2) svg.append(part("path", { d: mark2, style: `fill: var(--chr-${colour})` }));
-  return svg;
-}
-
-// story.js
-var WAIT = 3500;
-var MOVE = 2;
-var prefersStillness = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
-function glide(from, goal, seconds, { between: between2, changed, done = () => {
-} }) {
-  if (prefersStillness()) {
-    changed(goal);
-    done();
-    return () => {
-    };
-  }
-  const began = performance.now();
-  let frame = requestAnimationFrame(function step(now) {
-    const t = Math.min(1, Math.max(0, (now - began) / (1e3 * seconds)));
-    changed(t === 1 ? goal : between2(from, goal, t * t * (3 - 2 * t)));
-    if (t < 1) frame = requestAnimationFrame(step);
-    else done();
-  });
-  return () => cancelAnimationFrame(frame);
-}
-function player(story, { current, between: between2, changed, say, name }) {
-  let next = 0;
-  let running = false;
-  let end = () => {
-  };
-  function rename() {
-    if (running) name("Pause");
-    else if (prefersStillness()) name(next === 0 ? "Show me, step by step" : "Next step");
-    else name(next === 0 ? "Play" : "Go on");
-  }
-  function stop() {
-    end();
-    end = () => {
-    };
-    running = false;
-    rename();
-  }
-  function step() {
-    const index = next;
-    const { says, state, seconds = MOVE } = story[index];
-    say(says);
-    const done = () => {
-      next = (index + 1) % story.length;
-      if (!running || next === 0) return stop();
-      const timer = setTimeout(step, WAIT);
-      end = () => clearTimeout(timer);
-      return void 0;
-    };
-    end = glide(current(), state, seconds, { between: between2, changed, done });
-  }
-  rename();
-  return {
-    stop,
-    press() {
-      if (running) return stop();
-      running = !prefersStillness();
-      step();
-      rename();
-      return void 0;
-    },
-    rewind() {
-      next = 0;
-      say("");
-      stop();
-    }
-  };
-}
-
-// controls.js
-var ANNOUNCE_AFTER = 600;
-var RESET = 0.45;
-function mountDemo(element, definition2, initial, onChange = () => {
-}) {
-  const state = { ...definition2.start, ...initial };
-  const cleanup = new AbortController();
-  const parts = build(definition2, touched);
-  const { root, canvas, live, sliders, outputs, said, play, reset } = parts;
-  let frame = 0;
-  let timer = 0;
-  let rest = () => {
-  };
-  function paint2() {
-    frame = 0;
-    const ratio = devicePixelRatio || 1;
-    const { width, height } = canvas.getBoundingClientRect();
-    if (width === 0) return;
-    canvas.width = Math.round(width * ratio);
-    canvas.height = Math.round(height * ratio);
-    const context = canvas.getContext("2d");
-    context.scale(ratio, ratio);
-    definition2.draw(context, { width, height }, state, coloursOf(root));
-  }
-  function redraw() {
-    frame ||= requestAnimationFrame(paint2);
-  }
-  function show() {
-    const texts = definition2.readouts(state);
-    root.dataset.state = JSON.stringify(state);
-    sliders.forEach((each) => each.show(state));
-    outputs.forEach((each) => each.show(texts));
-    redraw();
-  }
-  function announce() {
-    live.textContent = `${said.textContent} ${definition2.summary(state)}`.trim();
-  }
-  function changed(part) {
-    Object.assign(state, part);
-    show();
-    onChange({ ...state });
-    clearTimeout(timer);
-    timer = setTimeout(announce, ANNOUNCE_AFTER);
-  }
-  const between2 = betweenOf(definition2.controls);
-  const tour = player(definition2.story, {
-    between: between2,
-    changed,
-    current: () => ({ ...state }),
-    say: (text) => said.textContent = text,
-    name: (text) => play.textContent = text
-  });
-  function touched(part) {
-    rest();
-    tour.stop();
-    said.textContent = "";
-    changed(part);
-  }
-  play.addEventListener("click", () => {
-    rest();
-    tour.press();
-  });
-  reset.addEventListener("click", () => {
-    rest();
-    tour.rewind();
-    rest = glide({ ...state }, definition2.start, RESET, { between: between2, changed });
-  });
-  watch(root, canvas, redraw, cleanup.signal);
-  element.replaceChildren(root);
-  show();
-  return {
-    update(part) {
-      Object.assign(state, part);
-      show();
-    },
-    destroy() {
-      rest();
-      tour.stop();
-      cleanup.abort();
-      clearTimeout(timer);
-      cancelAnimationFrame(frame);
-      root.remove();
-    }
-  };
-}
-function build(definition2, touched) {
-  const canvas = node("canvas", {
-    role: "img",
-    "aria-label": definition2.title,
-    style: `aspect-ratio: 1 / ${definition2.aspect}`
-  });
-  const live = node("p", { class: "chr-live", "aria-live": "polite" });
-  const said = node("p", { class: "chr-said" });
-  const sliders = definition2.controls.map((control) => slider(control, touched));
-  const outputs = definition2.outputs.map(readout);
-  const play = node("button", { type: "button", name: "play" });
-  const reset = node("button", { type: "button", name: "reset" }, "Reset");
-  const stage = node("div", { class: "chr-stage" }, canvas, ...legend(definition2.legend ?? []));
-  const panel = node(
-    "div",
-    { class: "chr-panel" },
-    ...sliders.map((each) => each.element),
-    node("div", { class: "chr-buttons" }, play, reset),
-    said,
-    node("div", { class: "chr-readouts" }, ...outputs.map((each) => each.element))
-  );
-  const root = node(
-    "div",
-    // JupyterLab listens for shortcuts before the page does; this attribute tells it not to.
-    { class: "chr-demo", role: "group", "aria-label": definition2.title, "data-lm-suppress-shortcuts": "true" },
-    node("div", { class: "chr-body" }, stage, panel),
-    live
-  );
-  for (const type of ["keydown", "keyup", "keypress"])
-    root.addEventListener(type, (event) => event.stopPropagation());
-  return { root, canvas, live, said, sliders, outputs, play, reset };
-}
-var betweenOf = (controls) => (from, to, t) => Object.fromEntries(
-  controls.map(({ name, toPosition = Number, toValue = Number }) => {
-    const [start, end] = [toPosition(from[name]), toPosition(to[name])];
-    return [name, start === end ? to[name] : toValue(start + t * (end - start))];
-  })
-);
-function coloursOf(element) {
-  const style = getComputedStyle(element);
-  return (name) => style.getPropertyValue(`--chr-${name}`).trim();
-}
-function watch(root, canvas, redraw, signal) {
-  const sizes = new ResizeObserver(redraw);
-  sizes.observe(canvas);
-  const themes = new MutationObserver(redraw);
-  for (const host of [document.documentElement, document.body])
-    themes.observe(host, { attributes: true });
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw, { signal });
-  signal.addEventListener("abort", () => {
-    sizes.disconnect();
-    themes.disconnect();
-  });
+function accelerometerFromAcceleration(accelNorth, accelEast, accelDown, roll, pitch, yaw, gravity) {
+  const sinPitch = Math.sin(pitch);
+  const cosPitch = Math.cos(pitch);
+  const sinRoll = Math.sin(roll);
+  const cosRoll = Math.cos(roll);
+  const sinYaw = Math.sin(yaw);
+  const cosYaw = Math.cos(yaw);
+  const accelEastSinYaw = accelEast * sinYaw;
+  const accelNorthCosYaw = accelNorth * cosYaw;
+  const cosPitchSinRoll = cosPitch * sinRoll;
+  const accelEastCosYaw = accelEast * cosYaw;
+  const accelNorthSinYaw = accelNorth * sinYaw;
+  const sinPitchSinRoll = sinPitch * sinRoll;
+  const cosPitchCosRoll = cosPitch * cosRoll;
+  const cosRollSinPitch = cosRoll * sinPitch;
+  return [
+    accelEastSinYaw * cosPitch - accelDown * sinPitch + accelNorthCosYaw * cosPitch + gravity * sinPitch,
+    accelDown * cosPitchSinRoll + accelEastCosYaw * cosRoll + accelEastSinYaw * sinPitchSinRoll + accelNorthCosYaw * sinPitchSinRoll - accelNorthSinYaw * cosRoll - cosPitchSinRoll * gravity,
+    accelDown * cosPitchCosRoll - accelEastCosYaw * sinRoll + accelEastSinYaw * cosRollSinPitch + accelNorthCosYaw * cosRollSinPitch + accelNorthSinYaw * sinRoll - cosPitchCosRoll * gravity
+  ];
 }
 
 // vibration.json
@@ -694,34 +626,16 @@ var vibration_default = [
   [2.243, -0.607, 1.364]
 ];
 
-// widget.js
-var widget = (mount2) => ({
-  render({ model, el }) {
-    const names = Object.keys(mount2.start);
-    const state = () => Object.fromEntries(names.map((name) => [name, model.get(name)]));
-    const demo = mount2(el, state(), (changed) => {
-      names.forEach((name) => model.set(name, changed[name]));
-      model.save_changes();
-    });
-    const follow = () => demo.update(state());
-    names.forEach((name) => model.on(`change:${name}`, follow));
-    return () => {
-      names.forEach((name) => model.off(`change:${name}`, follow));
-      demo.destroy();
-    };
-  }
-});
-
-// tilt.js
+// tilt_estimates.js
 var DEGREE = Math.PI / 180;
-var RIGHT = 5e-3;
 var attitude = ({ roll, pitch }) => [roll * DEGREE, pitch * DEGREE];
+var unaccelerated = (state) => state.forward_acceleration === 0 && state.lateral_acceleration === 0;
 function reading(state) {
-  const angles = [...attitude(state), 0];
+  const angles2 = [...attitude(state), 0];
   const acceleration = [state.forward_acceleration, state.lateral_acceleration, 0];
   return accelerometerFromAcceleration(
-    ...toParent(matrixFromEuler(...angles), acceleration),
-    ...angles,
+    ...toParent(matrixFromEuler(...angles2), acceleration),
+    ...angles2,
     9.80665
   );
 }
@@ -729,6 +643,7 @@ var readings = (state) => {
   const still2 = reading(state);
   return vibration_default.map((shake) => sum(still2, scaled(shake, state.vibration)));
 };
+var upToHalfTurn = (angle) => -wrapAngle(-angle);
 var rms = (values) => Math.hypot(...values) / Math.sqrt(values.length);
 var errors = (state, sensed) => {
   const truth = attitude(state);
@@ -741,57 +656,166 @@ function estimates(state) {
   const scatter = error.map(
     (mean, i) => rms(single.map((each) => wrapAngle((each[i] - mean) * DEGREE) / DEGREE))
   );
-  const estimate = tiltFromAccelerometer(...average).map((angle) => angle / DEGREE);
-  return { estimate, error, single, scatter };
+  const estimate = tiltFromAccelerometer(...average).map((angle) => upToHalfTurn(angle) / DEGREE);
+  const unknown = [Math.hypot(average[1], average[2]), Math.hypot(...average)].map(
+    (force) => force < 1e-9
+  );
+  return { estimate, error, single, scatter, unknown };
 }
-function readouts(state) {
-  const { estimate, error, scatter } = estimates(state);
-  return {
-    roll_estimate: rounded(estimate[0]),
-    pitch_estimate: rounded(estimate[1]),
-    roll_error: rounded(error[0]),
-    pitch_error: rounded(error[1]),
-    roll_scatter: rounded(scatter[0]),
-    pitch_scatter: rounded(scatter[1]),
-    meaning: meaning(state, error, scatter)
+
+// aircraft.js
+var CORNERS = 10;
+var SECTIONS = [
+  [-0.55, 0.012, 0.02, -0.05],
+  [-0.42, 0.035, 0.045, -0.035],
+  [-0.15, 0.075, 0.085, -0.01],
+  [0.12, 0.085, 0.09, 0],
+  [0.32, 0.07, 0.07, 0.01],
+  [0.45, 0.04, 0.042, 0.018]
+];
+var TIP = [0.54, 8e-3, 8e-3, 0.02];
+var section = ([x, wide, high, middle]) => Array.from({ length: CORNERS }, (_, i) => {
+  const angle = 2 * Math.PI * (i + 0.5) / CORNERS;
+  return [x, wide * Math.cos(angle), middle + high * Math.sin(angle)];
+});
+var plate = (root, tip, fill, upright = false) => {
+  const outline = ([front, back, side, height, half]) => {
+    const at = (x, offset) => upright ? [x, offset, height] : [x, side, height + offset];
+    const thickest = (2 * front + back) / 3;
+    return [at(front, 0), at(thickest, -half), at(back, 0), at(thickest, half)];
   };
+  return loft([outline(root), outline(tip)], fill);
+};
+var mirrored = (polygons) => polygons.map((polygon) => ({
+  ...polygon,
+  points: polygon.points.map(([x, y, z]) => [x, -y, z]).reverse()
+}));
+function aircraft({ body, glass, x, y, z }) {
+  const wing = plate([0.2, -0.1, 0.06, 0.02, 0.022], [0.04, -0.09, 0.42, -5e-3, 0.012], body);
+  const tip = plate([0.04, -0.09, 0.42, -5e-3, 0.012], [0, -0.085, 0.53, -0.013, 8e-3], y);
+  const bare = plate([0.04, -0.09, 0.42, -5e-3, 0.012], [0, -0.085, 0.53, -0.013, 8e-3], body);
+  const tail = plate([-0.38, -0.52, 0.02, -0.05, 0.012], [-0.46, -0.53, 0.2, -0.06, 6e-3], body);
+  const fin = plate([-0.3, -0.52, 0, -0.05, 0.012], [-0.46, -0.56, 0, -0.25, 6e-3], body, true);
+  const canopy = loft(
+    [
+      section([0.02, 0.035, 0.03, -0.085]),
+      section([0.12, 0.05, 0.055, -0.085]),
+      section([0.24, 0.045, 0.045, -0.07]),
+      section([0.33, 0.02, 0.02, -0.05])
+    ],
+    glass
+  );
+  const belly = loft([section([-0.05, 0.03, 0.02, 0.085]), section([0.15, 0.03, 0.02, 0.085])], z);
+  return [
+    ...loft(SECTIONS.map(section), body),
+    ...loft([SECTIONS.at(-1), TIP].map(section), x),
+    ...wing,
+    ...tip,
+    ...tail,
+    ...mirrored([...wing, ...bare, ...tail]),
+    ...fin,
+    ...canopy,
+    ...belly
+  ];
 }
-function meaning(state, error, scatter) {
-  const still2 = state.forward_acceleration === 0 && state.lateral_acceleration === 0;
-  const wrong = ["roll", "pitch"].filter((_, i) => Math.abs(error[i]) > RIGHT);
-  const shaken = state.vibration > 0 && scatter.some((each) => each > RIGHT);
-  const sentences = [];
-  if (still2 && Math.abs(state.pitch) >= 90)
-    return "Gravity lies along the roll axis: roll about it changes nothing that the accelerometer feels, so its roll means nothing.";
-  if (still2) sentences.push("The body does not accelerate, so the two verticals agree and both angles are right.");
-  else if (wrong.length > 0) sentences.push(`The sensor cannot tell acceleration from tilt. Its ${wrong.join(" and its ")} will be wrong for as long as the acceleration lasts.`);
-  else sentences.push("The acceleration happens to leave both angles as they are.");
-  if (shaken) sentences.push("Single readings scatter; their average does not.");
-  return sentences.join(" ");
+
+// chart.js
+var ARROWHEAD = 9;
+function line(context, points, { colour, width = 2, dash = [] }) {
+  context.save();
+  context.beginPath();
+  points.forEach(([x, y]) => context.lineTo(x, y));
+  context.strokeStyle = colour;
+  context.lineWidth = width;
+  context.lineJoin = "round";
+  context.setLineDash(dash);
+  context.stroke();
+  context.restore();
 }
-function summary(state) {
-  const texts = readouts(state);
-  const angle = (name) => `${name} ${texts[`${name}_estimate`]} degrees, error ${texts[`${name}_error`]}, scatter ${texts[`${name}_scatter`]}`;
-  return `Estimated ${angle("roll")}; ${angle("pitch")}. ${texts.meaning}`;
+function arrow(context, [x0, y0], [x1, y1], { colour, width = 2.5, dash = [] }) {
+  const length = Math.hypot(x1 - x0, y1 - y0);
+  if (length < 1) return;
+  const head = Math.min(ARROWHEAD + width, length);
+  const [along, across] = [[(x1 - x0) / length, (y1 - y0) / length], 0.42 * head];
+  const neck = [x1 - head * along[0], y1 - head * along[1]];
+  line(context, [[x0, y0], neck], { colour, width, dash });
+  context.beginPath();
+  context.moveTo(x1, y1);
+  context.lineTo(neck[0] - across * along[1], neck[1] + across * along[0]);
+  context.lineTo(neck[0] + across * along[1], neck[1] - across * along[0]);
+  context.closePath();
+  context.fillStyle = colour;
+  context.fill();
 }
+function beside([x0, y0], [x1, y1], [ax, ay], apart) {
+  const [x, y] = [(x0 + x1) / 2, (y0 + y1) / 2];
+  const length = Math.hypot(x1 - x0, y1 - y0);
+  const across = [(y1 - y0) / length, (x0 - x1) / length];
+  const off = (x - ax) * across[0] + (y - ay) * across[1];
+  const side = Math.abs(off) > 1 ? Math.sign(off) : across[0] > 0 ? -1 : 1;
+  return [x + side * apart * across[0], y + side * apart * across[1]];
+}
+var SHAPES = {
+  circle: (context, x, y, r) => context.arc(x, y, r, 0, 2 * Math.PI),
+  square: (context, x, y, r) => context.rect(x - 0.9 * r, y - 0.9 * r, 1.8 * r, 1.8 * r),
+  triangle: (context, x, y, r) => {
+    context.moveTo(x, y - 1.2 * r);
+    context.lineTo(x + 1.1 * r, y + 0.8 * r);
+    context.lineTo(x - 1.1 * r, y + 0.8 * r);
+    context.closePath();
+  }
+};
+function mark(context, shape, [x, y], { colour, rim, radius = 5 }) {
+  context.beginPath();
+  SHAPES[shape](context, x, y, radius);
+  context.fillStyle = colour;
+  context.fill();
+  if (!rim) return;
+  context.strokeStyle = rim;
+  context.lineWidth = 1.5;
+  context.stroke();
+}
+function words(context, text, [x, y], { colour, size = 12, align = "left", weight = 400 }) {
+  context.font = `${weight} ${size}px system-ui, sans-serif`;
+  context.textAlign = align;
+  context.textBaseline = "middle";
+  context.fillStyle = colour;
+  context.fillText(text, x, y);
+}
+var linear = (low, high, start, end) => (value) => start + (value - low) / (high - low) * (end - start);
+
+// tilt_picture.js
 var PER_GRAVITY = 0.6;
 var SIZE = 1.25;
 var PLUMB = 1;
 var DISTANCE = 60;
+var WEST = -Math.PI / 2;
 var VIEWS = [
-  { title: "from behind", axis: "y", view: matrixFromEuler(0, 0, 0) },
-  { title: "from the right", axis: "x", view: matrixFromEuler(0, 0, -90 * DEGREE) }
+  { title: "from behind", view: matrixFromEuler(0, 0, 0) },
+  { title: "from the right", view: matrixFromEuler(0, 0, WEST) }
 ];
 var STRIPS = [
-  { title: "roll error", axis: "x", shape: "circle" },
-  { title: "pitch error", axis: "y", shape: "square" }
+  { title: "roll error over 1 s", axis: "x", shape: "circle" },
+  { title: "pitch error over 1 s", axis: "y", shape: "square" }
 ];
 var DASH = { x: [], y: [7, 3], z: [2, 2], real: [9, 5], believed: [2, 4] };
+var LEGEND = [
+  { symbol: ["f"], colour: "ink", width: 3.5, text: "what the accelerometer feels" },
+  { symbol: ["−g"], colour: "z", dash: DASH.z, width: 3, text: "held up against gravity" },
+  { symbol: ["a", "x"], colour: "x", width: 3, text: "forward acceleration" },
+  { symbol: ["a", "y"], colour: "y", dash: DASH.y, width: 3, text: "lateral acceleration" },
+  { colour: "ink", dash: DASH.real, width: 2, text: "the real vertical" },
+  { colour: "alert", dash: DASH.believed, width: 3, text: "the vertical it believes in" }
+];
 function draw(context, { width, height }, state, colours) {
-  const [half, views] = [width / 2, 0.64 * height];
+  const [half, views] = [width / 2, 0.66 * height];
   const found = estimates(state);
   [0, 1].forEach((i) => {
-    inPart(context, [i * half, 0, half, views], (size) => scene(context, size, state, VIEWS[i], colours));
+    inPart(
+      context,
+      [i * half, 0, half, views],
+      (size) => scene(context, size, state, VIEWS[i], found, colours)
+    );
     inPart(
       context,
       [i * half, views, half, height - views],
@@ -809,124 +833,233 @@ function inPart(context, [x, y, width, height], drawIt) {
   drawIt({ width, height });
   context.restore();
 }
-function scene(context, size, state, { title, view }, colours) {
+function scene(context, size, state, { title, view }, { unknown }, colours) {
   const attitudeMatrix = matrixFromEuler(...attitude(state), 0);
   const look = camera(view, DISTANCE, size, { wide: 2.2, high: 2.85, shift: 0.12 });
   const at = (point) => look.project(point);
   const toInertial = (vector) => toParent(attitudeMatrix, vector);
-  const colour = (name) => colours(name);
   const along = (vector, length) => scaled(vector, length / Math.hypot(...vector));
-  words(context, title, [size.width / 2, 14], { colour: colour("muted"), align: "center", weight: 600 });
-  const [left, right] = [8, size.width - 8];
-  const [, level] = at([0, 0, 0]);
-  line(context, [[left, level], [right, level]], { colour: colour("line"), width: 1 });
+  words(context, title, [size.width / 2, 14], { colour: colours("muted"), align: "center", weight: 600 });
+  const centre = at([0, 0, 0]);
+  const level = [[8, centre[1]], [size.width - 8, centre[1]]];
+  line(context, level, { colour: colours("line"), width: 1 });
   const names = ["body", "glass", "x", "y", "z"];
-  const fills = Object.fromEntries(names.map((name) => [name, parsed(colour(name))]));
+  const fills = Object.fromEntries(names.map((name) => [name, parsed(colours(name))]));
   paint(context, placed(aircraft(fills), scaled(attitudeMatrix, SIZE)), look);
   const believed = (sensed) => at(along(toInertial(sensed), -PLUMB));
-  const centre = at([0, 0, 0]);
   if (state.vibration > 0)
     readings(state).forEach(
-      (sensed) => mark(context, "circle", believed(sensed), { colour: `${colour("alert")}66`, radius: 2 })
+      (sensed) => mark(context, "circle", believed(sensed), { colour: `${colours("alert")}66`, radius: 2 })
     );
-  const real = at([0, 0, PLUMB * 1.12]);
-  line(context, [centre, real], { colour: colour("ink"), width: 2, dash: DASH.real });
-  const bob = believed(reading(state));
-  line(context, [centre, bob], { colour: colour("alert"), width: 3, dash: DASH.believed });
-  mark(context, "circle", bob, { colour: colour("alert"), rim: colour("surface"), radius: 7 });
+  line(context, [centre, at([0, 0, PLUMB * 1.12])], { colour: colours("ink"), width: 2, dash: DASH.real });
+  if (!unknown[1]) {
+    const bob = believed(reading(state));
+    line(context, [centre, bob], { colour: colours("alert"), width: 3, dash: DASH.believed });
+    mark(context, "circle", bob, { colour: colours("alert"), rim: colours("page"), radius: 7 });
+  }
   arrows(context, state, { at, toInertial, colours, width: size.width });
 }
+var LEGIBLE = 12;
 function arrows(context, state, { at, toInertial, colours, width }) {
+  const [force, gravity, forward, lateral] = LEGEND;
   const parts = [
-    { name: "−g", axis: "z", vector: accelerometerAtRest(...attitude(state), 9.80665) },
-    { name: "a", axis: "x", vector: [state.forward_acceleration, 0, 0] },
-    { name: "a", axis: "y", vector: [0, state.lateral_acceleration, 0] }
+    { ...gravity, vector: accelerometerAtRest(...attitude(state), 9.80665) },
+    { ...forward, vector: [state.forward_acceleration, 0, 0] },
+    { ...lateral, vector: [0, state.lateral_acceleration, 0] }
   ];
-  const drawn = (vector) => scaled(toInertial(vector), PER_GRAVITY / 9.80665);
-  const say = (text, point, name, offset) => label(context, text, at(point), { colour: colours(name), rim: colours("surface"), offset, width, size: 13 });
-  let tail = [0, 0, 0];
-  for (const { name, axis, vector } of parts) {
-    const tip = sum(tail, drawn(vector));
-    const [from, to] = [at(tail), at(tip)];
-    arrow(context, from, to, { colour: colours(axis), width: 3, dash: DASH[axis] });
-    if (Math.hypot(to[0] - from[0], to[1] - from[1]) > 12)
-      say(name, scaled(sum(tail, tip), 0.5), axis, axis === "z" ? [-9, 0] : [0, -12]);
-    tail = tip;
-  }
-  const still2 = state.forward_acceleration === 0 && state.lateral_acceleration === 0;
-  if (!still2) arrow(context, at([0, 0, 0]), at(tail), { colour: colours("ink"), width: 3.5 });
-  say(still2 ? "f = −g" : "f", tail, "ink", [10, 0]);
+  const steps = parts.map(({ vector }) => scaled(toInertial(vector), PER_GRAVITY / 9.80665));
+  const total = steps.reduce(sum);
+  const [centre, tip] = [at([0, 0, 0]), at(total)];
+  const middle = at(scaled(total, 0.5));
+  const letter = (symbol, point, colour) => label(context, symbol, point, { colour: colours(colour), rim: colours("page"), width, size: 13 });
+  const shafts = steps.map((_, i) => [0, 1].map((end) => at([[0, 0, 0], ...steps.slice(0, i + end)].reduce(sum))));
+  shafts.forEach(
+    ([from, to], i) => arrow(context, from, to, { colour: colours(parts[i].colour), width: 3, dash: parts[i].dash })
+  );
+  const still2 = unaccelerated(state);
+  if (!still2) arrow(context, centre, tip, { colour: colours(force.colour), width: 3.5 });
+  shafts.forEach(([from, to], i) => {
+    if (Math.hypot(to[0] - from[0], to[1] - from[1]) > LEGIBLE)
+      letter(parts[i].symbol, beside(from, to, middle, 13), parts[i].colour);
+  });
+  const length = Math.hypot(tip[0] - centre[0], tip[1] - centre[1]) || 1;
+  const beyond = tip.map((value, i) => value + 14 * (value - centre[i]) / length);
+  letter(still2 ? ["f = −g"] : force.symbol, beyond, force.colour);
 }
 var LIMITS = [2, 5, 10, 20, 45, 90, 180];
-function strip(context, { width, height }, { error, single }, which, colours) {
+function strip(context, { width, height }, { error, scatter, single, unknown }, which, colours) {
   const { title, axis, shape } = STRIPS[which];
   const values = single.map((each) => each[which]);
   const largest = Math.max(Math.abs(error[which]), ...values.map(Math.abs));
   const limit = LIMITS.find((each) => each >= largest * 1.05) ?? 180;
-  const [left, right, top, bottom] = [40, width - 12, 26, height - 22];
+  const [left, right, top, bottom] = [46, width - 12, 26, height - 22];
   const [x, y] = [linear(0, 1, left, right), linear(-limit, limit, bottom, top)];
-  const small = { colour: colours("muted"), size: 11 };
-  words(context, `${title} over 1 s`, [left, 10], { ...small, weight: 600 });
+  const small = { colour: colours("muted"), size: 12 };
+  words(context, title, [8, 10], { ...small, weight: 600 });
   for (const tick of [-limit, 0, limit]) {
     line(context, [[left, y(tick)], [right, y(tick)]], { colour: colours("line"), width: 1 });
     words(context, `${tick}°`.replace("-", "−"), [left - 5, y(tick)], { ...small, align: "right" });
   }
   line(context, [[left, y(0)], [right, y(0)]], { colour: colours("ink"), width: 1.5, dash: DASH.real });
-  values.forEach(
+  if (scatter[which] > 0) values.forEach(
     (value, i) => mark(context, shape, [x((i + 0.5) / values.length), y(value)], { colour: `${colours(axis)}80`, radius: 2 })
   );
-  const average = [[left, y(error[which])], [right, y(error[which])]];
-  line(context, average, { colour: colours("surface"), width: 6 });
-  line(context, average, { colour: colours("alert"), width: 3, dash: DASH.believed });
-  mark(context, "circle", average[1], { colour: colours("alert"), rim: colours("surface"), radius: 5 });
   words(context, "0 s", [left, bottom + 12], small);
   words(context, "1 s", [right, bottom + 12], { ...small, align: "right" });
+  if (unknown[which]) {
+    const style = { colour: colours("alert"), rim: colours("page"), width, size: 13 };
+    label(context, ["undefined"], [(left + right) / 2, y(limit / 2)], style);
+    return;
+  }
+  const average = [[left, y(error[which])], [right, y(error[which])]];
+  line(context, average, { colour: colours("page"), width: 6 });
+  line(context, average, { colour: colours("alert"), width: 3, dash: DASH.believed });
+  mark(context, "circle", average[1], { colour: colours("alert"), rim: colours("page"), radius: 5 });
+}
+
+// widget.js
+var SYNC_EVERY = 200;
+function paced(send, interval) {
+  let timer = 0;
+  let waiting = null;
+  function flush() {
+    clearTimeout(timer);
+    timer = 0;
+    if (waiting === null) return;
+    const state = waiting;
+    waiting = null;
+    timer = setTimeout(flush, interval);
+    send(state);
+  }
+  return {
+    push(state) {
+      waiting = state;
+      if (timer === 0) flush();
+    },
+    end() {
+      flush();
+      clearTimeout(timer);
+    }
+  };
+}
+var widget = (mount2) => ({
+  render({ model, el }) {
+    const names = Object.keys(mount2.start);
+    const state = () => Object.fromEntries(names.map((name) => [name, model.get(name)]));
+    let own = false;
+    const sync = paced((changed) => {
+      own = true;
+      names.forEach((name) => model.set(name, changed[name]));
+      own = false;
+      model.save_changes();
+    }, SYNC_EVERY);
+    const demo = mount2(el, state(), sync.push);
+    const follow = () => own || demo.update(state());
+    names.forEach((name) => model.on(`change:${name}`, follow));
+    return () => {
+      names.forEach((name) => model.off(`change:${name}`, follow));
+      demo.destroy();
+      sync.end();
+    };
+  }
+});
+
+// tilt.js
+var RIGHT = 5e-3;
+var ANGLES = ["roll", "pitch"];
+function angles(state) {
+  const found = estimates(state);
+  return ANGLES.map((name, i) => ({
+    name,
+    estimate: rounded(found.estimate[i]),
+    error: rounded(found.error[i]),
+    scatter: rounded(found.scatter[i]),
+    wrong: Math.abs(found.error[i]) > RIGHT,
+    scattered: found.scatter[i] > RIGHT,
+    unknown: found.unknown[i]
+  }));
+}
+function readouts(state) {
+  const texts = angles(state).flatMap(
+    ({ name, unknown, ...numbers }) => ["estimate", "error", "scatter"].map((kind) => [
+      `${name}_${kind}`,
+      { text: numbers[kind], note: unknown ? "undefined" : "" }
+    ])
+  );
+  return { ...Object.fromEntries(texts), meaning: meaning(state) };
+}
+function meaning(state) {
+  const [roll, pitch] = angles(state);
+  if (pitch.unknown)
+    return "The body falls freely: nothing holds it up, and its accelerometer feels nothing. Its angles are what rounding makes of no reading, and mean nothing.";
+  const wrong = [roll, pitch].filter((angle) => angle.wrong && !angle.unknown);
+  const sentences = [];
+  if (roll.unknown)
+    sentences.push(`What the sensor feels lies along the roll axis: at any roll it would feel the same. The ${roll.estimate}° is left by rounding and means nothing.`);
+  if (wrong.length > 0) {
+    const list = wrong.map(({ name, error }) => `its ${name} is wrong by ${error}°`).join(" and ");
+    sentences.push(`The sensor takes the acceleration for tilt: ${list}, for as long as the acceleration lasts.`);
+  } else if (!roll.unknown)
+    sentences.push(
+      unaccelerated(state) ? "The body does not accelerate, so the two verticals agree and both angles are right." : "The acceleration happens to leave both angles as they are."
+    );
+  if (roll.scattered || pitch.scattered) sentences.push("Single readings scatter; the average reading does not.");
+  return sentences.join(" ");
+}
+function summary(state) {
+  const texts = angles(state).map(
+    ({ name, estimate, error, scatter, unknown }) => unknown ? `${name} undefined` : `${name} ${estimate} degrees, error ${error}, scatter ${scatter}`
+  );
+  return `Estimated ${texts.join("; ")}. ${meaning(state)}`;
+}
+function describe(state) {
+  const [north, east, down] = toParent(matrixFromEuler(...attitude(state), 0), reading(state));
+  const apart = rounded(Math.atan2(Math.hypot(north, east), -down) * 180 / Math.PI);
+  const [roll, pitch] = angles(state);
+  const { forward_acceleration: forward, lateral_acceleration: lateral, vibration } = state;
+  const vertical = pitch.unknown ? "It believes in no vertical" : `The vertical that it believes in leans ${apart}° from the real one`;
+  const shaken = vibration > 0 ? `, and single readings scatter round it: ${roll.scatter}° in roll, ${pitch.scatter}° in pitch` : "";
+  return `An aircraft from behind and from the right. Roll ${rounded(state.roll)}°, pitch ${rounded(state.pitch)}°. It accelerates by ${rounded(forward)} m/s² forward and ${rounded(lateral)} m/s² to the right. ${vertical}${shaken}.`;
 }
 var DEGREES = { short: "°", long: "degrees" };
 var METRES = { short: " m/s²", long: "metres per second squared" };
+var still = { roll: 0, pitch: 0, forward_acceleration: 0, lateral_acceleration: 0, vibration: 0 };
 var definition = {
-  title: "An aircraft from behind and from the right, with the real vertical and the one that its accelerometer believes in",
+  title: "Tilt from an accelerometer",
+  hint: "Move the forward acceleration. Which of the two angles goes wrong? Then try the lateral one, and the vibration.",
   aspect: 1.12,
-  start: { roll: 0, pitch: 0, forward_acceleration: 0, lateral_acceleration: 0, vibration: 0 },
-  legend: [
-    { colour: "ink", width: 3.5, text: "f, what the accelerometer feels" },
-    { colour: "z", dash: DASH.z, width: 3, text: "−g, held up against gravity" },
-    { colour: "x", width: 3, text: "a, forward acceleration" },
-    { colour: "y", dash: DASH.y, width: 3, text: "a, lateral acceleration" },
-    { colour: "ink", dash: DASH.real, width: 2, text: "the real vertical" },
-    { colour: "alert", dash: DASH.believed, width: 3, text: "the vertical it believes in" }
-  ],
+  start: still,
+  legend: LEGEND,
   controls: [
-    { name: "roll", label: "Roll", symbol: "φ", axis: "x", min: -180, max: 180, step: 1, unit: DEGREES },
-    { name: "pitch", label: "Pitch", symbol: "θ", axis: "y", min: -90, max: 90, step: 1, unit: DEGREES },
-    { name: "forward_acceleration", label: "Forward acceleration", symbol: "", axis: "x", min: -10, max: 10, step: 0.1, unit: METRES },
-    { name: "lateral_acceleration", label: "Lateral acceleration", symbol: "", axis: "y", min: -10, max: 10, step: 0.1, unit: METRES },
-    { name: "vibration", label: "Vibration, RMS", symbol: "", min: 0, max: 5, step: 0.1, unit: METRES }
+    { name: "roll", label: "Roll", symbol: ["φ"], axis: "x", min: -180, max: 180, step: 1, unit: DEGREES },
+    { name: "pitch", label: "Pitch", symbol: ["θ"], axis: "y", min: -90, max: 90, step: 1, unit: DEGREES },
+    { name: "forward_acceleration", label: "Forward acceleration", symbol: ["a", "x"], axis: "x", min: -10, max: 10, step: 0.1, unit: METRES },
+    { name: "lateral_acceleration", label: "Lateral acceleration", symbol: ["a", "y"], axis: "y", min: -10, max: 10, step: 0.1, unit: METRES },
+    { name: "vibration", label: "Vibration, RMS", symbol: [], min: 0, max: 5, step: 0.1, unit: METRES }
   ],
   outputs: [
-    { name: "roll_estimate", label: "Roll estimate", unit: "°" },
-    { name: "pitch_estimate", label: "Pitch estimate", unit: "°" },
-    { name: "roll_error", label: "Roll error", unit: "°" },
-    { name: "pitch_error", label: "Pitch error", unit: "°" },
-    { name: "roll_scatter", label: "Roll scatter", unit: "°" },
-    { name: "pitch_scatter", label: "Pitch scatter", unit: "°" },
+    { name: "roll_estimate", label: "Roll estimate", unit: DEGREES },
+    { name: "pitch_estimate", label: "Pitch estimate", unit: DEGREES },
+    { name: "roll_error", label: "Roll error", unit: DEGREES },
+    { name: "pitch_error", label: "Pitch error", unit: DEGREES },
+    { name: "roll_scatter", label: "Roll scatter", unit: DEGREES },
+    { name: "pitch_scatter", label: "Pitch scatter", unit: DEGREES },
     { name: "meaning", label: "What it means", wide: true }
+  ],
+  story: [
+    { state: still, says: "At rest and level, the accelerometer feels one thing: what holds it up against gravity. The vertical that it believes in is the real one." },
+    { state: { ...still, roll: 25, pitch: 15 }, says: "Tilted, and still at rest: both angles are right." },
+    { state: { ...still, forward_acceleration: 4 }, says: "Level again, and gaining speed. An aircraft at rest with its nose up would give the same reading, so that is what the sensor believes." },
+    { state: { ...still, roll: 30, lateral_acceleration: 4.9 }, says: "Banked in a turn. The reading has no sideways part left, and the sensor takes 30° of roll for none." },
+    { state: { ...still, vibration: 3 }, says: "At rest, but shaken. Single readings scatter on both sides, and their average is right." },
+    { state: { ...still, forward_acceleration: 4, vibration: 3 }, says: "Shaken and gaining speed. An average gets rid of the shaking and keeps the error of the acceleration." }
   ],
   readouts,
   summary,
+  describe,
   draw
 };
-var still = definition.start;
-definition.story = [
-  { state: still, says: "At rest and level, the accelerometer feels one thing: what holds it up against gravity. The vertical that it believes in is the real one." },
-  { state: { ...still, roll: 25, pitch: 15 }, says: "Tilted, and still at rest: both angles are right." },
-  { state: { ...still, forward_acceleration: 4 }, says: "Level again, and gaining speed. An aircraft at rest with its nose up would give the same reading, so that is what the sensor believes." },
-  { state: { ...still, roll: 30, lateral_acceleration: 4.9 }, says: "Banked in a turn. The reading has no sideways part left, and the sensor takes 30° of roll for none." },
-  { state: { ...still, vibration: 3 }, says: "At rest, but shaken. Single readings scatter on both sides, and their average is right." },
-  { state: { ...still, forward_acceleration: 4, vibration: 3 }, says: "Shaken and gaining speed. An average gets rid of the shaking and keeps the error of the acceleration." }
-];
-var mount = (element, state, onChange) => mountDemo(element, definition, state, onChange);
-mount.start = definition.start;
+var mount = mountOf(definition);
 var tilt_default = widget(mount);
 export {
   tilt_default as default,

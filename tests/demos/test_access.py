@@ -1,0 +1,317 @@
+"""Everyone can use each demo: by keyboard, by ear, in both themes, at any width."""
+
+import json
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import expect
+
+from chr_notes.demos import DriftDemo, GimbalLockDemo, TiltDemo
+from chr_notes.demos.base import SOURCES, Demo
+from chr_notes.palette import PALETTE
+
+from .parts import DEMOS, PageOf, Visit, each_demo, hold, output, picture, slider, state_of
+
+MINUS_ZERO = re.compile(r"[−-]0(?:\.0+)?(?![\d.])")
+UNITS = ("degrees", "metres per second squared", "second", "minute", "hour")
+
+# ── by keyboard ────────────────────────────────────────────────────────────────────────────────
+
+
+@each_demo
+def test_tab_reaches_each_control_and_shows_where_it_is(
+    visit: Visit, page_of: PageOf, demo: type[Demo]
+) -> None:
+    for theme in ("light", "dark"):
+        page = visit(page_of(demo(), theme=theme))
+        reached = []
+        for _ in range(len(demo.controls) + 2):
+            page.keyboard.press("Tab")
+            name, style, width, colour = page.evaluate(
+                "() => { const each = document.activeElement, style = getComputedStyle(each);"
+                " return [each.name, style.outlineStyle, style.outlineWidth, style.outlineColor]; }"
+            )
+            reached.append(name)
+            assert (style, width) == ("solid", "3px")
+            assert contrast(channels(colour), of_palette("raised", theme)) >= 3
+        assert reached == [*demo.controls, "play", "reset"]
+
+
+@each_demo
+def test_keyboard_moves_each_slider_and_the_picture(
+    visit: Visit, page_of: PageOf, demo: type[Demo]
+) -> None:
+    page = visit(page_of(demo()))
+    for name in demo.controls:
+        before = picture(page)
+        words = page.locator("canvas").get_attribute("aria-label")
+        slider(page, name).focus()
+        page.keyboard.press("ArrowRight")
+        page.keyboard.press("ArrowRight")
+        assert state_of(page)[name] > demo().state()[name]
+        assert picture(page) != before, name
+        assert page.locator("canvas").get_attribute("aria-label") != words, name
+        page.keyboard.press("Home")
+        assert state_of(page)[name] == demo.class_traits()[name].min
+        page.keyboard.press("End")
+        assert state_of(page)[name] == demo.class_traits()[name].max
+
+
+@each_demo
+def test_buttons_answer_to_the_keyboard(visit: Visit, page_of: PageOf, demo: type[Demo]) -> None:
+    page = visit(page_of(demo()), reduced_motion="reduce")
+    play = page.get_by_role("button", name="Show me, step by step")
+    play.focus()
+    page.keyboard.press("Space")
+    expect(page.locator(".chr-said")).not_to_have_text("")
+    page.get_by_role("button", name="Reset").focus()
+    page.keyboard.press("Enter")
+    expect(page.locator(".chr-said")).to_have_text("")
+
+
+@each_demo
+def test_only_keys_for_the_page_reach_the_page(
+    visit: Visit, page_of: PageOf, demo: type[Demo]
+) -> None:
+    page = visit(page_of(demo()))
+    page.evaluate(
+        "() => { window.heard = [];"
+        " document.addEventListener('keydown', (event) => window.heard.push(event.key)); }"
+    )
+    slider(page, demo.controls[0]).focus()
+    for key in ("ArrowRight", "PageDown", "Home", "b", "Escape", "Control+k"):
+        page.keyboard.press(key)
+    # The Control key by itself comes with its own flag set.
+    assert page.evaluate("window.heard") == ["Control", "k"]
+    assert page.locator(".chr-demo[data-lm-suppress-shortcuts]").count() == 1
+
+
+@each_demo
+def test_wheel_over_a_slider_scrolls_the_page(
+    visit: Visit, page_of: PageOf, demo: type[Demo]
+) -> None:
+    page = visit(page_of(demo(), demo(), demo()))
+    before = state_of(page)
+    slider(page, demo.controls[0]).first.focus()
+    slider(page, demo.controls[0]).first.hover()
+    page.mouse.wheel(0, 300)
+    page.wait_for_function("scrollY > 100")
+    assert state_of(page) == before
+
+
+# ── by ear ─────────────────────────────────────────────────────────────────────────────────────
+
+
+@each_demo
+def test_everything_has_a_name(visit: Visit, page_of: PageOf, demo: type[Demo]) -> None:
+    page = visit(page_of(demo()))
+    for control in page.locator("input, button, canvas, output, [role=group]").all():
+        label = control.evaluate(
+            "(each) => each.ariaLabel ?? each.labels?.[0]?.textContent ?? each.textContent"
+        )
+        assert str(label).strip() != ""
+    for control in page.locator("input").all():
+        assert any(unit in str(control.get_attribute("aria-valuetext")) for unit in UNITS)
+    for name in ("Play", "Reset"):
+        expect(page.get_by_role("button", name=name)).to_have_count(1)
+    # A number with a unit beside it has the unit in its name.
+    for readout in page.locator(".chr-readout").all():
+        if str(readout.locator(".chr-unit").text_content()) != "":
+            label = str(readout.locator("output").get_attribute("aria-label"))
+            assert label.endswith((", degrees", ", metres", ", metres per second", " squared"))
+
+
+@pytest.mark.parametrize(
+    ("demo", "words"),
+    [
+        (GimbalLockDemo(yaw=-30, pitch=60), "yaw −30°, pitch 60°, roll 0°, nose up. The roll axis"),
+        (GimbalLockDemo(pitch=-90), "nose down. The yaw axis and the roll axis are one line"),
+        (
+            TiltDemo(roll=5, forward_acceleration=2),
+            "Roll 5°, pitch 0°. It accelerates by 2 m/s² forward and 0 m/s² to the right.",
+        ),
+        (
+            TiltDemo(forward_acceleration=2),
+            "The vertical that it believes in leans 11.53° from the real one.",
+        ),
+        (TiltDemo(vibration=2), "single readings scatter round it"),
+        (DriftDemo(time=600), "At 10 minutes velocity is off by 102.6 m/s, position by 30.8 km"),
+        (DriftDemo(angle_error=0), "Without an error of angle it is empty."),
+    ],
+)
+def test_picture_is_told_in_words(visit: Visit, page_of: PageOf, demo: Demo, words: str) -> None:
+    picture_in_words = visit(page_of(demo)).get_by_role("img").get_attribute("aria-label")
+    assert words in str(picture_in_words)
+
+
+COUNT = """() => {
+  window.announced = 0;
+  new MutationObserver(() => { window.announced += 1; })
+    .observe(document.querySelector("[aria-live=polite]"), { childList: true });
+}"""
+
+
+@each_demo
+def test_screen_reader_hears_once_the_reader_pauses(
+    visit: Visit, page_of: PageOf, demo: type[Demo]
+) -> None:
+    page = visit(page_of(demo()))
+    live = page.locator("[aria-live=polite]")
+    assert page.locator("output:not([aria-live=off])").count() == 0
+    assert live.text_content() == ""
+    page.evaluate(COUNT)
+    hold(page)
+    slider(page, demo.controls[0]).focus()
+    for _ in range(20):
+        page.keyboard.press("ArrowRight")
+        page.clock.run_for(100)
+    assert page.evaluate("announced") == 0
+    page.clock.run_for(1_000)
+    assert page.evaluate("announced") == 1
+    expect(live).not_to_have_text("")
+
+
+@each_demo
+def test_story_is_told_a_sentence_at_a_time(
+    visit: Visit, page_of: PageOf, demo: type[Demo]
+) -> None:
+    page = visit(page_of(demo()))
+    page.evaluate(COUNT)
+    hold(page)
+    page.get_by_role("button", name="Play").click()
+    # It glides for two seconds, waits for three and a half, and glides on.
+    for seconds, announced in ((1.9, 0), (1.1, 1), (4, 1), (2.5, 2)):
+        page.clock.run_for(1000 * seconds)
+        assert page.evaluate("announced") == announced
+
+
+# ── by eye ─────────────────────────────────────────────────────────────────────────────────────
+
+
+def channels(colour: str) -> list[float]:
+    """The three numbers of `rgb(…)`, or of `#rrggbb`, from 0 to 1."""
+    if colour.startswith("#"):
+        return [int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5)]
+    return [float(part) / 255 for part in colour.strip("rgba()").split(",")[:3]]
+
+
+def of_palette(name: str, theme: str) -> list[float]:
+    return channels(str(getattr(PALETTE[name], theme)))
+
+
+def contrast(one: list[float], other: list[float]) -> float:
+    """As the Web Content Accessibility Guidelines define it."""
+    linear = [
+        [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in colour]
+        for colour in (one, other)
+    ]
+    low, high = sorted(0.2126 * r + 0.7152 * g + 0.0722 * b for r, g, b in linear)
+    return (high + 0.05) / (low + 0.05)
+
+
+WRITTEN = """() => [...document.querySelectorAll(".chr-demo *")].filter((each) =>
+  [...each.childNodes].some((child) => child.nodeType === 3 && child.data.trim() !== "")
+).map((each) => {
+  const opaque = (colour) => !colour.endsWith(", 0)");
+  let behind = each;
+  while (!opaque(getComputedStyle(behind).backgroundColor)) behind = behind.parentElement;
+  return [each.textContent, getComputedStyle(each).color, getComputedStyle(behind).backgroundColor];
+})"""
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_words_and_edges_stand_out(visit: Visit, page_of: PageOf, theme: str) -> None:
+    page = visit(page_of(GimbalLockDemo(), TiltDemo(pitch=90), DriftDemo(), theme=theme))
+    written = page.evaluate(WRITTEN)
+    assert len(written) > 60
+    for text, colour, background in written:
+        assert contrast(channels(colour), channels(background)) >= 4.5, text
+    for button in page.locator("button").all():
+        edge = button.evaluate("(each) => getComputedStyle(each).borderTopColor")
+        assert contrast(channels(edge), of_palette("raised", theme)) >= 3
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_colours_of_pictures_stand_out(theme: str) -> None:
+    """What is written on a canvas, on its background, and what a slider is made of."""
+    for name in ("ink", "muted", "x", "y", "z", "alert", "accent", "proved", "corrected"):
+        assert contrast(of_palette(name, theme), of_palette("page", theme)) >= 4.5, name
+        assert contrast(of_palette(name, theme), of_palette("raised", theme)) >= 3, name
+    css = (SOURCES / "demos.css").read_text(encoding="utf-8")
+    assert ".chr-stage { background: var(--chr-page)" in css
+    for part in ("webkit-slider-runnable", "moz-range"):
+        rule = css.partition(f"::-{part}-track {{")[2].partition("}")[0]
+        assert "border: 1px solid var(--chr-muted)" in rule
+
+
+@each_demo
+def test_picture_follows_the_theme(visit: Visit, page_of: PageOf, demo: type[Demo]) -> None:
+    page = visit(page_of(demo()))
+    light = picture(page)
+    page.evaluate("document.documentElement.dataset.theme = 'dark'")
+    assert picture(page) != light
+
+
+@each_demo
+@pytest.mark.parametrize("width", [320, 390, 1280])
+def test_demo_fits_the_page(visit: Visit, page_of: PageOf, demo: type[Demo], width: int) -> None:
+    page = visit(page_of(demo(**{name: demo.class_traits()[name].max for name in demo.controls})))
+    page.set_viewport_size({"width": width, "height": 900})
+    assert page.evaluate("document.documentElement.scrollWidth") <= width
+    parts = page.locator(".chr-readout *, .chr-caption *, .chr-table *").all()
+    for part in parts:
+        box = part.bounding_box()
+        assert box is None or box["x"] + box["width"] <= width
+
+
+@each_demo
+def test_reader_is_told_first_what_to_try(visit: Visit, page_of: PageOf, demo: type[Demo]) -> None:
+    root = visit(page_of(demo())).locator(".chr-demo")
+    assert str(root.text_content()).startswith("Try first. ")
+    assert root.locator(".chr-hint ~ .chr-body canvas").count() == 1
+
+
+# ── beside each other, and as a page from anywhere ─────────────────────────────────────────────
+
+
+@each_demo
+def test_several_demos_on_a_page_keep_apart(
+    visit: Visit, page_of: PageOf, demo: type[Demo]
+) -> None:
+    page = visit(page_of(demo(), DriftDemo(time=60), GimbalLockDemo(pitch=60), TiltDemo(roll=10)))
+    for name in demo.controls:
+        slider(page, name).first.focus()
+        page.keyboard.press("End")
+    others = page.locator("[data-demo]").all()[1:]
+    expect(output(others[0], "velocity_error")).to_have_text("10.26")
+    expect(output(others[1], "determinant")).to_have_text("2")
+    expect(output(others[2], "roll_estimate")).to_have_text("10")
+    assert page.locator(".chr-demo [id]").count() == 0, "an id would stand twice"
+
+
+def test_demos_work_from_a_server(
+    visit: Visit, page_of: PageOf, serve: Callable[[Path], str], tmp_path: Path
+) -> None:
+    page_of(*(demo() for demo in DEMOS))
+    page = visit(serve(tmp_path) + "page.html")
+    expect(page.locator(".chr-demo canvas")).to_have_count(len(DEMOS))
+
+
+@pytest.mark.parametrize(
+    "demo",
+    [
+        GimbalLockDemo(yaw=-0.001, pitch=-0.001, roll=-0.001),
+        GimbalLockDemo(yaw=-180, pitch=90, roll=180),
+        TiltDemo(roll=-0.001, pitch=-0.001, forward_acceleration=-0.001),
+        TiltDemo(roll=180, pitch=-90, lateral_acceleration=-0.001),
+        DriftDemo(angle_error=0, time=1),
+    ],
+)
+def test_no_number_is_minus_zero(visit: Visit, page_of: PageOf, demo: Demo) -> None:
+    page = visit(page_of(demo))
+    html = page.locator(".chr-demo").evaluate("(each) => each.innerText + each.innerHTML")
+    assert MINUS_ZERO.search(str(html)) is None
+    assert MINUS_ZERO.search(demo.fallback()) is None
+    assert json.loads(str(page.locator(".chr-demo").get_attribute("data-state"))) == demo.state()

@@ -1,0 +1,94 @@
+"""With a kernel: the demo and its model follow each other, and the model is not flooded."""
+
+from playwright.sync_api import Page, expect
+
+from chr_notes.demos.base import BUILT, Demo
+
+from .parts import PageOf, Visit, each_demo, hold, slider, state_of
+
+RENDER = """async ([source, values]) => {
+  const url = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
+  const { default: widget } = await import(url);
+  const heard = {};
+  window.values = values;
+  window.saved = 0;
+  window.model = {
+    get: (name) => values[name],
+    set(name, value) { values[name] = value; heard[`change:${name}`]?.(); },
+    save_changes() { window.saved += 1; },
+    on(event, call) { heard[event] = call; },
+    off(event) { delete heard[event]; },
+  };
+  window.close = await widget.render({ model: window.model, el: document.body });
+}"""
+
+
+def rendered(visit: Visit, page_of: PageOf, demo: type[Demo]) -> Page:
+    page = visit(page_of())
+    hold(page)
+    module = BUILT / f"{demo.element.replace('-', '_')}.mjs"
+    page.evaluate(RENDER, [module.read_text(encoding="utf-8"), demo().state()])
+    return page
+
+
+@each_demo
+def test_widget_and_model_follow_each_other(
+    visit: Visit, page_of: PageOf, demo: type[Demo]
+) -> None:
+    page = rendered(visit, page_of, demo)
+    control = demo.controls[-1]
+    slider(page, control).focus()
+    page.keyboard.press("ArrowRight")
+    assert page.evaluate("saved") == 1
+    assert page.evaluate(f"values.{control}") > demo().state()[control]
+    page.evaluate(f"model.set('{control}', {demo.class_traits()[control].max})")
+    assert state_of(page)[control] == demo.class_traits()[control].max
+    page.evaluate("window.close()")
+    assert page.locator(".chr-demo").count() == 0
+
+
+@each_demo
+def test_model_is_told_a_few_times_a_second_and_of_the_end(
+    visit: Visit, page_of: PageOf, demo: type[Demo]
+) -> None:
+    page = rendered(visit, page_of, demo)
+    page.get_by_role("button", name="Play").click()
+    frames = set()
+    page.clock.run_for(6_000)
+    before = page.evaluate("saved")
+    for _ in range(20):
+        page.clock.run_for(50)
+        frames.add(str(page.locator(".chr-demo").get_attribute("data-state")))
+    assert 0 < page.evaluate("saved") - before <= 5
+    assert len(frames) > 15
+    page.get_by_role("button", name="Pause").click()
+    page.clock.run_for(300)
+    assert page.evaluate("values") == state_of(page)
+
+
+@each_demo
+def test_what_still_waits_is_sent_when_the_widget_closes(
+    visit: Visit, page_of: PageOf, demo: type[Demo]
+) -> None:
+    page = rendered(visit, page_of, demo)
+    slider(page, demo.controls[0]).focus()
+    page.keyboard.press("ArrowRight")
+    page.keyboard.press("ArrowRight")
+    state = state_of(page)
+    assert page.evaluate("values") != state
+    page.evaluate("window.close()")
+    assert page.evaluate("values") == state
+
+
+@each_demo
+def test_a_change_by_the_kernel_ends_the_story(
+    visit: Visit, page_of: PageOf, demo: type[Demo]
+) -> None:
+    page = rendered(visit, page_of, demo)
+    page.get_by_role("button", name="Play").click()
+    page.clock.run_for(7_000)
+    control = demo.controls[0]
+    page.evaluate(f"model.set('{control}', {demo.class_traits()[control].max})")
+    page.clock.run_for(10_000)
+    assert state_of(page)[control] == demo.class_traits()[control].max
+    expect(page.get_by_role("button", name="Pause")).to_have_count(0)
