@@ -10,7 +10,7 @@ from chr_notes.book.notation import notation
 from chr_notes.conventions import CONVENTIONS
 from chr_notes.demos import GimbalLockDemo
 from chr_notes.ledger import Entry, Verdict, entries
-from chr_notes.ledger.show import badge, show
+from chr_notes.ledger.show import badge, display, show
 from chr_notes.ledger.table import show_table
 
 __all__ = ["generated"]
@@ -96,7 +96,7 @@ def _row(entry: Entry) -> Iterator[str]:
     elif entry.derived_latex in shown:
         yield "The derivation gives the right-hand side that stands above.\n"
     else:
-        yield f"What the derivation gives:\n\n$$\n{entry.derived_latex}\n$$\n"
+        yield f"What the derivation gives:\n\n{display(entry.derived_latex)}"
     yield "::::\n:::::\n"
 
 
@@ -111,11 +111,11 @@ def _errata(ledger: Iterable[Entry]) -> Iterator[str]:
             yield f"## {DOCUMENTS[document]}\n"
         yield f"### {entry.id}\n"
         yield f"{badge(entry.verdict)} {entry.says}\n"
-        yield f"$$\n{entry.printed_latex}\n$$\n"
+        yield display(entry.printed_latex)
         if entry.correction_latex is not None:
-            yield f"should read\n\n$$\n{entry.correction_latex}\n$$\n"
+            yield f"should read\n\n{display(entry.correction_latex)}"
         if entry.condition is not None:
-            yield f"holds when\n\n$$\n{entry.condition}\n$$\n"
+            yield f"holds when\n\n{display(entry.condition)}"
         if entry.remark is not None:
             yield f"{entry.remark}\n"
         yield f"[The entry with its witness and derivation](#{entry.id})\n"

@@ -287,6 +287,7 @@ SETTLED = (
                 Eq(
                     derived.readings_centre(),
                     derived.REALIGNMENT * ImmutableMatrix(derived.HARD_IRON),
+                    evaluate=False,
                 ),
             ),
             Step(

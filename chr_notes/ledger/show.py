@@ -13,6 +13,11 @@ MARKS: Final[Mapping[Verdict, str]] = MappingProxyType(
 )
 """A sign beside each verdict's name, so that colour is not the only cue."""
 
+AND: Final = r" \quad\text{and}\quad "
+EQUALS: Final = " = "
+LONG: Final = 150
+"""From this many characters of LaTeX on, statements joined by 'and' stand on a line each."""
+
 
 @dataclass(frozen=True)
 class Card:
@@ -54,6 +59,15 @@ def badge(verdict: Verdict) -> str:
     return f'<span class="verdict verdict-{verdict}">{mark} {verdict}</span>'
 
 
+def display(latex: str) -> str:
+    """Return a formula on lines of its own, as Markdown."""
+    parts = latex.split(AND)
+    if len(parts) > 1 and len(latex) >= LONG:
+        rows = r" \\[0.6em] &\text{and}\quad ".join(parts)
+        latex = rf"\begin{{aligned}}&{rows}\end{{aligned}}"
+    return f"$$\n{latex}\n$$\n"
+
+
 def _card(entry: Entry) -> Iterator[str]:
     # Blank lines end an HTML block, so that what stands between is read as Markdown.
     yield f'<div class="entry" id="entry-{entry.id}">\n<div class="entry-head"><p>'
@@ -77,7 +91,7 @@ def _card(entry: Entry) -> Iterator[str]:
         yield "<details>\n<summary>Derivation</summary>\n"
         for words, latex in entry.derivation:
             yield f"{words}\n"
-            yield from _formula("", latex)
+            yield display(_once(latex))
         yield "</details>\n"
     yield "</div>\n</div>\n"
 
@@ -94,7 +108,13 @@ def _readings(entry: Entry) -> Iterator[str]:
 def _formula(term: str, latex: str) -> Iterator[str]:
     if term:
         yield f'<p class="entry-term">{term}</p>\n'
-    yield f"$$\n{latex}\n$$\n"
+    yield display(latex)
+
+
+def _once(latex: str) -> str:
+    """Of an equation that has come to the same on both sides, leave one side."""
+    half = (len(latex) - len(EQUALS)) // 2
+    return latex[:half] if latex[:half] + EQUALS + latex[:half] == latex else latex
 
 
 def _witness(entry: Entry) -> Iterator[str]:
