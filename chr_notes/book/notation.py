@@ -42,9 +42,9 @@ _TURN = r"$-\pi$ to $\pi$"
 
 NOTATION: Final[dict[str, tuple[Notation, ...]]] = {
     "euler": (
-        Notation((ours.phi,), "roll", "rad", f"{_TURN}; about x of vehicle-2"),
-        Notation((ours.theta,), "pitch", "rad", r"$-\pi/2$ to $\pi/2$; about y of vehicle-1"),
-        Notation((ours.psi,), "yaw", "rad", f"{_TURN}; about z of the inertial frame"),
+        Notation((ours.phi,), "roll", "rad", f"about x of vehicle-2, {_TURN}"),
+        Notation((ours.theta,), "pitch", "rad", r"about y of vehicle-1, $-\pi/2$ to $\pi/2$"),
+        Notation((ours.psi,), "yaw", "rad", f"about z of the inertial frame, {_TURN}"),
         Notation(ours.EULER_RATES, "rates of roll, pitch and yaw", "rad/s"),
         Notation(ours.BODY_RATES, "body rates, which gyros read", "rad/s", "about body x, y, z"),
         Notation(
