@@ -1,6 +1,7 @@
 """What the numeric functions share: checks of shape, and generated functions run in blocks."""
 
 from collections.abc import Callable, Iterator, Sequence
+from itertools import product
 from typing import Any, Literal
 
 import numpy as np
@@ -72,8 +73,11 @@ def common_shape(*arguments: tuple[str, Floats, int]) -> tuple[int, ...]:
     ValueError
         If the leading axes do not fit each other.
     """
+    leading = [array.shape[: array.ndim - axes] for _, array, axes in arguments]
+    if leading.count(leading[0]) == len(leading):
+        return leading[0]
     try:
-        return np.broadcast_shapes(*(a.shape[: a.ndim - axes] for _, a, axes in arguments))
+        return np.broadcast_shapes(*leading)
     except ValueError:
         names = " and ".join(name for name, _, _ in arguments)
         shapes = " and ".join(str(array.shape) for _, array, _ in arguments)
@@ -83,8 +87,10 @@ def common_shape(*arguments: tuple[str, Floats, int]) -> tuple[int, ...]:
 
 def components(array: Floats, axes: int = 1) -> list[Floats]:
     """Take views of the elements along the last axes, row by row."""
+    shape = array.shape[array.ndim - axes :]
     # The dots make a view of one element an array, not a number, so that it can be written to.
-    return [array[(..., *place)] for place in np.ndindex(array.shape[array.ndim - axes :])]
+    places: Iterator[tuple[Any, ...]] = product([...], *map(range, shape))
+    return [array[place] for place in places]
 
 
 def in_pairs(*arrays: Floats) -> bool:
@@ -119,19 +125,19 @@ def blocks(
         storage for the real numbers that are computed on the way, and for complex ones if some of
         the arrays are complex.
     """
-    types = [np.complex128 if a.dtype.kind == "c" else np.float64 for a in (*given, *out)]
-    size = min(BLOCK, max(1, (*given, *out)[-1].size))
+    arrays = [*given, *out]
+    types = [np.complex128 if array.dtype.kind == "c" else np.float64 for array in arrays]
+    size = min(BLOCK, max(1, arrays[-1].size))
     storage: list[Numbers] = [np.empty((_WORK, size))]
     if np.complex128 in types:
         storage.append(np.empty((_PAIRS, size), dtype=np.complex128))
     read: list[Literal["readonly", "writeonly"]] = ["readonly"]
     write: list[Literal["readonly", "writeonly"]] = ["writeonly"]
-    access = [*(read for _ in given), *(write for _ in out)]
     start = 0
     with np.nditer(
-        [*given, *out],
+        arrays,
         flags=["external_loop", "buffered", "zerosize_ok"],
-        op_flags=access,
+        op_flags=[read] * len(given) + [write] * len(out),
         op_dtypes=types,
         order="C",
         casting="same_kind",

@@ -112,10 +112,9 @@ def _near_the_pole() -> Iterator[str]:
     yield "| degrees below 90° | 1 / cos(pitch) | from 1 + cos(pitch) | from both tangents |"
     yield "|---|---|---|---|"
     for degrees in (1e-3, 1e-6, 1e-9):
-        below = np.radians(degrees)
-        half = np.tan((np.pi / 2 - below) / 2)
-        cosine = one_plus_cosine(half) - 1
-        ways = (1 / np.sin(below), 1 / cosine, secant(np.tan(np.pi / 2 - below), half))
+        pitch = np.pi / 2 - np.radians(degrees)
+        half = np.tan(pitch / 2)
+        ways = (1 / np.cos(pitch), 1 / (one_plus_cosine(half) - 1), secant(np.tan(pitch), half))
         yield f"| {degrees:g} | " + " | ".join(f"{way:.10g}" for way in ways) + " |"
 
 
