@@ -113,3 +113,13 @@ def test_in_the_story_the_aircraft_stands_still_at_the_lock(visit: Visit, page_o
             attitudes[picture(page)] = output(page, "matrix").text_content()
     assert len(attitudes) == 2
     assert len(set(attitudes.values())) == 1
+
+
+@pytest.mark.parametrize("width", [320, 390, 640, 774])
+def test_matrix_and_quaternion_keep_apart(visit: Visit, page_of: PageOf, width: int) -> None:
+    page = visit(page_of(GimbalLockDemo(yaw=30, pitch=75, roll=20)), width=width)
+    matrix = output(page, "matrix").bounding_box()
+    quaternion = output(page, "quaternion").bounding_box()
+    assert matrix is not None
+    assert quaternion is not None
+    assert matrix["x"] + matrix["width"] + 8 <= quaternion["x"]
