@@ -1,6 +1,7 @@
 """What the numeric functions share: checks of shape, and generated functions run in blocks."""
 
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
 from itertools import product
 from typing import Any, Literal
 
@@ -19,6 +20,22 @@ _WORK, _PAIRS = 16, 8
 _LEAST, _MOST = 2.0**-400, 2.0**400
 
 
+@dataclass(frozen=True)
+class Locked:
+    """Elements at gimbal lock.
+
+    Parameters
+    ----------
+    count
+        How many there are.
+    places
+        Their indices in C order: the first one, or all of them if they were asked for.
+    """
+
+    count: int
+    places: NDArray[np.intp]
+
+
 def reals(name: str, value: ArrayLike, *last: int) -> Floats:
     """Take an argument as an array of real numbers with the given last axes.
 
@@ -29,7 +46,7 @@ def reals(name: str, value: ArrayLike, *last: int) -> Floats:
     name
         Of the argument, for the error.
     value
-        Array-like of real numbers.
+        Array-like of real numbers; elements that are masked out are taken for NaN.
     *last
         Expected sizes of the last axes.
 
@@ -41,6 +58,9 @@ def reals(name: str, value: ArrayLike, *last: int) -> Floats:
         If the numbers are not real.
     """
     array = np.asarray(value)
+    if isinstance(value, np.ma.MaskedArray) and np.ma.is_masked(value):
+        # The numbers under a mask are not to be used.
+        array = np.where(np.ma.getmaskarray(value), np.nan, array)
     if array.dtype.kind in "cmM":
         # Times of NumPy would be taken for numbers in whatever unit they are kept.
         msg = f"{name}: expected real numbers, got {array.dtype}"
@@ -151,13 +171,15 @@ def blocks(
             start += count
 
 
-def evaluate(
+def evaluate(  # noqa: PLR0913 # the last two are for one function or two each
     function: Callable[..., Reports],
     given: Sequence[Numbers],
     out: Sequence[Numbers],
     scaled: tuple[str, Floats] | None = None,
     degree: int = 0,
-) -> NDArray[np.intp]:
+    *,
+    every_place: bool = False,
+) -> Locked:
     """Run a generated function over arrays.
 
     Parameters
@@ -173,18 +195,21 @@ def evaluate(
         square would overflow or vanish it is scaled first.
     degree
         Power of the length of `scaled` to which the results are proportional.
+    every_place
+        Keep the index of every element at gimbal lock, for which memory grows with their number,
+        instead of the first one's.
 
     Returns
     -------
-    ndarray
-        Indices, in C order, of the elements at gimbal lock, if the function tells.
+    Locked
+        The elements at gimbal lock, if the function tells.
 
     Raises
     ------
     ValueError
         If a row of `scaled` is zero; it names the first one.
     """
-    locked: list[NDArray[np.intp]] = []
+    count, found = 0, [np.empty(0, dtype=np.intp)]
     for start, parts, results, work in blocks(given, out):
         with np.errstate(all="ignore"):
             reports = function(*parts, results, *work)
@@ -194,14 +219,17 @@ def evaluate(
             # A comparison with NaN fails, so a block with NaN goes the slow way.
             fits = guard is None or (guard.min() > _LEAST and guard.max() < _MOST)
             if scaled is not None and not fits:
-                count = scaled[1].shape[-1] // len(_real(parts[0]))
-                scaled_parts, exponent = _scale(parts[:count], *scaled)
-                _, lock = function(*scaled_parts, *parts[count:], results, *work) or (None, None)
+                several = scaled[1].shape[-1] // len(_real(parts[0]))
+                scaled_parts, exponent = _scale(parts[:several], *scaled)
+                again = function(*scaled_parts, *parts[several:], results, *work)
+                _, lock = again or (None, None)
                 for result in results if degree else ():
                     np.ldexp(result, degree * exponent, out=result)
         if lock is not None and lock.any():
-            locked.append(start + np.flatnonzero(lock))
-    return np.concatenate(locked) if locked else np.empty(0, dtype=np.intp)
+            if every_place or not count:
+                found.append(start + np.flatnonzero(lock)[: None if every_place else 1])
+            count += int(np.count_nonzero(lock))
+    return Locked(count, np.concatenate(found))
 
 
 def _scale(

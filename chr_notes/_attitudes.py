@@ -4,9 +4,9 @@ import warnings
 from typing import Literal, get_args
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from chr_notes._arrays import Floats, blocks, components, reals
+from chr_notes._arrays import Floats, Locked, blocks, components, reals
 from chr_notes.errors import GimbalLockError, GimbalLockWarning
 
 OnGimbalLock = Literal["warn", "ignore", "raise"]
@@ -67,13 +67,13 @@ def check_choice(on_gimbal_lock: str) -> None:
         raise ValueError(msg)
 
 
-def tell(locked: NDArray[np.intp], leading: tuple[int, ...], on_gimbal_lock: OnGimbalLock) -> None:
+def tell(locked: Locked, leading: tuple[int, ...], on_gimbal_lock: OnGimbalLock) -> None:
     """Warn of attitudes at gimbal lock, or raise, or keep silent.
 
     Parameters
     ----------
     locked
-        Their indices in C order.
+        The attitudes, all their places if the choice is "raise".
     leading
         Shape of the leading axes.
     on_gimbal_lock
@@ -84,14 +84,15 @@ def tell(locked: NDArray[np.intp], leading: tuple[int, ...], on_gimbal_lock: OnG
     GimbalLockError
         If there are any and the choice is "raise".
     """
-    if not locked.size or on_gimbal_lock == "ignore":
+    if not locked.count or on_gimbal_lock == "ignore":
         return
-    places = [np.unravel_index(place, leading) for place in locked]
-    indices = tuple(tuple(map(int, place)) for place in places)
+    # NumPy knows no places in a shape without axes.
+    axes = np.array(np.unravel_index(locked.places, leading or (1,)))[: len(leading)]
+    indices = tuple(map(tuple, axes.T.tolist()))
     if on_gimbal_lock == "raise":
         raise GimbalLockError(indices)
     message = (
-        f"{len(indices)} attitude(s) at gimbal lock, the first at index {indices[0]}: roll is set "
+        f"{locked.count} attitude(s) at gimbal lock, the first at index {indices[0]}: roll is set "
         f"to 0 and yaw carries the rest"
     )
     # The caller of the public function that calls this one.

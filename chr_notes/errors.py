@@ -20,3 +20,7 @@ class GimbalLockError(ValueError):
             f"expected attitudes off gimbal lock, got {len(indices)} at a pitch of ±90°, "
             f"the first at index {indices[0]}"
         )
+
+    def __reduce__(self) -> tuple[type, tuple[object, ...]]:
+        """Let it be pickled, so that it comes back from another process as it was."""
+        return type(self), (self.indices,)

@@ -82,7 +82,12 @@ def euler_from_matrix(matrix: ArrayLike, *, on_gimbal_lock: OnGimbalLock = "warn
     check_choice(on_gimbal_lock)
     rotation = rotations("matrix", matrix)
     out = np.empty(rotation.shape[:-1])
-    locked = evaluate(generated.euler_from_matrix, components(rotation, 2), components(out))
+    locked = evaluate(
+        generated.euler_from_matrix,
+        components(rotation, 2),
+        components(out),
+        every_place=on_gimbal_lock == "raise",
+    )
     tell(locked, out.shape[:-1], on_gimbal_lock)
     return out
 
@@ -105,7 +110,7 @@ def wrap_angle(angle: ArrayLike) -> Floats:
     angles = reals("angle", angle)
     out = np.empty(angles.shape)
     evaluate(generated.wrap_angle, [angles], [out])
-    return out
+    return out[()]
 
 
 def euler_rates_matrix(euler: ArrayLike) -> Floats:

@@ -150,7 +150,13 @@ def euler_from_quaternion(q: ArrayLike, *, on_gimbal_lock: OnGimbalLock = "warn"
     quaternion = reals("q", q, 4)
     out = np.empty((*quaternion.shape[:-1], 3))
     given = components(quaternion)
-    locked = evaluate(generated.euler_from_quaternion, given, components(out), ("q", quaternion))
+    locked = evaluate(
+        generated.euler_from_quaternion,
+        given,
+        components(out),
+        ("q", quaternion),
+        every_place=on_gimbal_lock == "raise",
+    )
     tell(locked, out.shape[:-1], on_gimbal_lock)
     return out
 
@@ -217,7 +223,7 @@ def axis_angle_from_quaternion(q: ArrayLike) -> tuple[Floats, Floats]:
     angle = np.empty(quaternion.shape[:-1])
     given, out = components(quaternion), [*components(axis), angle]
     evaluate(generated.axis_angle_from_quaternion, given, out, ("q", quaternion))
-    return axis, angle
+    return axis, angle[()]
 
 
 def quaternion_multiply(p: ArrayLike, q: ArrayLike) -> Floats:

@@ -1,5 +1,7 @@
 """Routes between attitudes: rotations that come out are those that went in, up to the pole."""
 
+import pickle
+import tracemalloc
 import warnings
 from collections.abc import Callable
 
@@ -212,6 +214,35 @@ def test_lock_in_several_dimensions_and_blocks_is_named_by_its_place() -> None:
     assert error.value.indices == ((0, 5), (2, 7))
     with pytest.raises(chr_notes.GimbalLockError, match=r"index \(\)"):
         chr_notes.euler_from_quaternion([1, 0, 1, 0], on_gimbal_lock="raise")
+
+
+@pytest.mark.parametrize("mode", ["warn", "ignore"])
+def test_attitudes_that_are_all_at_lock_take_no_more_memory(mode: str) -> None:
+    q = np.tile([1.0, 0.0, 1.0, 0.0], (1_000_000, 1))
+    tracemalloc.start()
+    try:
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            euler = chr_notes.euler_from_quaternion(q, on_gimbal_lock=mode)  # type: ignore[arg-type] # one of the three
+        _, peak = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert peak - euler.nbytes < 8_000_000
+    said = [str(warning.message).split(":")[0] for warning in caught]
+    expected = "1000000 attitude(s) at gimbal lock, the first at index (0,)"
+    assert said == ([expected] if mode == "warn" else [])
+
+
+def test_the_error_comes_back_from_another_process_as_it_was() -> None:
+    error = chr_notes.GimbalLockError(((2, 1), (3, 0)))
+    back = pickle.loads(pickle.dumps(error))  # noqa: S301 # made in the line itself
+    assert (back.indices, str(back)) == (error.indices, str(error))
+
+
+def test_axis_of_a_turn_that_is_no_number_is_none_either() -> None:
+    axis, angle = chr_notes.axis_angle_from_quaternion([[1, np.nan, 0, 0], [1, 0, 0, 0]])
+    assert_array_equal(axis, [[np.nan] * 3, [1, 0, 0]])
+    assert_array_equal(angle, [np.nan, 0])
 
 
 def test_an_unknown_way_to_deal_with_lock_is_refused() -> None:

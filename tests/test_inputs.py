@@ -242,6 +242,26 @@ def test_integers_lists_float32_and_fractions(function: Function) -> None:
 
 
 @every
+def test_what_is_masked_out_is_no_number(function: Function) -> None:
+    if "matrix" in function.given:
+        return
+    first, *rest = (np.asarray(a, dtype=np.float64) for a in function.many(3))
+    masked = np.ma.masked_array(first, mask=np.zeros(first.shape, dtype=bool))
+    assert_same(function(masked, *rest), function(first, *rest))
+    masked[1, ...] = np.ma.masked
+    first[1] = np.nan
+    for result, expected in zip(function(masked, *rest), function(first, *rest), strict=True):
+        assert_array_equal(result, expected)
+        assert not np.isfinite(result[1]).all()
+
+
+@every
+def test_one_attitude_gives_a_scalar_or_an_array(function: Function) -> None:
+    for result in function(*function.given.values()):
+        assert type(result) is (np.ndarray if result.ndim else np.float64)
+
+
+@every
 def test_complex_numbers_and_words_are_refused(function: Function) -> None:
     arguments = [np.asarray(a) for a in function.given.values()]
     with pytest.raises(TypeError, match="expected real numbers, got complex128"):

@@ -46,9 +46,9 @@ def numpy(vectors: list[Vector]) -> Results:
         rows = np.array([v.arguments for v in vectors if v.target.name == name])
         out = np.empty((len(rows), len(program.results)))
         function = getattr(import_module(f"chr_notes.generated.arrays.{target.topic}"), name)
-        locked = evaluate(function, list(rows.T), list(out.T))
+        locked = evaluate(function, list(rows.T), list(out.T), every_place=True)
         flag = np.zeros(len(rows))
-        flag[locked] = 1
+        flag[locked.places] = 1
         columns = [out] if program.flag is None else [out, flag[:, np.newaxis]]
         results[name] = np.hstack(columns).tolist()
     remaining = {name: iter(rows) for name, rows in results.items()}

@@ -165,7 +165,8 @@ def axis_angle_from_quaternion() -> Computation:
             Let(NORM_SQUARED, a**2 + length_squared),
             Let(length, sqrt(length_squared)),
             _positive(a),
-            Choice(names, ((length > 0, values), otherwise(one, 0 * one, 0 * one))),
+            # NaN is not zero, and comes out as NaN.
+            Choice(names, ((length <= 0, (one, 0 * one, 0 * one)), otherwise(*values))),
         ),
         ImmutableMatrix([*names, 2 * atan2(length, Abs(a))]),
         guard=NORM_SQUARED,

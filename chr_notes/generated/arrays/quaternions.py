@@ -19,6 +19,7 @@ from numpy import (
     greater,
     greater_equal,
     less,
+    less_equal,
     logical_and,
     logical_not,
     multiply,
@@ -418,18 +419,24 @@ def axis_angle_from_quaternion(
     condition_6 = logical_not(condition_5)
     if condition_6.any():
         copyto(sign, -1.0, where=condition_6)
-    multiply(b, sign, out=work[3])
-    x = divide(work[3], length, out=out[0])
-    multiply(c, sign, out=work[3])
-    y = divide(work[3], length, out=out[1])
-    multiply(d, sign, out=work[2])
-    z = divide(work[2], length, out=out[2])
-    condition_10 = greater(length, 0.0)
-    condition_11 = logical_not(condition_10)
-    if condition_11.any():
-        copyto(x, 1.0, where=condition_11)
-        copyto(y, 0.0, where=condition_11)
-        copyto(z, 0.0, where=condition_11)
+    x = out[0]
+    copyto(x, 1.0)
+    y = out[1]
+    copyto(y, 0.0)
+    z = out[2]
+    copyto(z, 0.0)
+    condition_7 = less_equal(length, 0.0)
+    condition_8 = logical_not(condition_7)
+    if condition_8.any():
+        multiply(b, sign, out=work[3])
+        divide(work[3], length, out=work[3])
+        copyto(x, work[3], where=condition_8)
+        multiply(c, sign, out=work[3])
+        divide(work[3], length, out=work[3])
+        copyto(y, work[3], where=condition_8)
+        multiply(d, sign, out=work[2])
+        divide(work[2], length, out=work[2])
+        copyto(z, work[2], where=condition_8)
     # out[3] = 2.0 * atan2(length, abs(a))
     absolute(a, out=work[2])
     arctan2(length, work[2], out=work[0])

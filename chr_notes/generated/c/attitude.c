@@ -514,14 +514,14 @@ void attitude_axis_angle_from_quaternion(double a, double b, double c, double d,
     const double length = sqrt(length_squared);
     const double sign = a >= 0.0 ? 1.0 : -1.0;
     double x, y, z;
-    if (length > 0.0) {
-        x = b * sign / length;
-        y = c * sign / length;
-        z = d * sign / length;
-    } else {
+    if (length <= 0.0) {
         x = 1.0;
         y = 0.0;
         z = 0.0;
+    } else {
+        x = b * sign / length;
+        y = c * sign / length;
+        z = d * sign / length;
     }
     out[0] = x;
     out[1] = y;
@@ -535,14 +535,14 @@ void attitude_axis_angle_from_quaternion_f(float a, float b, float c, float d, f
     const float length = sqrtf(length_squared);
     const float sign = a >= 0.0f ? 1.0f : -1.0f;
     float x, y, z;
-    if (length > 0.0f) {
-        x = b * sign / length;
-        y = c * sign / length;
-        z = d * sign / length;
-    } else {
+    if (length <= 0.0f) {
         x = 1.0f;
         y = 0.0f;
         z = 0.0f;
+    } else {
+        x = b * sign / length;
+        y = c * sign / length;
+        z = d * sign / length;
     }
     out[0] = x;
     out[1] = y;

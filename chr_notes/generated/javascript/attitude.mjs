@@ -355,14 +355,14 @@ export function axisAngleFromQuaternion(a, b, c, d) {
   const length = Math.sqrt(lengthSquared);
   const sign = a >= 0 ? 1 : -1;
   let x, y, z;
-  if (length > 0) {
-    x = b * sign / length;
-    y = c * sign / length;
-    z = d * sign / length;
-  } else {
+  if (length <= 0) {
     x = 1;
     y = 0;
     z = 0;
+  } else {
+    x = b * sign / length;
+    y = c * sign / length;
+    z = d * sign / length;
   }
   return [x, y, z, 2 * Math.atan2(length, Math.abs(a))];
 }

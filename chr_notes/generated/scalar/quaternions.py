@@ -199,14 +199,14 @@ def axis_angle_from_quaternion(
     length_squared = b * b + c * c + d * d
     length = sqrt(length_squared)
     sign = 1.0 if a >= 0.0 else -1.0
-    if length > 0.0:
-        x = b * sign / length
-        y = c * sign / length
-        z = d * sign / length
-    else:
+    if length <= 0.0:
         x = 1.0
         y = 0.0
         z = 0.0
+    else:
+        x = b * sign / length
+        y = c * sign / length
+        z = d * sign / length
     return (x, y, z, 2.0 * atan2(length, abs(a)))
 
 
