@@ -23,7 +23,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return report.run(options.document, options.verdict, as_json=options.json)
     from chr_notes.export import export  # noqa: PLC0415
 
-    for path in export(options.language, options.folder):
+    try:
+        written = export(options.language, options.folder)
+    except OSError as error:
+        # Where it is to go is the user's choice, so it is no fault of the program's.
+        print(f"export: {error}", file=sys.stderr)
+        return 2
+    for path in written:
         print(path)
     return 0
 
