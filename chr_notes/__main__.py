@@ -15,7 +15,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if options.command == "book":
         from chr_notes.book import build  # noqa: PLC0415
 
-        build(open_browser=options.open)
+        try:
+            build(open_browser=options.open)
+        except RuntimeError as error:
+            # It says what is missing or wrong; where in the program does not help.
+            print(f"book: {error}", file=sys.stderr)
+            return 1
         return 0
     if options.command == "ledger":
         from chr_notes.ledger import report  # noqa: PLC0415

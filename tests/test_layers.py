@@ -53,7 +53,9 @@ def imported(path: Path) -> set[str]:
             assert node.level == 0, f"{path}: a relative import"
             base = str(node.module)
             found |= {f"{base}.{alias.name}" for alias in node.names}
-    return {name.removeprefix("chr_notes.") for name in found if name.startswith("chr_notes.")}
+    # Who imports the package itself can reach all that it has.
+    whole = {"__init__" for name in found if name == "chr_notes"}
+    return whole | {n.removeprefix("chr_notes.") for n in found if n.startswith("chr_notes.")}
 
 
 FILES = sorted(PACKAGE.rglob("*.py"))
@@ -64,6 +66,23 @@ def test_imports_stay_within_the_layers(path: Path) -> None:
     own = layer(".".join(path.relative_to(PACKAGE).with_suffix("").parts))
     used = {layer(module) for module in imported(path)}
     assert used - {own} <= ALLOWED[own]
+
+
+@pytest.mark.parametrize(
+    ("line", "found"),
+    [
+        ("import chr_notes", {"__init__"}),
+        ("import chr_notes as notes", {"__init__"}),
+        ("import chr_notes.printed.euler", {"printed"}),
+        ("from chr_notes import ledger", {"ledger"}),
+        ("def later():\n    from chr_notes.demos import build", {"demos"}),
+        ("import numpy", set()),
+    ],
+)
+def test_every_form_of_import_is_seen(line: str, found: set[str], tmp_path: Path) -> None:
+    path = tmp_path / "module.py"
+    path.write_text(line + "\n", encoding="utf-8")
+    assert {layer(module) for module in imported(path)} == found
 
 
 def test_numeric_api_does_not_load_sympy() -> None:

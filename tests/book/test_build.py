@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 import chr_notes.book
+from chr_notes.__main__ import main
 from chr_notes.book import build, pages
 from chr_notes.conventions import CONVENTIONS
 from chr_notes.ledger import entries
@@ -28,6 +29,17 @@ def test_missing_sources_are_explained(monkeypatch: pytest.MonkeyPatch, tmp_path
     monkeypatch.setattr(chr_notes.book, "SOURCES", tmp_path)
     with pytest.raises(RuntimeError, match="not part of an installed package"):
         build()
+
+
+def test_the_command_says_it_in_a_line(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(chr_notes.book, "SOURCES", tmp_path)
+    assert main(["book"]) == 1
+    said = capsys.readouterr()
+    assert said.out == ""
+    assert said.err.startswith("book: expected the sources of the book in ")
+    assert said.err.count("\n") == 1
 
 
 def test_each_convention_is_on_its_page() -> None:
