@@ -28,9 +28,12 @@ ROOT: Final = Path(__file__).resolve().parents[2]
 SPEED: Final = ROOT / "book" / "speed.json"
 GENERATED: Final = ROOT / "chr_notes" / "generated"
 NAME: Final = "euler_rates_from_body_rates"
+PAIRS: Final = f"{NAME}_pairs"
 TARGET: Final = next(target for target in TARGETS if target.name == NAME)
 SIZES: Final = {1: "one attitude", 1_000: "a thousand", 1_000_000: "a million"}
 SCALAR: Final = "chr_notes, one at a time"
+TENTH: Final = 0.1
+"""Factors below it have two decimals, so that none reads as zero."""
 
 
 def generated() -> dict[str, str]:
@@ -46,6 +49,7 @@ def generated() -> dict[str, str]:
         "code/number.md": "\n".join(_number()),
         "code/python.md": _block("python", python(GENERATED / "scalar" / "euler.py")),
         "code/numpy.md": _block("python", python(GENERATED / "arrays" / "euler.py")),
+        "code/pairs.md": _block("python", python(GENERATED / "arrays" / "euler.py", PAIRS)),
         "code/javascript.md": _block("javascript", javascript()),
         "code/c.md": _block("c", c()),
         "speed.md": "\n".join(speed(json.loads(SPEED.read_text(encoding="utf-8")))),
@@ -80,9 +84,9 @@ def steps(program: Program) -> str:
     return "\n".join(lines)
 
 
-def python(path: Path) -> str:
+def python(path: Path, name: str = NAME) -> str:
     """Find the function in a generated module of Python."""
-    return _find(rf"^def {NAME}\(.*?(?=\n\n\n|\Z)", path)
+    return _find(rf"^def {name}\(.*?(?=\n\n\n|\Z)", path)
 
 
 def javascript() -> str:
@@ -141,13 +145,15 @@ def speed(run: dict[str, Any]) -> Iterator[str]:
     for size, words in SIZES.items():
         cases = [row for row in run["rows"] if row["size"] == size]
         yield f"## {words[0].upper()}{words[1:]}\n"
-        yield "| task | library | ns each | times as long |\n|---|---|--:|--:|"
+        yield ":::{div} speed\n| task | library | ns each | times as long |\n|---|---|--:|--:|"
         for task in dict.fromkeys(row["task"] for row in cases):
             times = {r["library"]: r["nanoseconds"] for r in cases if r["task"] == task}
             ours = times[SCALAR] if size == 1 else times["chr_notes"]
             for place, (library, time) in enumerate(times.items()):
-                yield f"| {'' if place else task} | {library} | {time:,g} | {time / ours:.1f} |"
-        yield ""
+                ratio = time / ours
+                factor = f"{ratio:.1f}" if ratio >= TENTH else f"{ratio:.2f}"
+                yield f"| {'' if place else task} | {library} | {time:,g} | {factor} |"
+        yield ":::\n"
     libraries = ", ".join(f"{name} {version}" for name, version in run["libraries"].items())
     yield (
         f"Timed on {run['cpu']}, {run['vector_instructions']}, one thread, {run['system']}, "

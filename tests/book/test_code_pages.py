@@ -2,6 +2,7 @@
 
 import inspect
 import json
+import re
 from types import ModuleType
 
 import numpy as np
@@ -24,12 +25,28 @@ def code(part: str) -> str:
     return "\n".join(lines)
 
 
-@pytest.mark.parametrize(("name", "module"), [("python", scalar), ("numpy", arrays)])
+@pytest.mark.parametrize(
+    ("part", "module", "name"),
+    [
+        ("python", scalar, code_pages.NAME),
+        ("numpy", arrays, code_pages.NAME),
+        ("pairs", arrays, code_pages.PAIRS),
+    ],
+)
 def test_the_python_functions_are_those_of_the_modules(
-    parts: dict[str, str], name: str, module: ModuleType
+    parts: dict[str, str], part: str, module: ModuleType, name: str
 ) -> None:
-    shown = inspect.getsource(getattr(module, code_pages.NAME)).rstrip()
-    assert code(parts[f"code/{name}.md"]) == shown
+    shown = inspect.getsource(getattr(module, name)).rstrip()
+    assert code(parts[f"code/{part}.md"]) == shown
+
+
+def test_a_product_of_pairs_takes_one_pass_where_real_numbers_take_six() -> None:
+    pairs = inspect.getsource(getattr(arrays, code_pages.PAIRS))
+    real = inspect.getsource(getattr(arrays, code_pages.NAME))
+    turning = re.split(r"# (?:rate_across|out\[1\]) = ", real)[1:]
+    passes = [re.findall(r"(?:multiply|add|subtract)\((?!.*pitch|p,)", part) for part in turning]
+    assert [len(found) for found in passes] == [3, 3]
+    assert pairs.count("multiply(qr, turn,") == 1
 
 
 @pytest.mark.parametrize(
@@ -88,6 +105,7 @@ def test_factors_compare_with_the_first_row_of_each_task() -> None:
         for library, time in (
             (code_pages.SCALAR if size == 1 else "chr_notes", 20.0),
             ("another", 50.0),
+            ("a fast one", 1.0),
         )
     ]
     run = {
@@ -100,4 +118,16 @@ def test_factors_compare_with_the_first_row_of_each_task() -> None:
     }
     text = "\n".join(code_pages.speed(run))
     assert text.count("|  | another | 50 | 2.5 |") == 3
+    assert text.count("|  | a fast one | 1 | 0.05 |") == 3
     assert "another 1.0" in text
+
+
+def test_the_page_names_those_that_are_faster_with_a_million() -> None:
+    rows = json.loads(code_pages.SPEED.read_text(encoding="utf-8"))["rows"]
+    times = {(r["task"], r["library"]): r["nanoseconds"] for r in rows if r["size"] == 1_000_000}
+    faster = {key for key, time in times.items() if time < times[key[0], "chr_notes"]}
+    # `book/speed.md` says so in words.
+    assert faster == {
+        ("products of quaternions", "numpy-quaternion"),
+        ("matrices from quaternions", "SciPy"),
+    }
