@@ -11,36 +11,47 @@ from sympy import (
     Basic,
     Eq,
     Gt,
-    I,
     ImmutableMatrix,
-    Integer,
     MatMul,
-    Rational,
     Symbol,
     Transpose,
-    asin,
     cos,
-    expand,
     pi,
     sin,
-    sqrt,
     symbols,
 )
 
 from chr_notes.derivations import hamilton
 from chr_notes.derivations import quaternions as derived
 from chr_notes.derivations.steps import Step
-from chr_notes.ledger.case import Case, Condition, Reading, complete
-from chr_notes.ledger.reading import Notation, reading
+from chr_notes.ledger.case import Case, Condition, complete
+from chr_notes.ledger.quaternions_reading import (
+    BY_ID,
+    DERIVED,
+    ELEMENTS,
+    MATRIX,
+    MEANING,
+    NORM,
+    NORTH,
+    READ,
+    READ_AT_LOCK,
+    READ_AXIS,
+    READ_BACK,
+    READ_MATRIX,
+    ROLL_120,
+    TO_BODY,
+    TO_INERTIAL,
+    UNIT,
+    YAW_90,
+    YAW_120,
+    readings,
+)
 from chr_notes.printed import quaternions as printed
 from chr_notes.printed.hamilton import Conjugate, Product, Pure, Reciprocal
 from chr_notes.printed.statement import Rotation
 from chr_notes.symbols import (
-    AXIS,
     EULER,
-    FIRST,
     QUATERNION,
-    SECOND,
     VECTOR,
     Angle,
     a,
@@ -48,117 +59,8 @@ from chr_notes.symbols import (
     b,
     c,
     d,
-    phi,
-    psi,
     theta,
 )
-
-_BY_ID = {statement.id: statement for statement in printed.PRINTED}
-CONJUGATED = {b: -b, c: -c, d: -d}
-
-
-def _product(whole: Product) -> Basic:
-    first, *others = whole.args
-    for other in others:
-        first = hamilton.multiply(first, other).applyfunc(expand)
-    return first
-
-
-def _matrix(symbol: Rotation) -> Basic:
-    """Give the matrix of a quaternion with the direction that the symbol's frames name."""
-    elements = dict(zip(QUATERNION, symbol.angles[0], strict=True))
-    matrix = derived.matrix_from_any_quaternion().subs(elements, simultaneous=True)
-    return matrix if symbol.frames == ("i", "b") else ImmutableMatrix(matrix.T)
-
-
-def _matrix_as_in_3(symbol: Rotation) -> Basic:
-    return _matrix(Rotation(*symbol.frames, hamilton.conjugate(symbol.angles[0])))
-
-
-NOTATION: Notation = {
-    Product: _product,
-    Reciprocal: lambda quaternion: hamilton.inverse(quaternion.args[0]),
-    Conjugate: lambda quaternion: hamilton.conjugate(quaternion.args[0]),
-    Pure: lambda vector: hamilton.pure(vector.args[0]),
-    Rotation: _matrix,
-}
-NOTATION_AS_IN_3: Notation = {**NOTATION, Rotation: _matrix_as_in_3}
-
-ANGLES = derived.euler_from_matrix(derived.matrix_from_quaternion())
-NORM = hamilton.norm_squared(derived.ATTITUDE)
-# The attitude quaternion has norm one, says 2.1; its square then stands for 1 wherever it stands.
-UNIT = Condition(Eq(NORM, 1), ({NORM: 1},))
-# One vector in two frames: any components in one, and those that follow in the other.
-TO_BODY = {
-    printed.V_I: ImmutableMatrix(VECTOR),
-    printed.V_B: ImmutableMatrix(derived.rotate_to_body() / NORM),
-    printed.V_B_AS_QUATERNION: hamilton.pure(derived.rotate_to_body() / NORM),
-}
-TO_INERTIAL = {
-    printed.V_B: ImmutableMatrix(VECTOR),
-    printed.V_I: ImmutableMatrix(derived.rotate_to_inertial() / NORM),
-}
-MEANING = {
-    printed.REALS: Integer(1),
-    printed.IMAGINARY: Integer(1),
-    printed.COMPLEX: Integer(len((1, I))),
-    printed.QUATERNIONS: Integer(len(hamilton.BASIS)),
-    printed.Q_1: ImmutableMatrix(FIRST),
-    printed.Q_2: ImmutableMatrix(SECOND),
-    phi: ANGLES[0],
-    theta: asin(derived.pitch_sine(derived.matrix_from_quaternion())),
-    psi: ANGLES[2],
-}
-# Names that the note gives: the elements in 2.1, the matrix in 3.3.
-ELEMENTS = {printed.Q: _BY_ID["quaternions.2.1"].statement.rhs}
-MATRIX = {printed.R_IB: printed.MATRIX}
-
-DERIVED = reading(MEANING, NOTATION)
-READ = reading({**MEANING, **TO_BODY, **ELEMENTS}, NOTATION)
-READ_AXIS = reading(
-    dict(zip(QUATERNION, derived.from_axis_angle(ImmutableMatrix(AXIS), theta), strict=True))
-)
-READ_BACK = reading({**TO_INERTIAL, **ELEMENTS}, NOTATION)
-READ_MATRIX = reading({**TO_BODY, **ELEMENTS, **MATRIX}, NOTATION)
-READ_AT_LOCK = reading(
-    {
-        **dict(zip(QUATERNION, derived.from_euler(), strict=True)),
-        printed.NO_RATE: derived.pitches_without_rates(),
-    }
-)
-
-YAW_90 = {a: sqrt(2) / 2, b: 0, c: 0, d: sqrt(2) / 2}
-YAW_120 = {a: Rational(1, 2), b: 0, c: 0, d: sqrt(3) / 2}
-ROLL_120 = {a: Rational(1, 2), b: sqrt(3) / 2, c: 0, d: 0}
-NORTH = dict(zip(VECTOR, (1, 0, 0), strict=True))
-NO_PLACE_IN_PARTICULAR = {
-    **dict(zip(QUATERNION, (Rational(n, 9) for n in (6, 4, 2, 5)), strict=True)),
-    **dict(zip(VECTOR, (1, 2, 3), strict=True)),
-}
-
-
-def _readings(meaning: dict[Basic, Basic]) -> tuple[Reading, Reading]:
-    """Give both readings: that of section 4, which the sensors use, and that of section 3."""
-    one, other = printed.V_I, printed.V_B
-    # What the other reading says of q is what this one says of its conjugate.
-    as_in_3 = {
-        name: value.subs(CONJUGATED, simultaneous=True)
-        for name, value in meaning.items()
-        if name not in (*ELEMENTS, *MATRIX)
-    }
-    return (
-        Reading(
-            Eq(Pure(one), Product(printed.Q, Pure(other), Reciprocal(printed.Q))),
-            reading(meaning, NOTATION),
-            NO_PLACE_IN_PARTICULAR,
-        ),
-        Reading(
-            Eq(Pure(other), Product(printed.Q, Pure(one), Reciprocal(printed.Q))),
-            reading({**meaning, **as_in_3}, NOTATION_AS_IN_3),
-            NO_PLACE_IN_PARTICULAR,
-        ),
-    )
-
 
 # The angles of the three turns, as distinct from those that a formula finds.
 OWN_ANGLES = symbols(r"\phi \theta \psi", real=True, cls=Angle)
@@ -208,9 +110,9 @@ def _arctan_steps(angle: Angle, parts: tuple[Basic, Basic]) -> tuple[Step, ...]:
 
 
 SETTLED = (
-    Case(_BY_ID["quaternions.2.1"], DERIVED),
+    Case(BY_ID["quaternions.2.1"], DERIVED),
     Case(
-        _BY_ID["quaternions.2.2"],
+        BY_ID["quaternions.2.2"],
         READ_AXIS,
         steps=(
             Step(
@@ -247,7 +149,7 @@ SETTLED = (
         "The negative of the quaternion stands for the same attitude.",
     ),
     Case(
-        _BY_ID["quaternions.2.a"],
+        BY_ID["quaternions.2.a"],
         READ,
         correction=Eq(printed.QUATERNIONS, printed.REALS + 3 * printed.IMAGINARY),
         remark="One real element and three **imaginary** ones: real multiples of i, j and k, each "
@@ -255,14 +157,14 @@ SETTLED = (
         "three complex ones would be seven numbers, not four.",
     ),
     Case(
-        _BY_ID["quaternions.3.1"],
+        BY_ID["quaternions.3.1"],
         READ,
         given=(UNIT,),
         correction=Eq(
             Pure(printed.V_B), Product(Reciprocal(printed.Q), Pure(printed.V_I), printed.Q)
         ),
         witness={**YAW_90, **NORTH},
-        readings=_readings({**TO_BODY, **ELEMENTS}),
+        readings=readings({**TO_BODY, **ELEMENTS}),
         steps=(
             Step(
                 "The attitude quaternion turns the inertial axes to the body axes. With a yaw the "
@@ -289,12 +191,12 @@ SETTLED = (
         remark=CONTRADICTION,
     ),
     Case(
-        _BY_ID["quaternions.3.3"],
+        BY_ID["quaternions.3.3"],
         READ,
         given=(UNIT,),
         correction=Eq(Rotation("b", "i", printed.Q), printed.MATRIX),
         witness=YAW_90,
-        readings=_readings(ELEMENTS),
+        readings=readings(ELEMENTS),
         steps=(
             Step(
                 "Multiplied out, q v q* is the printed matrix times v. So the matrix leads where "
@@ -325,12 +227,12 @@ SETTLED = (
         + ALSO,
     ),
     Case(
-        _BY_ID["quaternions.3.4"],
+        BY_ID["quaternions.3.4"],
         READ_MATRIX,
         given=(UNIT,),
         correction=Eq(printed.V_B, MatMul(Transpose(printed.R_IB), printed.V_I)),
         witness={**YAW_90, **NORTH},
-        readings=_readings({**TO_BODY, **ELEMENTS, **MATRIX}),
+        readings=readings({**TO_BODY, **ELEMENTS, **MATRIX}),
         steps=(
             Step(
                 "The matrix that stands before it is that of q v q*, from body to inertial frame. "
@@ -346,7 +248,7 @@ SETTLED = (
         "With the matrix that the symbol names, its transpose, the line would be right. " + ALSO,
     ),
     Case(
-        _BY_ID["quaternions.3.a"],
+        BY_ID["quaternions.3.a"],
         READ,
         condition=UNIT,
         witness={a: 2, b: 0, c: 0, d: 0},
@@ -368,43 +270,43 @@ SETTLED = (
         "true, because that one has norm one; of 2, whose inverse is ½, it is not.",
     ),
     Case(
-        _BY_ID["quaternions.3.b"],
+        BY_ID["quaternions.3.b"],
         READ_BACK,
         given=(UNIT,),
-        readings=_readings({**TO_INERTIAL, **ELEMENTS}),
+        readings=readings({**TO_INERTIAL, **ELEMENTS}),
         remark="The sentence says body to inertial, and that is where the products and the printed "
         "matrix lead. The formulas before and after it say the opposite. " + ALSO,
     ),
     Case(
-        _BY_ID["quaternions.4.1"],
+        BY_ID["quaternions.4.1"],
         READ,
         condition=_cosine_positive(printed.ROLL_PARTS),
         witness=ROLL_120,
-        readings=_readings({**MEANING, **ELEMENTS}),
+        readings=readings({**MEANING, **ELEMENTS}),
         steps=_arctan_steps(OWN_ANGLES[0], printed.ROLL_PARTS),
         remark="Right for a roll between −90° and 90°. Beyond, in an aircraft on its back, it is "
         "off by 180°; the note then says to use atan2. " + ALSO,
     ),
     Case(
-        _BY_ID["quaternions.4.2"],
+        BY_ID["quaternions.4.2"],
         READ,
         given=(UNIT,),
-        readings=_readings({**MEANING, **ELEMENTS}),
+        readings=readings({**MEANING, **ELEMENTS}),
         remark="Pitch lies between −90° and 90°, as the arcsine does. In rounded numbers the "
         "argument can exceed one; atan2 of the sine and cosine of pitch avoids that. " + ALSO,
     ),
     Case(
-        _BY_ID["quaternions.4.3"],
+        BY_ID["quaternions.4.3"],
         READ,
         condition=_cosine_positive(printed.YAW_PARTS),
         witness=YAW_120,
-        readings=_readings({**MEANING, **ELEMENTS}),
+        readings=readings({**MEANING, **ELEMENTS}),
         steps=_arctan_steps(OWN_ANGLES[2], printed.YAW_PARTS),
         remark="Right for a heading between west and east by way of north. For any other it is off "
         "by 180°; the note then says to use atan2. " + ALSO,
     ),
     Case(
-        _BY_ID["quaternions.4.b"],
+        BY_ID["quaternions.4.b"],
         READ_AT_LOCK,
         given=(Condition(Eq(Abs(theta), pi / 2), ({theta: pi / 2}, {theta: -pi / 2})),),
         remark="Only the sum or the difference of roll and yaw is left at the lock. The quaternion "
