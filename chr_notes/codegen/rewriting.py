@@ -1,6 +1,6 @@
 """How functions of an angle are computed: by the library, or through the tangent of its half.
 
-NumPy has vectorised tangents, and sines and cosines that take seven times as long. With
+NumPy has vectorised tangents, and sines and cosines that take several times as long. With
 t = tan(x/2) and u = 2 / (1 + t²), which is 1 + cos(x), the sine is t u and the cosine u - 1. The
 secant is 1 + tan(x) t, in which nothing cancels near ±90°. A test has SymPy prove each line.
 """
