@@ -46,7 +46,9 @@ def tilt_from_accelerometer(accel: ArrayLike) -> Floats:
     Ledger: estimation.2.5, estimation.2.6, validation.3, validation.4.
     """
     reading = np.asarray(floats("accel", accel, 3), dtype=np.float64)
-    squares = np.einsum("...i,...i->...", reading, reading)
+    with np.errstate(over="ignore", invalid="ignore"):
+        # Column by column: along an axis of three NumPy is several times slower.
+        squares = np.asarray(sum(np.square(part) for part in components(reading)))
     # What is very large, very small, zero or NaN is scaled first; 0/0 makes NaN of a zero.
     scaled = ~((squares > _LEAST) & (squares < _MOST))
     if scaled.any():
