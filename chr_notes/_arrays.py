@@ -128,7 +128,7 @@ def pairs(array: Floats) -> list[Numbers]:
 
 def blocks(
     given: Sequence[Numbers], out: Sequence[Numbers]
-) -> Iterator[tuple[int, tuple[Numbers, ...], tuple[Numbers, ...], list[Numbers]]]:
+) -> Iterator[tuple[int, tuple[Numbers, ...], tuple[Numbers, ...], list[list[Numbers]]]]:
     """Go through arrays that broadcast in blocks of at most `BLOCK` elements.
 
     Parameters
@@ -151,6 +151,7 @@ def blocks(
     storage: list[Numbers] = [np.empty((_WORK, size))]
     if np.complex128 in types:
         storage.append(np.empty((_PAIRS, size), dtype=np.complex128))
+    whole = [list(rows) for rows in storage]
     read: list[Literal["readonly", "writeonly"]] = ["readonly"]
     write: list[Literal["readonly", "writeonly"]] = ["writeonly"]
     start = 0
@@ -166,7 +167,7 @@ def blocks(
         for parts in iterator:
             count = len(parts[0])
             if count:
-                work = [rows[:, :count] for rows in storage]
+                work = whole if count == size else [list(rows[:, :count]) for rows in storage]
                 yield start, parts[: len(given)], parts[len(given) :], work
             start += count
 
@@ -210,26 +211,36 @@ def evaluate(  # noqa: PLR0913 # the last two are for one function or two each
         If a row of `scaled` is zero; it names the first one.
     """
     count, found = 0, [np.empty(0, dtype=np.intp)]
-    for start, parts, results, work in blocks(given, out):
-        with np.errstate(all="ignore"):
-            reports = function(*parts, results, *work)
-            if reports is None:
-                continue
-            guard, lock = reports
-            # A comparison with NaN fails, so a block with NaN goes the slow way.
-            fits = guard is None or (guard.min() > _LEAST and guard.max() < _MOST)
-            if scaled is not None and not fits:
-                several = scaled[1].shape[-1] // len(_real(parts[0]))
-                scaled_parts, exponent = _scale(parts[:several], *scaled)
-                again = function(*scaled_parts, *parts[several:], results, *work)
-                _, lock = again or (None, None)
-                for result in results if degree else ():
-                    np.ldexp(result, degree * exponent, out=result)
-        if lock is not None and lock.any():
-            if every_place or not count:
-                found.append(start + np.flatnonzero(lock)[: None if every_place else 1])
-            count += int(np.count_nonzero(lock))
+    # Entered once: each time costs as much as an operation on a whole block.
+    with np.errstate(all="ignore"):
+        for start, parts, results, work in blocks(given, out):
+            lock = _block(function, parts, results, work, scaled, degree)
+            if lock is not None and lock.any():
+                if every_place or not count:
+                    found.append(start + np.flatnonzero(lock)[: None if every_place else 1])
+                count += int(np.count_nonzero(lock))
     return Locked(count, np.concatenate(found))
+
+
+def _block(  # noqa: PLR0913, PLR0917 # a block, and what `evaluate` was asked for
+    function: Callable[..., Reports],
+    parts: Sequence[Numbers],
+    results: Sequence[Numbers],
+    work: Sequence[Sequence[Numbers]],
+    scaled: tuple[str, Floats] | None,
+    degree: int,
+) -> NDArray[np.bool_] | None:
+    """Run a generated function over a block; tell which elements are at gimbal lock."""
+    guard, lock = function(*parts, results, *work) or (None, None)
+    # A comparison with NaN fails, so a block with NaN goes the slow way.
+    if scaled is None or guard is None or (guard.min() > _LEAST and guard.max() < _MOST):
+        return lock
+    several = scaled[1].shape[-1] // len(_real(parts[0]))
+    scaled_parts, exponent = _scale(parts[:several], *scaled)
+    _, lock = function(*scaled_parts, *parts[several:], results, *work) or (None, None)
+    for result in results if degree else ():
+        np.ldexp(result, degree * exponent, out=result)
+    return lock
 
 
 def _scale(

@@ -91,7 +91,6 @@ def _rotate(attitude: Pair) -> Computation:
     """Turn a vector x i + v j by two products: `q v`, and that times `q* = z* - w j`."""
     z, w = attitude
     square_z, square_w = symbols("square_of_z square_of_w")
-    inverse = Symbol("inverse_norm_squared", real=True)
     along, across = symbols("along across")
     half_way = symbols("half_way_z half_way_w")
     # The number that holds x is imaginary.
@@ -104,9 +103,8 @@ def _rotate(attitude: Pair) -> Computation:
             Let(square_z, z * conjugate(z)),
             Let(square_w, w * conjugate(w)),
             Let(NORM_SQUARED, re(square_z) + re(square_w)),
-            Let(inverse, 1 / NORM_SQUARED),
-            Let(along, I * inverse * VECTOR[0]),
-            Let(across, inverse * re(VECTOR_SIDE) + I * inverse * im(VECTOR_SIDE)),
+            Let(along, I * VECTOR[0] / NORM_SQUARED),
+            Let(across, re(VECTOR_SIDE) / NORM_SQUARED + I * im(VECTOR_SIDE) / NORM_SQUARED),
             *(Let(name, value) for name, value in zip(half_way, there, strict=True)),
             Let(first, half_way[0] * conjugate(z)),
             Let(second, product_of_w),
