@@ -185,10 +185,19 @@ def parts(value: Basic) -> tuple[Basic, Basic]:
 
 def _common(values: tuple[Basic, ...]) -> tuple[dict[Symbol, Expr], list[Basic]]:
     """Find what occurs twice, apart from what costs as little as to look it up."""
-    common, found = cse(values, symbols=numbered_symbols("x"), order="canonical")
+    names = numbered_symbols("x")
+    common: dict[Symbol, Expr] = {}
+    found = list(values)
+    more = True
+    # Again and again, because one look takes `a d + c b` and `c b - a d` to share `a d` alone.
+    while more:
+        fresh, looked_through = cse([*common.values(), *found], symbols=names, order="canonical")
+        more = bool(fresh)
+        found = looked_through[len(common) :]
+        common = dict(fresh) | dict(zip(common, looked_through, strict=False))
     kept: dict[Symbol, Expr] = {}
     trivial: dict[Symbol, Expr] = {}
-    for local, value in common:
+    for local, value in common.items():
         whole = value.xreplace(trivial)
         coefficient, rest = whole.as_coeff_Mul()
         cheap = whole.is_Boolean or whole.is_number or isinstance(whole, (re, im))

@@ -9,6 +9,7 @@ function matrixFromEuler(roll, pitch, yaw) {
   const cosRoll = Math.cos(roll);
   const sinYaw = Math.sin(yaw);
   const cosYaw = Math.cos(yaw);
+  const cosYawSinRoll = cosYaw * sinRoll;
   const cosRollSinYaw = cosRoll * sinYaw;
   const cosRollCosYaw = cosRoll * cosYaw;
   const sinRollSinYaw = sinRoll * sinYaw;
@@ -16,11 +17,11 @@ function matrixFromEuler(roll, pitch, yaw) {
     cosPitch * cosYaw,
     cosPitch * sinYaw,
     -sinPitch,
-    cosYaw * sinPitch * sinRoll - cosRollSinYaw,
+    cosYawSinRoll * sinPitch - cosRollSinYaw,
     cosRollCosYaw + sinPitch * sinRollSinYaw,
     cosPitch * sinRoll,
     cosRollCosYaw * sinPitch + sinRollSinYaw,
-    cosRollSinYaw * sinPitch - cosYaw * sinRoll,
+    cosRollSinYaw * sinPitch - cosYawSinRoll,
     cosPitch * cosRoll
   ];
 }

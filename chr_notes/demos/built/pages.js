@@ -12,6 +12,7 @@
     const cosRoll = Math.cos(roll);
     const sinYaw = Math.sin(yaw);
     const cosYaw = Math.cos(yaw);
+    const cosYawSinRoll = cosYaw * sinRoll;
     const cosRollSinYaw = cosRoll * sinYaw;
     const cosRollCosYaw = cosRoll * cosYaw;
     const sinRollSinYaw = sinRoll * sinYaw;
@@ -19,11 +20,11 @@
       cosPitch * cosYaw,
       cosPitch * sinYaw,
       -sinPitch,
-      cosYaw * sinPitch * sinRoll - cosRollSinYaw,
+      cosYawSinRoll * sinPitch - cosRollSinYaw,
       cosRollCosYaw + sinPitch * sinRollSinYaw,
       cosPitch * sinRoll,
       cosRollCosYaw * sinPitch + sinRollSinYaw,
-      cosRollSinYaw * sinPitch - cosYaw * sinRoll,
+      cosRollSinYaw * sinPitch - cosYawSinRoll,
       cosPitch * cosRoll
     ];
   }

@@ -72,27 +72,26 @@ def matrix_from_euler(
     one_plus_cos_yaw = divide(2.0, work[5], out=work[5])
     sin_yaw = multiply(one_plus_cos_yaw, tan_half_yaw, out=work[4])
     cos_yaw = subtract(one_plus_cos_yaw, 1.0, out=work[5])
-    cos_roll_sin_yaw = multiply(cos_roll, sin_yaw, out=work[6])
-    cos_roll_cos_yaw = multiply(cos_roll, cos_yaw, out=work[7])
-    sin_roll_sin_yaw = multiply(sin_roll, sin_yaw, out=work[8])
+    cos_yaw_sin_roll = multiply(cos_yaw, sin_roll, out=work[6])
+    cos_roll_sin_yaw = multiply(cos_roll, sin_yaw, out=work[7])
+    cos_roll_cos_yaw = multiply(cos_roll, cos_yaw, out=work[8])
+    sin_roll_sin_yaw = multiply(sin_roll, sin_yaw, out=work[9])
     multiply(cos_pitch, cos_yaw, out=out[0])
     multiply(cos_pitch, sin_yaw, out=out[1])
     multiply(sin_pitch, -1.0, out=out[2])
-    # out[3] = cos_yaw * sin_pitch * sin_roll - cos_roll_sin_yaw
-    multiply(cos_yaw, sin_pitch, out=work[4])
-    multiply(work[4], sin_roll, out=work[4])
+    # out[3] = cos_yaw_sin_roll * sin_pitch - cos_roll_sin_yaw
+    multiply(cos_yaw_sin_roll, sin_pitch, out=work[4])
     subtract(work[4], cos_roll_sin_yaw, out=out[3])
     # out[4] = cos_roll_cos_yaw + sin_pitch * sin_roll_sin_yaw
     multiply(sin_pitch, sin_roll_sin_yaw, out=work[4])
     add(cos_roll_cos_yaw, work[4], out=out[4])
     multiply(cos_pitch, sin_roll, out=out[5])
     # out[6] = cos_roll_cos_yaw * sin_pitch + sin_roll_sin_yaw
-    multiply(cos_roll_cos_yaw, sin_pitch, out=work[4])
-    add(work[4], sin_roll_sin_yaw, out=out[6])
-    # out[7] = cos_roll_sin_yaw * sin_pitch - cos_yaw * sin_roll
+    multiply(cos_roll_cos_yaw, sin_pitch, out=work[2])
+    add(work[2], sin_roll_sin_yaw, out=out[6])
+    # out[7] = cos_roll_sin_yaw * sin_pitch - cos_yaw_sin_roll
     multiply(cos_roll_sin_yaw, sin_pitch, out=work[0])
-    multiply(cos_yaw, sin_roll, out=work[2])
-    subtract(work[0], work[2], out=out[7])
+    subtract(work[0], cos_yaw_sin_roll, out=out[7])
     multiply(cos_pitch, cos_roll, out=out[8])
 
 

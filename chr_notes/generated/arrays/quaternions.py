@@ -68,29 +68,20 @@ def matrix_from_quaternion(
     b_scaled_b = multiply(b, scaled_b, out=work[7])
     one_minus_r22 = add(b_scaled_b, d_scaled_d, out=work[5])
     one_minus_r33 = add(b_scaled_b, c_scaled_c, out=work[4])
+    c_scaled_b = multiply(c, scaled_b, out=work[7])
     a_scaled_d = multiply(a, scaled_d, out=work[1])
-    a_scaled_c = multiply(a, scaled_c, out=work[7])
-    a_scaled_b = multiply(a, scaled_b, out=work[8])
+    d_scaled_b = multiply(d, scaled_b, out=work[8])
+    a_scaled_c = multiply(a, scaled_c, out=work[9])
+    d_scaled_c = multiply(d, scaled_c, out=work[3])
+    a_scaled_b = multiply(a, scaled_b, out=work[2])
     subtract(1.0, one_minus_r11, out=out[0])
-    # out[1] = a_scaled_d + c * scaled_b
-    multiply(c, scaled_b, out=work[6])
-    add(a_scaled_d, work[6], out=out[1])
-    # out[2] = d * scaled_b - a_scaled_c
-    multiply(d, scaled_b, out=work[6])
-    subtract(work[6], a_scaled_c, out=out[2])
-    # out[3] = c * scaled_b - a_scaled_d
-    multiply(c, scaled_b, out=work[6])
-    subtract(work[6], a_scaled_d, out=out[3])
+    add(a_scaled_d, c_scaled_b, out=out[1])
+    subtract(d_scaled_b, a_scaled_c, out=out[2])
+    subtract(c_scaled_b, a_scaled_d, out=out[3])
     subtract(1.0, one_minus_r22, out=out[4])
-    # out[5] = a_scaled_b + d * scaled_c
-    multiply(d, scaled_c, out=work[1])
-    add(a_scaled_b, work[1], out=out[5])
-    # out[6] = a_scaled_c + d * scaled_b
-    multiply(d, scaled_b, out=work[1])
-    add(a_scaled_c, work[1], out=out[6])
-    # out[7] = d * scaled_c - a_scaled_b
-    multiply(d, scaled_c, out=work[1])
-    subtract(work[1], a_scaled_b, out=out[7])
+    add(a_scaled_b, d_scaled_c, out=out[5])
+    add(a_scaled_c, d_scaled_b, out=out[6])
+    subtract(d_scaled_c, a_scaled_b, out=out[7])
     subtract(1.0, one_minus_r33, out=out[8])
     return norm_squared, None
 

@@ -22,17 +22,18 @@ void attitude_matrix_from_euler(double roll, double pitch, double yaw, double ou
     const double cos_roll = cos(roll);
     const double sin_yaw = sin(yaw);
     const double cos_yaw = cos(yaw);
+    const double cos_yaw_sin_roll = cos_yaw * sin_roll;
     const double cos_roll_sin_yaw = cos_roll * sin_yaw;
     const double cos_roll_cos_yaw = cos_roll * cos_yaw;
     const double sin_roll_sin_yaw = sin_roll * sin_yaw;
     out[0] = cos_pitch * cos_yaw;
     out[1] = cos_pitch * sin_yaw;
     out[2] = -sin_pitch;
-    out[3] = cos_yaw * sin_pitch * sin_roll - cos_roll_sin_yaw;
+    out[3] = cos_yaw_sin_roll * sin_pitch - cos_roll_sin_yaw;
     out[4] = cos_roll_cos_yaw + sin_pitch * sin_roll_sin_yaw;
     out[5] = cos_pitch * sin_roll;
     out[6] = cos_roll_cos_yaw * sin_pitch + sin_roll_sin_yaw;
-    out[7] = cos_roll_sin_yaw * sin_pitch - cos_yaw * sin_roll;
+    out[7] = cos_roll_sin_yaw * sin_pitch - cos_yaw_sin_roll;
     out[8] = cos_pitch * cos_roll;
 }
 
@@ -44,17 +45,18 @@ void attitude_matrix_from_euler_f(float roll, float pitch, float yaw, float out[
     const float cos_roll = cosf(roll);
     const float sin_yaw = sinf(yaw);
     const float cos_yaw = cosf(yaw);
+    const float cos_yaw_sin_roll = cos_yaw * sin_roll;
     const float cos_roll_sin_yaw = cos_roll * sin_yaw;
     const float cos_roll_cos_yaw = cos_roll * cos_yaw;
     const float sin_roll_sin_yaw = sin_roll * sin_yaw;
     out[0] = cos_pitch * cos_yaw;
     out[1] = cos_pitch * sin_yaw;
     out[2] = -sin_pitch;
-    out[3] = cos_yaw * sin_pitch * sin_roll - cos_roll_sin_yaw;
+    out[3] = cos_yaw_sin_roll * sin_pitch - cos_roll_sin_yaw;
     out[4] = cos_roll_cos_yaw + sin_pitch * sin_roll_sin_yaw;
     out[5] = cos_pitch * sin_roll;
     out[6] = cos_roll_cos_yaw * sin_pitch + sin_roll_sin_yaw;
-    out[7] = cos_roll_sin_yaw * sin_pitch - cos_yaw * sin_roll;
+    out[7] = cos_roll_sin_yaw * sin_pitch - cos_yaw_sin_roll;
     out[8] = cos_pitch * cos_roll;
 }
 
@@ -261,17 +263,20 @@ void attitude_matrix_from_quaternion(double a, double b, double c, double d, dou
     const double b_scaled_b = b * scaled_b;
     const double one_minus_r22 = b_scaled_b + d_scaled_d;
     const double one_minus_r33 = b_scaled_b + c_scaled_c;
+    const double c_scaled_b = c * scaled_b;
     const double a_scaled_d = a * scaled_d;
+    const double d_scaled_b = d * scaled_b;
     const double a_scaled_c = a * scaled_c;
+    const double d_scaled_c = d * scaled_c;
     const double a_scaled_b = a * scaled_b;
     out[0] = 1.0 - one_minus_r11;
-    out[1] = a_scaled_d + c * scaled_b;
-    out[2] = d * scaled_b - a_scaled_c;
-    out[3] = c * scaled_b - a_scaled_d;
+    out[1] = a_scaled_d + c_scaled_b;
+    out[2] = d_scaled_b - a_scaled_c;
+    out[3] = c_scaled_b - a_scaled_d;
     out[4] = 1.0 - one_minus_r22;
-    out[5] = a_scaled_b + d * scaled_c;
-    out[6] = a_scaled_c + d * scaled_b;
-    out[7] = d * scaled_c - a_scaled_b;
+    out[5] = a_scaled_b + d_scaled_c;
+    out[6] = a_scaled_c + d_scaled_b;
+    out[7] = d_scaled_c - a_scaled_b;
     out[8] = 1.0 - one_minus_r33;
 }
 
@@ -288,17 +293,20 @@ void attitude_matrix_from_quaternion_f(float a, float b, float c, float d, float
     const float b_scaled_b = b * scaled_b;
     const float one_minus_r22 = b_scaled_b + d_scaled_d;
     const float one_minus_r33 = b_scaled_b + c_scaled_c;
+    const float c_scaled_b = c * scaled_b;
     const float a_scaled_d = a * scaled_d;
+    const float d_scaled_b = d * scaled_b;
     const float a_scaled_c = a * scaled_c;
+    const float d_scaled_c = d * scaled_c;
     const float a_scaled_b = a * scaled_b;
     out[0] = 1.0f - one_minus_r11;
-    out[1] = a_scaled_d + c * scaled_b;
-    out[2] = d * scaled_b - a_scaled_c;
-    out[3] = c * scaled_b - a_scaled_d;
+    out[1] = a_scaled_d + c_scaled_b;
+    out[2] = d_scaled_b - a_scaled_c;
+    out[3] = c_scaled_b - a_scaled_d;
     out[4] = 1.0f - one_minus_r22;
-    out[5] = a_scaled_b + d * scaled_c;
-    out[6] = a_scaled_c + d * scaled_b;
-    out[7] = d * scaled_c - a_scaled_b;
+    out[5] = a_scaled_b + d_scaled_c;
+    out[6] = a_scaled_c + d_scaled_b;
+    out[7] = d_scaled_c - a_scaled_b;
     out[8] = 1.0f - one_minus_r33;
 }
 
@@ -1082,16 +1090,17 @@ void attitude_inertial_acceleration(double accel_x, double accel_y, double accel
     const double cos_roll = cos(roll);
     const double sin_yaw = sin(yaw);
     const double cos_yaw = cos(yaw);
+    const double cos_yaw_sin_roll = cos_yaw * sin_roll;
     const double accel_x_cos_pitch = accel_x * cos_pitch;
     const double sin_roll_sin_yaw = sin_roll * sin_yaw;
     const double cos_roll_cos_yaw = cos_roll * cos_yaw;
     const double cos_roll_sin_yaw = cos_roll * sin_yaw;
     out[0] = accel_x_cos_pitch * cos_yaw
-        + accel_y * (cos_yaw * sin_pitch * sin_roll - cos_roll_sin_yaw)
+        + accel_y * (cos_yaw_sin_roll * sin_pitch - cos_roll_sin_yaw)
             + accel_z * (cos_roll_cos_yaw * sin_pitch + sin_roll_sin_yaw);
     out[1] = accel_x_cos_pitch * sin_yaw
         + accel_y * (cos_roll_cos_yaw + sin_pitch * sin_roll_sin_yaw)
-            + accel_z * (cos_roll_sin_yaw * sin_pitch - cos_yaw * sin_roll);
+            + accel_z * (cos_roll_sin_yaw * sin_pitch - cos_yaw_sin_roll);
     out[2] = accel_y * cos_pitch * sin_roll - accel_x * sin_pitch + accel_z * cos_pitch * cos_roll
         + gravity;
 }
@@ -1105,16 +1114,17 @@ void attitude_inertial_acceleration_f(float accel_x, float accel_y, float accel_
     const float cos_roll = cosf(roll);
     const float sin_yaw = sinf(yaw);
     const float cos_yaw = cosf(yaw);
+    const float cos_yaw_sin_roll = cos_yaw * sin_roll;
     const float accel_x_cos_pitch = accel_x * cos_pitch;
     const float sin_roll_sin_yaw = sin_roll * sin_yaw;
     const float cos_roll_cos_yaw = cos_roll * cos_yaw;
     const float cos_roll_sin_yaw = cos_roll * sin_yaw;
     out[0] = accel_x_cos_pitch * cos_yaw
-        + accel_y * (cos_yaw * sin_pitch * sin_roll - cos_roll_sin_yaw)
+        + accel_y * (cos_yaw_sin_roll * sin_pitch - cos_roll_sin_yaw)
             + accel_z * (cos_roll_cos_yaw * sin_pitch + sin_roll_sin_yaw);
     out[1] = accel_x_cos_pitch * sin_yaw
         + accel_y * (cos_roll_cos_yaw + sin_pitch * sin_roll_sin_yaw)
-            + accel_z * (cos_roll_sin_yaw * sin_pitch - cos_yaw * sin_roll);
+            + accel_z * (cos_roll_sin_yaw * sin_pitch - cos_yaw_sin_roll);
     out[2] = accel_y * cos_pitch * sin_roll - accel_x * sin_pitch + accel_z * cos_pitch * cos_roll
         + gravity;
 }

@@ -24,6 +24,7 @@ export function matrixFromEuler(roll, pitch, yaw) {
   const cosRoll = Math.cos(roll);
   const sinYaw = Math.sin(yaw);
   const cosYaw = Math.cos(yaw);
+  const cosYawSinRoll = cosYaw * sinRoll;
   const cosRollSinYaw = cosRoll * sinYaw;
   const cosRollCosYaw = cosRoll * cosYaw;
   const sinRollSinYaw = sinRoll * sinYaw;
@@ -31,11 +32,11 @@ export function matrixFromEuler(roll, pitch, yaw) {
     cosPitch * cosYaw,
     cosPitch * sinYaw,
     -sinPitch,
-    cosYaw * sinPitch * sinRoll - cosRollSinYaw,
+    cosYawSinRoll * sinPitch - cosRollSinYaw,
     cosRollCosYaw + sinPitch * sinRollSinYaw,
     cosPitch * sinRoll,
     cosRollCosYaw * sinPitch + sinRollSinYaw,
-    cosRollSinYaw * sinPitch - cosYaw * sinRoll,
+    cosRollSinYaw * sinPitch - cosYawSinRoll,
     cosPitch * cosRoll,
   ];
 }
@@ -201,18 +202,21 @@ export function matrixFromQuaternion(a, b, c, d) {
   const bScaledB = b * scaledB;
   const oneMinusR22 = bScaledB + dScaledD;
   const oneMinusR33 = bScaledB + cScaledC;
+  const cScaledB = c * scaledB;
   const aScaledD = a * scaledD;
+  const dScaledB = d * scaledB;
   const aScaledC = a * scaledC;
+  const dScaledC = d * scaledC;
   const aScaledB = a * scaledB;
   return [
     1 - oneMinusR11,
-    aScaledD + c * scaledB,
-    d * scaledB - aScaledC,
-    c * scaledB - aScaledD,
+    aScaledD + cScaledB,
+    dScaledB - aScaledC,
+    cScaledB - aScaledD,
     1 - oneMinusR22,
-    aScaledB + d * scaledC,
-    aScaledC + d * scaledB,
-    d * scaledC - aScaledB,
+    aScaledB + dScaledC,
+    aScaledC + dScaledB,
+    dScaledC - aScaledB,
     1 - oneMinusR33,
   ];
 }
@@ -1042,15 +1046,16 @@ export function inertialAcceleration(accelX, accelY, accelZ, roll, pitch, yaw, g
   const cosRoll = Math.cos(roll);
   const sinYaw = Math.sin(yaw);
   const cosYaw = Math.cos(yaw);
+  const cosYawSinRoll = cosYaw * sinRoll;
   const accelXCosPitch = accelX * cosPitch;
   const sinRollSinYaw = sinRoll * sinYaw;
   const cosRollCosYaw = cosRoll * cosYaw;
   const cosRollSinYaw = cosRoll * sinYaw;
   return [
-    accelXCosPitch * cosYaw + accelY * (cosYaw * sinPitch * sinRoll - cosRollSinYaw)
+    accelXCosPitch * cosYaw + accelY * (cosYawSinRoll * sinPitch - cosRollSinYaw)
         + accelZ * (cosRollCosYaw * sinPitch + sinRollSinYaw),
     accelXCosPitch * sinYaw + accelY * (cosRollCosYaw + sinPitch * sinRollSinYaw)
-        + accelZ * (cosRollSinYaw * sinPitch - cosYaw * sinRoll),
+        + accelZ * (cosRollSinYaw * sinPitch - cosYawSinRoll),
     accelY * cosPitch * sinRoll - accelX * sinPitch + accelZ * cosPitch * cosRoll + gravity,
   ];
 }

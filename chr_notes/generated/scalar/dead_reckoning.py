@@ -34,15 +34,16 @@ def inertial_acceleration(
     cos_roll = cos(roll)
     sin_yaw = sin(yaw)
     cos_yaw = cos(yaw)
+    cos_yaw_sin_roll = cos_yaw * sin_roll
     accel_x_cos_pitch = accel_x * cos_pitch
     sin_roll_sin_yaw = sin_roll * sin_yaw
     cos_roll_cos_yaw = cos_roll * cos_yaw
     cos_roll_sin_yaw = cos_roll * sin_yaw
     return (
-        accel_x_cos_pitch * cos_yaw + accel_y * (cos_yaw * sin_pitch * sin_roll - cos_roll_sin_yaw)
+        accel_x_cos_pitch * cos_yaw + accel_y * (cos_yaw_sin_roll * sin_pitch - cos_roll_sin_yaw)
             + accel_z * (cos_roll_cos_yaw * sin_pitch + sin_roll_sin_yaw),
         accel_x_cos_pitch * sin_yaw + accel_y * (cos_roll_cos_yaw + sin_pitch * sin_roll_sin_yaw)
-            + accel_z * (cos_roll_sin_yaw * sin_pitch - cos_yaw * sin_roll),
+            + accel_z * (cos_roll_sin_yaw * sin_pitch - cos_yaw_sin_roll),
         accel_y * cos_pitch * sin_roll - accel_x * sin_pitch + accel_z * cos_pitch * cos_roll
             + gravity,
     )

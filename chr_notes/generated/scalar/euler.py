@@ -23,6 +23,7 @@ def matrix_from_euler(
     cos_roll = cos(roll)
     sin_yaw = sin(yaw)
     cos_yaw = cos(yaw)
+    cos_yaw_sin_roll = cos_yaw * sin_roll
     cos_roll_sin_yaw = cos_roll * sin_yaw
     cos_roll_cos_yaw = cos_roll * cos_yaw
     sin_roll_sin_yaw = sin_roll * sin_yaw
@@ -30,11 +31,11 @@ def matrix_from_euler(
         cos_pitch * cos_yaw,
         cos_pitch * sin_yaw,
         -sin_pitch,
-        cos_yaw * sin_pitch * sin_roll - cos_roll_sin_yaw,
+        cos_yaw_sin_roll * sin_pitch - cos_roll_sin_yaw,
         cos_roll_cos_yaw + sin_pitch * sin_roll_sin_yaw,
         cos_pitch * sin_roll,
         cos_roll_cos_yaw * sin_pitch + sin_roll_sin_yaw,
-        cos_roll_sin_yaw * sin_pitch - cos_yaw * sin_roll,
+        cos_roll_sin_yaw * sin_pitch - cos_yaw_sin_roll,
         cos_pitch * cos_roll,
     )
 

@@ -31,18 +31,21 @@ def matrix_from_quaternion(
     b_scaled_b = b * scaled_b
     one_minus_r22 = b_scaled_b + d_scaled_d
     one_minus_r33 = b_scaled_b + c_scaled_c
+    c_scaled_b = c * scaled_b
     a_scaled_d = a * scaled_d
+    d_scaled_b = d * scaled_b
     a_scaled_c = a * scaled_c
+    d_scaled_c = d * scaled_c
     a_scaled_b = a * scaled_b
     return (
         1.0 - one_minus_r11,
-        a_scaled_d + c * scaled_b,
-        d * scaled_b - a_scaled_c,
-        c * scaled_b - a_scaled_d,
+        a_scaled_d + c_scaled_b,
+        d_scaled_b - a_scaled_c,
+        c_scaled_b - a_scaled_d,
         1.0 - one_minus_r22,
-        a_scaled_b + d * scaled_c,
-        a_scaled_c + d * scaled_b,
-        d * scaled_c - a_scaled_b,
+        a_scaled_b + d_scaled_c,
+        a_scaled_c + d_scaled_b,
+        d_scaled_c - a_scaled_b,
         1.0 - one_minus_r33,
     )
 
