@@ -67,6 +67,7 @@ if TYPE_CHECKING:
         fixed_gain_observer,
         observe,
         observe_sample,
+        samples_held_out,
     )
     from chr_notes.sensors import (
         MagnetometerCalibration,
@@ -123,6 +124,7 @@ __all__ = [
     "quaternion_multiply",
     "rotate_to_body",
     "rotate_to_inertial",
+    "samples_held_out",
     "stillest_stretch",
     "tilt_from_accelerometer",
     "validation_factor",
@@ -148,7 +150,13 @@ _LATER = {
         "ellipsoid": ("Ellipsoid", "fit_ellipsoid"),
         "estimation": ("accelerometer_at_rest", "integrate_gyro", "tilt_from_accelerometer"),
         "monitor": ("Monitor", "Monitored", "Watch", "monitored_observer"),
-        "observer": ("Estimate", "fixed_gain_observer", "observe", "observe_sample"),
+        "observer": (
+            "Estimate",
+            "fixed_gain_observer",
+            "observe",
+            "observe_sample",
+            "samples_held_out",
+        ),
         "sensors": ("MagnetometerCalibration", "RateGyroCalibration", "ThreeAxisCalibration"),
         "validation": ("heading_from_magnetometer", "validation_factor"),
     }.items()

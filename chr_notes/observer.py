@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from chr_notes._arrays import Floats, components
 from chr_notes._loops import run
@@ -61,6 +61,11 @@ def fixed_gain_observer(
         If a shape is wrong, a time step is negative or no number, the gain is not from 0 to 1,
         the initial attitude is not finite, or no accelerometer sample can stand in for it.
 
+    See Also
+    --------
+    samples_held_out : The rows of which something was left out.
+    observe : The same on a stream.
+
     Notes
     -----
     Ledger: estimation.4.1, estimation.4.2, estimation.4.3, estimation.4.4, validation.10,
@@ -74,6 +79,33 @@ def fixed_gain_observer(
     out = in_range(_observe(first, rates, tilt, periods(dt, count), gain))
     out[missing] = np.nan
     return out
+
+
+def samples_held_out(body_rates: ArrayLike, accel: ArrayLike) -> NDArray[np.bool_]:
+    """Say which samples of a recording `fixed_gain_observer` leaves out, whole or in part.
+
+    Parameters
+    ----------
+    body_rates
+        Rates about the body axes, shape (N, 3).
+    accel
+        Specific force, shape (N, 3).
+
+    Returns
+    -------
+    ndarray
+        Where the rates or the force hold NaN or infinity, or the force reads zero, shape (N,). Its
+        sum is the number that `observe` counts.
+
+    Raises
+    ------
+    ValueError
+        If a shape is wrong.
+    """
+    rates, missing = held_out("body_rates", body_rates)
+    forces, _ = held_out("accel", accel)
+    same_length(("body_rates", rates), ("accel", forces))
+    return np.asarray(missing | np.isnan(tilt_from_accelerometer(forces)[:, 0]))
 
 
 def observe_sample(

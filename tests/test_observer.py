@@ -167,6 +167,19 @@ def test_a_stream_counts_what_it_leaves_out() -> None:
     assert [each.held_out for each in streamed] == [1, 2, 3, 3]
 
 
+def test_a_recording_tells_what_it_leaves_out() -> None:
+    rates, forces = np.zeros((5, 3)), np.tile((0.0, 0.0, -1.0), (5, 1))
+    rates[1, 2] = np.inf
+    forces[2, 0] = forces[1, 0] = np.nan
+    forces[3] = 0
+    out = chr_notes.samples_held_out(rates, forces)
+    assert out.tolist() == [False, True, True, True, False]
+    streamed = list(chr_notes.observe(zip(rates, forces, [0.01] * 5, strict=True), 0.1))
+    assert streamed[-1].held_out == out.sum()
+    with pytest.raises(ValueError, match="got 5, 4"):
+        chr_notes.samples_held_out(rates, forces[1:])
+
+
 def test_one_step_is_that_of_a_recording() -> None:
     rates, force, initial = [0.1, -0.2, 0.3], [1.0, 2.0, -9.0], [0.1, 0.2, 0.3]
     expected = fixed_gain_observer([rates], [force], 0.02, 0.3, initial)[0]
