@@ -5,7 +5,7 @@ is loaded when it is first used, and SymPy when something is derived.
 """
 
 from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from chr_notes.conventions import STANDARD_GRAVITY
 from chr_notes.errors import (
@@ -166,7 +166,7 @@ _LATER = {
 
 if not TYPE_CHECKING:  # A type checker would take any misspelt name for one that is loaded later.
 
-    def __getattr__(name: str) -> Any:  # noqa: ANN401 # whatever bears the name
+    def __getattr__(name: str) -> object:
         """Load what is not loaded yet."""
         if name in _LATER.values():
             return import_module(f"{__name__}.{name}")
@@ -179,4 +179,4 @@ if not TYPE_CHECKING:  # A type checker would take any misspelt name for one tha
 
 def __dir__() -> list[str]:
     """List what is not loaded yet, too."""
-    return sorted({*globals(), *__all__})
+    return sorted({*globals(), *__all__, *_LATER.values()})

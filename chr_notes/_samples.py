@@ -5,6 +5,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from chr_notes._arrays import Floats, floats
 
+# No sensor reads as much: such numbers come from damaged logs, and their squares overflow.
+_WILD = 1e100
+
 
 def samples(name: str, value: ArrayLike) -> Floats:
     """Take a recording of vectors, shape (N, 3).
@@ -22,28 +25,28 @@ def samples(name: str, value: ArrayLike) -> Floats:
 
 
 def whole_samples(name: str, value: ArrayLike) -> Floats:
-    """Take a recording without the rows that hold NaN or infinity."""
+    """Take a recording without the rows that hold NaN, infinity or a wild number."""
     array = samples(name, value)
     return array[complete(array)]
 
 
 def complete(array: Floats) -> NDArray[np.bool_]:
-    """Say which rows of a two-dimensional array hold no NaN and no infinity."""
+    """Say which rows of a two-dimensional array hold no NaN, no infinity and no wild number."""
     # Column by column: along an axis of three NumPy is several times slower.
-    return np.asarray(np.logical_and.reduce([np.isfinite(column) for column in array.T]))
+    return np.asarray(np.logical_and.reduce([np.abs(column) < _WILD for column in array.T]))
 
 
 def held_out(name: str, value: ArrayLike) -> tuple[Floats, NDArray[np.bool_]]:
-    """Take a recording with the rows that hold NaN or infinity made NaN all over, and say which."""
+    """Take a recording with the rows that are not complete made NaN all over, and say which."""
     array = samples(name, value)
-    if np.isfinite(array).all():
-        return array, np.zeros(len(array), dtype=np.bool_)
     missing = ~complete(array)
+    if not missing.any():
+        return array, missing
     return np.where(missing[:, np.newaxis], np.nan, array), missing
 
 
 def one_sample(name: str, value: ArrayLike) -> Floats:
-    """Take one vector, shape (3,), NaN all over if it holds NaN or infinity.
+    """Take one vector, shape (3,), NaN all over if it is not complete.
 
     Raises
     ------

@@ -11,7 +11,7 @@ from chr_notes._samples import held_out, number, periods, same_length
 from chr_notes.estimation import in_range, tilt_from_accelerometer
 from chr_notes.generated.loops.estimation import fixed_gain_observer
 from chr_notes.generated.scalar.validation import validation_factor
-from chr_notes.observer import check_gain, first_attitude
+from chr_notes.observer import check_gain, first_tilt
 from chr_notes.validation import direction, part_down
 
 if TYPE_CHECKING:
@@ -161,7 +161,8 @@ def monitored_observer(  # noqa: PLR0913 (three sensors, and what they are measu
     Returns
     -------
     Monitored
-        A row without rates has NaN for its angles, one without field for E.
+        A row without rates has NaN for its angles, one without field for E, and a row before the
+        first tilt for both.
 
     Raises
     ------
@@ -179,14 +180,15 @@ def monitored_observer(  # noqa: PLR0913 (three sensors, and what they are measu
     down = float(part_down(number("reference_down", reference_down)))
     tilt = tilt_from_accelerometer(forces)
     columns = (*rates.T, *tilt.T, periods(dt, count))
-    state: tuple[float, ...] = tuple(first_attitude(tilt))
+    begin, first = first_tilt(tilt)
+    state: tuple[float, ...] = tuple(first)
     watch = monitor.begin()
-    euler, factors, gains = np.empty((count, 3)), np.empty(count), np.empty(count)
-    alarms = np.empty(count, dtype=np.bool_)
+    euler, factors = np.full((count, 3), np.nan), np.full(count, np.nan)
+    gains, alarms = np.full(count, watch.gain), np.full(count, watch.alarm)
     step: Callable[..., tuple[float, ...]] = fixed_gain_observer
     judge: Callable[..., float] = validation_factor
     unread = ([0.0], [0.0], [0.0])
-    for sample in range(count):
+    for sample in range(begin, count):
         gains[sample] = watch.gain
         given = ([column[sample]] for column in columns)
         state = step(*state, watch.gain, *given, *unread)

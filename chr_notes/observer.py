@@ -1,6 +1,7 @@
 """The fixed-gain observer, over a recording or on a stream.
 
-A sample with NaN or infinity is held out, and the estimate goes on without it.
+A sample with NaN, infinity or a number beyond 1e100, which no sensor reads, is held out, and the
+estimate goes on without it.
 """
 
 from collections.abc import Iterable, Iterator
@@ -45,15 +46,15 @@ def fixed_gain_observer(
     gain
         L, from 0, the gyros alone, to 1, the accelerometer alone.
     initial
-        Roll, pitch, yaw before the first time step, radians, shape (3,). Without it, the tilt of
-        the first accelerometer sample, and a yaw of 0.
+        Roll, pitch, yaw before the first time step, radians, shape (3,). Without it, the estimate
+        starts at the first sample whose accelerometer shows a tilt, with that and a yaw of 0.
 
     Returns
     -------
     ndarray
         Roll and yaw in [-pi, pi), pitch in [-pi/2, pi/2], after each sample, shape (N, 3). A row
-        whose rates hold NaN comes out as NaN; one whose accelerometer does, or reads zero, comes
-        out as predicted.
+        whose rates hold NaN, or before the start, comes out as NaN; one whose accelerometer does,
+        or reads zero, comes out as predicted.
 
     Raises
     ------
@@ -75,8 +76,10 @@ def fixed_gain_observer(
     forces, _ = held_out("accel", accel)
     count = same_length(("body_rates", rates), ("accel", forces))
     tilt = tilt_from_accelerometer(forces)
-    first = first_attitude(tilt) if initial is None else canonical("initial", initial)
-    out = in_range(_observe(first, rates, tilt, periods(dt, count), gain))
+    steps = periods(dt, count)
+    begin, first = first_tilt(tilt) if initial is None else (0, canonical("initial", initial))
+    out = np.full((count, 3), np.nan)
+    out[begin:] = in_range(_observe(first, rates[begin:], tilt[begin:], steps[begin:], gain))
     out[missing] = np.nan
     return out
 
@@ -94,8 +97,8 @@ def samples_held_out(body_rates: ArrayLike, accel: ArrayLike) -> NDArray[np.bool
     Returns
     -------
     ndarray
-        Where the rates or the force hold NaN or infinity, or the force reads zero, shape (N,). Its
-        sum is the number that `observe` counts.
+        Where the rates or the force hold NaN, infinity or a number beyond 1e100, or the force reads
+        zero, shape (N,). Its sum is the number that `observe` counts.
 
     Raises
     ------
@@ -191,20 +194,27 @@ def observe(
         if state is None:
             if np.isnan(tilt[0]):
                 continue
-            state = first_attitude(tilt[np.newaxis])
+            _, state = first_tilt(tilt[np.newaxis])
         # Angles go on past half a turn, as within a recording, so that no digit differs.
         after = _step(state, rates, tilt, dt, gain)
         state = after[0].tolist()
         yield Estimate(in_range(after)[0], incomplete)
 
 
-def first_attitude(tilt: Floats) -> list[float]:
-    """Take the first tilt that is known, with a yaw of 0.
+def first_tilt(tilt: Floats) -> tuple[int, list[float]]:
+    """Find the first tilt that is known.
 
     Parameters
     ----------
     tilt
         Roll and pitch, shape (N, 2).
+
+    Returns
+    -------
+    sample
+        Where it is.
+    euler
+        It, with a yaw of 0.
 
     Raises
     ------
@@ -212,13 +222,13 @@ def first_attitude(tilt: Floats) -> list[float]:
         If there are samples and none shows a tilt.
     """
     if not len(tilt):
-        return [0.0, 0.0, 0.0]
+        return 0, [0.0, 0.0, 0.0]
     known = ~np.isnan(tilt[:, 0])
     first = int(np.argmax(known))
     if not known[first]:
         msg = "accel: expected a sample that shows a tilt to start from, got none; pass initial"
         raise ValueError(msg)
-    return [*tilt[first].tolist(), 0.0]
+    return first, [*tilt[first].tolist(), 0.0]
 
 
 def canonical(name: str, euler: ArrayLike) -> list[float]:

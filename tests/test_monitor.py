@@ -60,6 +60,18 @@ def test_without_faults_it_is_the_observer() -> None:
     assert not found.alarm.any()
 
 
+def test_it_starts_at_the_first_tilt_as_the_observer_does() -> None:
+    ideal = ideal_readings(TRUTH, FIELD)
+    ideal.accel[:3] = np.nan
+    found = run(ideal, Monitor(0.1, patience=50))
+    expected = fixed_gain_observer(ideal.body_rates, ideal.accel, 0.01, 0.02)
+    assert np.isnan(expected[:3]).all()
+    assert_allclose(found.euler, expected, atol=1e-12)
+    assert_array_equal(np.isnan(found.factor), np.arange(len(TIME)) < 3)
+    assert_array_equal(found.gain, 0.02)
+    assert not found.alarm.any()
+
+
 def test_a_disturbed_field_raises_an_alarm_that_ends() -> None:
     iron = passing_iron(TIME, 10.0, 20.0, (0.0, 40.0, -60.0))
     found = run(ideal_readings(TRUTH, FIELD + iron), Monitor(0.1, patience=50))

@@ -133,7 +133,30 @@ def test_samples_with_nan_are_held_out() -> None:
 def test_the_start_is_the_first_tilt_that_is_shown() -> None:
     forces = np.array([[np.nan, 0, 0], [0, 0, 0], [0, -1, -1], [0, 0, -1]])
     found = fixed_gain_observer(np.zeros((4, 3)), forces, 0.01, 0.5)
-    assert_allclose(np.degrees(found[:, 0]), [45, 45, 45, 22.5])
+    assert_allclose(np.degrees(found[:, 0]), [np.nan, np.nan, 45, 22.5])
+
+
+def test_a_stream_starts_as_a_recording_does() -> None:
+    rates = np.tile([0.0, 0.0, 1.0], (4, 1))
+    forces = np.array([[np.nan] * 3, [0, 0, 0], LEVEL, LEVEL])
+    streamed = list(observe(zip(rates, forces, [0.1] * 4, strict=True), 0.1))
+    found = fixed_gain_observer(rates, forces, 0.1, 0.1)
+    assert_array_equal(np.array([each.euler for each in streamed]), found[2:])
+    assert np.isnan(found[:2]).all()
+    assert_allclose(found[:, 2], [np.nan, np.nan, 0.1, 0.2])
+
+
+@pytest.mark.parametrize("wild", [1e100, -1e200, 1e308, np.inf, np.nan])
+def test_a_wild_number_is_held_out_like_nan(wild: float) -> None:
+    rates, forces = np.full((5, 3), 0.1), np.tile(LEVEL, (5, 1))
+    expected = fixed_gain_observer(
+        np.delete(rates, 2, axis=0), np.delete(forces, 2, axis=0), 0.1, 0
+    )
+    rates[2, 1] = wild
+    found = fixed_gain_observer(rates, forces, 0.1, 0)
+    assert np.isnan(found[2]).all()
+    assert_array_equal(np.delete(found, 2, axis=0), expected)
+    assert chr_notes.samples_held_out(rates, forces).tolist() == [False, False, True, False, False]
 
 
 def test_steps_may_vary() -> None:

@@ -184,7 +184,7 @@ def parts(value: Basic) -> tuple[Basic, Basic]:
 
 
 def _common(values: tuple[Basic, ...]) -> tuple[dict[Symbol, Expr], list[Basic]]:
-    """Find what occurs twice, apart from what costs as little as to look it up."""
+    """Find what occurs twice, apart from what is cheap."""
     names = numbered_symbols("x")
     common: dict[Symbol, Expr] = {}
     found = list(values)
@@ -195,17 +195,24 @@ def _common(values: tuple[Basic, ...]) -> tuple[dict[Symbol, Expr], list[Basic]]
         more = bool(fresh)
         found = looked_through[len(common) :]
         common = dict(fresh) | dict(zip(common, looked_through, strict=False))
-    kept: dict[Symbol, Expr] = {}
-    trivial: dict[Symbol, Expr] = {}
-    for local, value in common.items():
-        whole = value.xreplace(trivial)
-        coefficient, rest = whole.as_coeff_Mul()
-        cheap = whole.is_Boolean or whole.is_number or isinstance(whole, (re, im))
-        if cheap or (rest.is_Symbol and coefficient != 1):
-            trivial[local] = whole
-        else:
-            kept[local] = whole
-    return kept, [value.xreplace(trivial) for value in found]
+    cheap = {local: value for local, value in common.items() if _is_cheap(value)}
+
+    def put_in(value: Basic) -> Basic:
+        # Several times, because they may stand in each other.
+        while value.free_symbols & cheap.keys():
+            value = value.xreplace(cheap)
+        return value
+
+    kept = {local: put_in(value) for local, value in common.items() if local not in cheap}
+    return kept, [put_in(value) for value in found]
+
+
+def _is_cheap(value: Basic) -> bool:
+    """Say whether to compute something again costs as little as to look it up."""
+    if value.is_Boolean or value.is_number or isinstance(value, (re, im)):
+        return True
+    coefficient, rest = value.as_coeff_Mul()
+    return bool(rest.is_Symbol and coefficient != 1)
 
 
 def _needed(
