@@ -144,7 +144,7 @@ def speed(run: dict[str, Any]) -> Iterator[str]:
     """
     for size, words in SIZES.items():
         cases = [row for row in run["rows"] if row["size"] == size]
-        faster: dict[str, list[str]] = {}
+        faster: list[str] = []
         yield f"## {words[0].upper()}{words[1:]}\n"
         yield ":::{div} speed\n| task | library | ns each | times as long |\n|---|---|--:|--:|"
         for task in dict.fromkeys(row["task"] for row in cases):
@@ -155,11 +155,10 @@ def speed(run: dict[str, Any]) -> Iterator[str]:
                 factor = f"{ratio:.1f}" if ratio >= TENTH else f"{ratio:.2f}"
                 yield f"| {'' if place else task} | {library} | {time:,g} | {factor} |"
                 if time < ours:
-                    faster.setdefault(task, []).append(library)
+                    faster.append(f"{library} ({task})")
         yield ":::\n"
         if faster:
-            named = "; ".join(f"{task}: {' and '.join(them)}" for task, them in faster.items())
-            yield f"Faster than ours are here, by task: {named}.\n"
+            yield f"Faster here than ours: {', '.join(faster)}.\n"
     libraries = ", ".join(f"{name} {version}" for name, version in run["libraries"].items())
     yield (
         f"Timed on {run['cpu']}, {run['vector_instructions']}, one thread, {run['system']}, "
