@@ -5,8 +5,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from chr_notes._arrays import Floats, floats
 
-# No sensor reads as much: such numbers come from damaged logs, and their squares overflow.
-_WILD = 1e100
+# No sensor reads as much: such numbers come from damaged logs, and an angle that they are added to
+# keeps few digits.
+_WILD = 1e12
 
 
 def samples(name: str, value: ArrayLike) -> Floats:

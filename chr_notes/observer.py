@@ -1,6 +1,6 @@
 """The fixed-gain observer, over a recording or on a stream.
 
-A sample with NaN, infinity or a number beyond 1e100, which no sensor reads, is held out, and the
+A sample with NaN, infinity or a number beyond 1e12, which no sensor reads, is held out, and the
 estimate goes on without it.
 """
 
@@ -97,7 +97,7 @@ def samples_held_out(body_rates: ArrayLike, accel: ArrayLike) -> NDArray[np.bool
     Returns
     -------
     ndarray
-        Where the rates or the force hold NaN, infinity or a number beyond 1e100, or the force reads
+        Where the rates or the force hold NaN, infinity or a number beyond 1e12, or the force reads
         zero, shape (N,). Its sum is the number that `observe` counts.
 
     Raises
