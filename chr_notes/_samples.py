@@ -5,9 +5,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from chr_notes._arrays import Floats, floats
 
-# No sensor reads as much: such numbers come from damaged logs, and an angle that they are added to
-# keeps few digits.
-_WILD = 1e12
+WILD_RATE = 1e12
+"""No gyro reads as much, rad/s: such rates come from damaged logs, and leave an angle few digits."""
 
 
 def samples(name: str, value: ArrayLike) -> Floats:
@@ -26,27 +25,29 @@ def samples(name: str, value: ArrayLike) -> Floats:
 
 
 def whole_samples(name: str, value: ArrayLike) -> Floats:
-    """Take a recording without the rows that hold NaN, infinity or a wild number."""
+    """Take a recording without the rows that hold NaN or infinity."""
     array = samples(name, value)
     return array[complete(array)]
 
 
-def complete(array: Floats) -> NDArray[np.bool_]:
-    """Say which rows of a two-dimensional array hold no NaN, no infinity and no wild number."""
+def complete(array: Floats, below: float = np.inf) -> NDArray[np.bool_]:
+    """Say which rows of a two-dimensional array hold numbers of a magnitude below a limit alone."""
     # Column by column: along an axis of three NumPy is several times slower.
-    return np.asarray(np.logical_and.reduce([np.abs(column) < _WILD for column in array.T]))
+    return np.asarray(np.logical_and.reduce([np.abs(column) < below for column in array.T]))
 
 
-def held_out(name: str, value: ArrayLike) -> tuple[Floats, NDArray[np.bool_]]:
+def held_out(
+    name: str, value: ArrayLike, below: float = np.inf
+) -> tuple[Floats, NDArray[np.bool_]]:
     """Take a recording with the rows that are not complete made NaN all over, and say which."""
     array = samples(name, value)
-    missing = ~complete(array)
+    missing = ~complete(array, below)
     if not missing.any():
         return array, missing
     return np.where(missing[:, np.newaxis], np.nan, array), missing
 
 
-def one_sample(name: str, value: ArrayLike) -> Floats:
+def one_sample(name: str, value: ArrayLike, below: float = np.inf) -> Floats:
     """Take one vector, shape (3,), NaN all over if it is not complete.
 
     Raises
@@ -58,7 +59,7 @@ def one_sample(name: str, value: ArrayLike) -> Floats:
     if array.ndim != 1:
         msg = f"{name}: expected shape (3,), got {array.shape}"
         raise ValueError(msg)
-    return np.asarray(held_out(name, array[np.newaxis])[0][0])
+    return np.asarray(held_out(name, array[np.newaxis], below)[0][0])
 
 
 def start(name: str, value: ArrayLike) -> list[float]:

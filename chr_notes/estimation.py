@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike
 
 from chr_notes._arrays import Floats, common_shape, components, evaluate, floats
 from chr_notes._loops import run
-from chr_notes._samples import held_out, periods, start
+from chr_notes._samples import WILD_RATE, held_out, periods, start
 from chr_notes.conventions import STANDARD_GRAVITY
 from chr_notes.euler import wrap_angle
 from chr_notes.generated.arrays import estimation as generated
@@ -123,7 +123,8 @@ def integrate_gyro(
     -------
     ndarray
         Roll, pitch, yaw after each sample, pitch in [-pi/2, pi/2], shape (N, 3). A row whose
-        rates hold NaN comes out as NaN, and the next goes on as if the body had stood still.
+        rates hold NaN, or 1e12 rad/s and more, comes out as NaN, and the next goes on as if the
+        body had stood still.
 
     Raises
     ------
@@ -138,7 +139,7 @@ def integrate_gyro(
     if method not in ("euler", "quaternion"):
         msg = f'method: expected "euler" or "quaternion", got {method!r}'
         raise ValueError(msg)
-    rates, missing = held_out("body_rates", body_rates)
+    rates, missing = held_out("body_rates", body_rates, WILD_RATE)
     inputs = [*components(rates), periods(dt, len(rates))]
     first = start("initial", initial)
     if method == "quaternion":

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from chr_notes._arrays import Floats
-from chr_notes._samples import held_out, number, periods, same_length
+from chr_notes._samples import WILD_RATE, held_out, number, periods, same_length
 from chr_notes.estimation import in_range, tilt_from_accelerometer
 from chr_notes.generated.loops.estimation import fixed_gain_observer
 from chr_notes.generated.scalar.validation import validation_factor
@@ -173,7 +173,7 @@ def monitored_observer(  # noqa: PLR0913 (three sensors, and what they are measu
     -----
     Ledger: validation.10, validation.11, validation.17.
     """
-    rates, missing = held_out("body_rates", body_rates)
+    rates, missing = held_out("body_rates", body_rates, WILD_RATE)
     forces, _ = held_out("accel", accel)
     field = direction(held_out("mag", mag)[0])
     count = same_length(("body_rates", rates), ("accel", forces), ("mag", field))

@@ -1,7 +1,7 @@
 """The fixed-gain observer, over a recording or on a stream.
 
-A sample with NaN, infinity or a number beyond 1e12, which no sensor reads, is held out, and the
-estimate goes on without it.
+A sample with NaN or infinity, or with a rate of 1e12 rad/s and more, which no gyro reads, is held
+out, and the estimate goes on without it.
 """
 
 from collections.abc import Iterable, Iterator
@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from chr_notes._arrays import Floats, components
 from chr_notes._loops import run
-from chr_notes._samples import held_out, number, one_sample, periods, same_length, start
+from chr_notes._samples import WILD_RATE, held_out, number, one_sample, periods, same_length, start
 from chr_notes.estimation import in_range, tilt_from_accelerometer
 from chr_notes.generated.loops import estimation as loops
 
@@ -72,7 +72,7 @@ def fixed_gain_observer(
     Ledger: estimation.4.1, estimation.4.2, estimation.4.3, estimation.4.4, validation.10,
     validation.11.
     """
-    rates, missing = held_out("body_rates", body_rates)
+    rates, missing = held_out("body_rates", body_rates, WILD_RATE)
     forces, _ = held_out("accel", accel)
     count = same_length(("body_rates", rates), ("accel", forces))
     tilt = tilt_from_accelerometer(forces)
@@ -97,15 +97,15 @@ def samples_held_out(body_rates: ArrayLike, accel: ArrayLike) -> NDArray[np.bool
     Returns
     -------
     ndarray
-        Where the rates or the force hold NaN, infinity or a number beyond 1e12, or the force reads
-        zero, shape (N,). Its sum is the number that `observe` counts.
+        Where the rates or the force hold NaN or infinity, a rate is 1e12 rad/s or more, or the
+        force reads zero, shape (N,). Its sum is the number that `observe` counts.
 
     Raises
     ------
     ValueError
         If a shape is wrong.
     """
-    rates, missing = held_out("body_rates", body_rates)
+    rates, missing = held_out("body_rates", body_rates, WILD_RATE)
     forces, _ = held_out("accel", accel)
     same_length(("body_rates", rates), ("accel", forces))
     return np.asarray(missing | np.isnan(tilt_from_accelerometer(forces)[:, 0]))
@@ -137,7 +137,7 @@ def observe_sample(
     ValueError
         As `fixed_gain_observer`.
     """
-    rates = one_sample("body_rates", body_rates)
+    rates = one_sample("body_rates", body_rates, WILD_RATE)
     tilt = tilt_from_accelerometer(one_sample("accel", accel))
     after = _step(canonical("euler", euler), rates, tilt, dt, gain)
     return np.asarray(in_range(after)[0])
@@ -188,7 +188,7 @@ def observe(
     state = None if initial is None else canonical("initial", initial)
     incomplete = 0
     for body_rates, accel, dt in stream:
-        rates = one_sample("body_rates", body_rates)
+        rates = one_sample("body_rates", body_rates, WILD_RATE)
         tilt = tilt_from_accelerometer(one_sample("accel", accel))
         incomplete += bool(np.isnan(rates[0]) or np.isnan(tilt[0]))
         if state is None:

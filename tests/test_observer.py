@@ -159,6 +159,13 @@ def test_a_wild_number_is_held_out_like_nan(wild: float) -> None:
     assert chr_notes.samples_held_out(rates, forces).tolist() == [False, False, True, False, False]
 
 
+def test_no_force_is_wild_because_its_unit_does_not_matter() -> None:
+    rates, forces = np.zeros((3, 3)), np.tile([0.0, -1.0, -1.0], (3, 1))
+    found = fixed_gain_observer(rates, 1e200 * forces, 0.01, 0.5)
+    assert_array_equal(found, fixed_gain_observer(rates, forces, 0.01, 0.5))
+    assert not chr_notes.samples_held_out(rates, 1e200 * forces).any()
+
+
 def test_after_the_wildest_number_that_counts_the_tilt_comes_back() -> None:
     rates, forces = np.zeros((2000, 3)), np.tile([0.0, -1.0, -1.0], (2000, 1))
     rates[10] = 9e11
