@@ -6,7 +6,7 @@ from numpy.typing import ArrayLike, NDArray
 from chr_notes._arrays import Floats, floats
 
 WILD_RATE = 1e12
-"""No gyro reads as much, rad/s: such rates come from damaged logs, and leave an angle few digits."""
+"""No gyro reads as much, rad/s: such rates come from damaged logs, and leave angles no digits."""
 
 
 def samples(name: str, value: ArrayLike) -> Floats:
