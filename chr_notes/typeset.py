@@ -6,12 +6,14 @@ from sympy import (
     Add,
     And,
     Basic,
+    Expr,
     Ge,
     Gt,
     Identity,
     Integer,
     Le,
     Lt,
+    MatMul,
     MatrixBase,
     Or,
     Symbol,
@@ -55,7 +57,8 @@ class _Printer(LatexPrinter):
 
     def _print_Add(self, total: Add, order: str | None = None) -> str:  # noqa: N802 (SymPy's hook)
         # As one writes by hand: a sum begins with a term that has no minus.
-        terms = self._as_ordered_terms(total, order=order)
+        flat = total.func(*_left_opened(total), evaluate=False)
+        terms = self._as_ordered_terms(flat, order=order)
         first = next((term for term in terms if not term.could_extract_minus_sign()), terms[0])
         written = ""
         for term in (first, *(term for term in terms if term is not first)):
@@ -84,6 +87,68 @@ class _Printer(LatexPrinter):
         return rf"\mathrm{{atan2}}\left({arguments}\right)"
 
 
+class _AsWritten(_Printer):
+    """The same, but terms and factors stay where the object has them."""
+
+    def __init__(self) -> None:
+        super().__init__({**_SETTINGS, "order": "none"})
+
+    def _print_Add(self, total: Add, order: str | None = None) -> str:  # noqa: ARG002, N802
+        written = ""
+        for term in _left_opened(total):
+            minus, size = _sign(term)
+            text = self._print(size)
+            text = rf"\left({text}\right)" if self._needs_add_brackets(size) else text
+            written += f" {'-' if minus else '+'} {text}"
+        return written.removeprefix(" + ").removeprefix(" ")
+
+    def _print_Mul(self, product: Expr) -> str:  # noqa: N802 (SymPy's hook, for 1/x as well)
+        minus, size = _sign(product)
+        above, below = [], []
+        for factor in _left_opened(size) if size.is_Mul else (size,):
+            if factor.is_Pow and factor.exp.is_negative and factor.exp.is_Number:
+                below.append(factor.base**-factor.exp)
+            else:
+                above.append(factor)
+        text = self._factors(above)
+        text = rf"\frac{{{text or '1'}}}{{{self._factors(below)}}}" if below else text
+        return f"- {text}" if minus else text
+
+    def _print_MatMul(self, product: MatMul) -> str:  # noqa: N802 (SymPy's hook)
+        *factors, last = product.args
+        if not (last.is_Pow and last.exp == -1):
+            return str(super()._print_MatMul(product))
+        minus = factors[0] == -1
+        above = self._print(MatMul(*factors[minus:]) if len(factors) > 1 + minus else factors[-1])
+        return rf"{'- ' if minus else ''}\frac{{{above}}}{{{self._print(last.base)}}}"
+
+    def _factors(self, factors: list[Expr]) -> str:
+        texts = [
+            rf"\left({self._print(factor)}\right)"
+            if len(factors) > 1 and (factor.is_Add or _sign(factor)[0])
+            else self._print(factor)
+            for factor in factors
+        ]
+        return " ".join(texts)
+
+
+def _left_opened(whole: Expr) -> tuple[Expr, ...]:
+    """Take a sum or product as one reads it: Python makes of a + b + c the sum of a + b and c."""
+    first, *others = whole.args
+    return (*_left_opened(first), *others) if first.func == whole.func else whole.args
+
+
+def _sign(term: Expr) -> tuple[bool, Expr]:
+    """Take the minus in front of a product off."""
+    if not term.is_Mul:
+        return False, term
+    first, *others = _left_opened(term)
+    if not first.is_negative or not first.is_Number:
+        return False, term
+    rest = others if first == -1 else [-first, *others]
+    return True, rest[0] if len(rest) == 1 else term.func(*rest, evaluate=False)
+
+
 def _chain(relations: tuple[Basic, ...]) -> list[Basic | str]:
     """Order inequalities as in `0 < a < b`, or give nothing if they make no such chain."""
     if not all(isinstance(relation, Gt | Ge | Lt | Le) for relation in relations):
@@ -101,20 +166,24 @@ def _chain(relations: tuple[Basic, ...]) -> list[Basic | str]:
     return [] if next_one else chain
 
 
-def latex(expression: Basic | MatrixBase) -> str:
+def latex(expression: Basic | MatrixBase, *, as_written: bool = False) -> str:
     """Typeset a SymPy object.
 
     Parameters
     ----------
     expression
         Expression, matrix or statement.
+    as_written
+        Whether the terms of sums and the factors of products stay in the order that the object
+        has them in, as those of a printed formula must; else they come in SymPy's.
 
     Returns
     -------
     str
         LaTeX without delimiters, for MathJax with the AMS packages.
     """
-    return str(_Printer(_SETTINGS).doprint(expression))
+    printer = _AsWritten() if as_written else _Printer(_SETTINGS)
+    return str(printer.doprint(expression))
 
 
 @dataclass(frozen=True)

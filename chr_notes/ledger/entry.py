@@ -29,8 +29,8 @@ class Entry:
 
     Parameters
     ----------
-    id, document, kind, says
-        Which printed statement it is; `says` puts it in our words.
+    id, document, kind, place, says
+        Which printed statement it is and where it stands; `says` puts it in our words.
     verdict
         Computed, see `chr_notes.ledger.judgement`.
     printed_latex
@@ -59,6 +59,7 @@ class Entry:
     id: str
     document: str
     kind: str
+    place: str
     says: str
     verdict: Verdict
     printed_latex: str

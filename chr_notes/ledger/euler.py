@@ -11,6 +11,7 @@ from sympy import (
     MatAdd,
     MatMul,
     Ne,
+    Set,
     Symbol,
     cos,
     pi,
@@ -27,6 +28,7 @@ from chr_notes.printed import euler as printed
 from chr_notes.printed.statement import Rotation, words
 from chr_notes.symbols import (
     BODY_RATES,
+    EULER,
     EULER_RATES,
     p,
     phi,
@@ -45,8 +47,8 @@ VECTOR = ImmutableMatrix(symbols("v_N v_E v_D", real=True))
 DEGREE = pi / 180
 
 
-def _arguments_of_d() -> FiniteSet:
-    return FiniteSet(*derived.euler_rates_matrix().free_symbols)
+def _other_arguments_of_d() -> Set:
+    return FiniteSet(*derived.euler_rates_matrix().free_symbols - set(EULER))
 
 
 READ = reading(
@@ -55,11 +57,12 @@ READ = reading(
         printed.PITCH_AXIS: derived.rotation("v1", "I") * derived.Y,
         printed.FIGURE_3_FRAME: FRAME_NAMES[derived.FRAMES[2]],
         printed.LOCK_PITCHES: derived.lock_pitches,
+        printed.ROLL_FOR_YAW: -psi,
         # One vector in two frames: its body components come from its inertial ones.
         printed.V_I: VECTOR,
         printed.V_B: ImmutableMatrix(derived.rotation("I", "B") * VECTOR),
         printed.D: derived.euler_rates_matrix,
-        printed.D_ARGUMENTS: _arguments_of_d,
+        printed.OTHER_ARGUMENTS: _other_arguments_of_d,
         **elements(EULER_RATES, derived.euler_rates),
     }
 )
@@ -130,8 +133,6 @@ SETTLED = (
     Case(
         _BY_ID["euler.6.b"],
         READ,
-        condition=Condition(Eq(phi, -psi), ({phi: -psi},)),
-        witness={phi: 30 * DEGREE, psi: 30 * DEGREE},
         steps=(
             Step(
                 "At a pitch of 90° the matrix depends on roll and yaw only through their "
@@ -149,7 +150,7 @@ SETTLED = (
                 ),
             ),
         ),
-        remark="Roll must be the negative of yaw: at +90° the two turn the aircraft about the "
+        remark="The roll is the negative of the yaw: at +90° the two turn the aircraft about the "
         "same line in opposite senses. At −90° they turn it in the same sense.",
     ),
     Case(
@@ -221,7 +222,6 @@ SETTLED = (
     Case(
         _BY_ID["euler.7.d"],
         READ,
-        correction=Eq(printed.D_ARGUMENTS, FiniteSet(phi, theta), evaluate=False),
         steps=(
             Step(
                 "Turning the whole picture about the vertical changes yaw and nothing else, so "
@@ -229,7 +229,7 @@ SETTLED = (
                 Eq(printed.D, derived.euler_rates_matrix(), evaluate=False),
             ),
         ),
-        remark="D does not depend on yaw.",
+        remark="Nor does it depend on yaw: roll and pitch are enough.",
     ),
 )
 

@@ -31,11 +31,21 @@ from sympy import (
     sympify,
 )
 from sympy.core.function import AppliedUndef
+from sympy.logic.boolalg import Boolean
 
 from chr_notes.ledger.case import CannotJudgeError, Case, Reading
 from chr_notes.ledger.entry import Entry, Verdict, Witness
 from chr_notes.ledger.identities import equal
-from chr_notes.ledger.proof import evaluate, excludes, fails, parts, proves, sides, work_out
+from chr_notes.ledger.proof import (
+    evaluate,
+    excludes,
+    fails,
+    ordered,
+    parts,
+    proves,
+    sides,
+    work_out,
+)
 from chr_notes.printed.statement import Approximately
 from chr_notes.symbols import BODY_RATES, EULER, EULER_RATES, Angle, AngularRate, g, m
 from chr_notes.typeset import latex
@@ -71,11 +81,14 @@ def judge(case: Case) -> Entry:
         id=printed.id,
         document=printed.document,
         kind=printed.kind,
+        place=printed.place,
         says=printed.says,
         verdict=verdict,
-        printed_latex=latex(printed.statement),
+        printed_latex=latex(printed.statement, as_written=True),
         derived_latex=_derived(case),
-        correction_latex=latex(case.correction) if case.correction is not None else None,
+        correction_latex=latex(case.correction, as_written=True)
+        if case.correction is not None
+        else None,
         given=latex(And(*(g.holds for g in case.given), evaluate=False)) if case.given else None,
         condition=latex(case.condition.holds) if case.condition is not None else None,
         witness=_witness(case) if failing else None,
@@ -84,6 +97,10 @@ def judge(case: Case) -> Entry:
         remark=case.remark,
         derivation=tuple((step.says, latex(step.statement)) for step in case.steps),
     )
+
+
+def _as_written(correction: Boolean | None) -> str | None:
+    return latex(correction, as_written=True) if correction is not None else None
 
 
 def _verdict(case: Case) -> tuple[Verdict, str]:
@@ -148,6 +165,8 @@ def _derived(case: Case) -> str | None:
         if len(given.by) == 1 and sympify(new).is_number
     }
     derived = work_out(statement.lhs, case.read, by)
+    if derived == ordered(statement.rhs):
+        return latex(statement.rhs, as_written=True)
     return latex(derived) if derived != statement.lhs else None
 
 

@@ -9,6 +9,7 @@ from sympy import (
     Basic,
     Eq,
     Expr,
+    Float,
     Ge,
     Gt,
     Le,
@@ -19,6 +20,7 @@ from sympy import (
     Ne,
     Or,
     Pow,
+    Rational,
     S,
     Subs,
     Symbol,
@@ -44,6 +46,13 @@ def parts(statement: Basic) -> tuple[Basic, ...]:
     return statement.args if isinstance(statement, And) else (statement,)
 
 
+def ordered(expression: Basic) -> Basic:
+    """Let SymPy order what stands as printed; a decimal is the fraction that it says."""
+    if isinstance(expression, Float):
+        return Rational(str(expression))
+    return expression.func(*map(ordered, expression.args)) if expression.args else expression
+
+
 def put(expression: Basic, by: Mapping[Basic, Basic]) -> Basic:
     """Substitute; a point of many numbers at once, where no symbol is bound."""
     numbers = all(isinstance(old, Symbol) and sympify(new).is_number for old, new in by.items())
@@ -55,7 +64,7 @@ def put(expression: Basic, by: Mapping[Basic, Basic]) -> Basic:
 def work_out(expression: Basic, read: Read, by: Mapping[Basic, Basic]) -> Basic:
     """Put the derived quantities in place of the document's symbols, matrices as a whole."""
     # A condition may speak of the document's symbols or of the derived ones: before and after.
-    meaning = put(read(put(expression, by)), by).doit()
+    meaning = put(read(put(ordered(expression), by)), by).doit()
     return expand(meaning).doit() if isinstance(meaning, MatrixExpr) else meaning
 
 
@@ -156,7 +165,10 @@ def _never_equal(
         if isinstance(condition.holds, Ne)
     ]
     return any(
-        component.is_nonzero or any(_nonzero_multiple(component, other) for other in excluded)
+        component.is_nonzero
+        or is_positive(component)
+        or is_positive(-component)
+        or any(_nonzero_multiple(component, other) for other in excluded)
         for component in components
     )
 

@@ -26,6 +26,7 @@ from chr_notes.derivations import quaternions as derived
 from chr_notes.derivations.steps import Step
 from chr_notes.ledger.case import Case, Condition, complete
 from chr_notes.ledger.quaternions_reading import (
+    AS_QUATERNION,
     BY_ID,
     DERIVED,
     ELEMENTS,
@@ -38,6 +39,7 @@ from chr_notes.ledger.quaternions_reading import (
     READ_AXIS,
     READ_BACK,
     READ_MATRIX,
+    READ_PRODUCT,
     ROLL_120,
     TO_BODY,
     TO_INERTIAL,
@@ -83,7 +85,8 @@ _POSITIVE = Symbol("k", positive=True)
 
 def _cosine_positive(parts: tuple[Basic, Basic]) -> Condition:
     """Give the condition under which arctan finds an angle from its sine and cosine."""
-    return Condition(Gt(parts[1], 0), ({parts[1]: _POSITIVE},))
+    cosine = parts[1].doit()
+    return Condition(Gt(cosine, 0), ({cosine: _POSITIVE},))
 
 
 def _arctan_steps(angle: Angle, parts: tuple[Basic, Basic]) -> tuple[Step, ...]:
@@ -158,13 +161,15 @@ SETTLED = (
     ),
     Case(
         BY_ID["quaternions.3.1"],
-        READ,
+        READ_PRODUCT,
         given=(UNIT,),
         correction=Eq(
-            Pure(printed.V_B), Product(Reciprocal(printed.Q), Pure(printed.V_I), printed.Q)
+            printed.V_B,
+            Product(Reciprocal(printed.Q), Pure(printed.V_I), printed.Q),
+            evaluate=False,
         ),
         witness={**YAW_90, **NORTH},
-        readings=readings({**TO_BODY, **ELEMENTS}),
+        readings=readings({**AS_QUATERNION, **ELEMENTS}),
         steps=(
             Step(
                 "The attitude quaternion turns the inertial axes to the body axes. With a yaw the "
@@ -188,7 +193,8 @@ SETTLED = (
                 ),
             ),
         ),
-        remark=CONTRADICTION,
+        remark=f"{CONTRADICTION} Besides, the line equates a vector of three with a quaternion of "
+        "four; the vector on the left is read as the one on the right, with a zero in front.",
     ),
     Case(
         BY_ID["quaternions.3.3"],

@@ -73,8 +73,9 @@ UNIT = Condition(Eq(NORM, 1), ({NORM: 1},))
 TO_BODY = {
     printed.V_I: ImmutableMatrix(VECTOR),
     printed.V_B: ImmutableMatrix(derived.rotate_to_body() / NORM),
-    printed.V_B_AS_QUATERNION: hamilton.pure(derived.rotate_to_body() / NORM),
 }
+# The note equates a 3-vector with a product of quaternions: read it as one without scalar part.
+AS_QUATERNION = {**TO_BODY, printed.V_B: hamilton.pure(derived.rotate_to_body() / NORM)}
 TO_INERTIAL = {
     printed.V_B: ImmutableMatrix(VECTOR),
     printed.V_I: ImmutableMatrix(derived.rotate_to_inertial() / NORM),
@@ -99,6 +100,7 @@ READ = reading({**MEANING, **TO_BODY, **ELEMENTS}, NOTATION)
 READ_AXIS = reading(
     dict(zip(QUATERNION, derived.from_axis_angle(ImmutableMatrix(AXIS), theta), strict=True))
 )
+READ_PRODUCT = reading({**AS_QUATERNION, **ELEMENTS}, NOTATION)
 READ_BACK = reading({**TO_INERTIAL, **ELEMENTS}, NOTATION)
 READ_MATRIX = reading({**TO_BODY, **ELEMENTS, **MATRIX}, NOTATION)
 READ_AT_LOCK = reading(

@@ -14,9 +14,13 @@ MARKS: Final[Mapping[Verdict, str]] = MappingProxyType(
 """A sign beside each verdict's name, so that colour is not the only cue."""
 
 AND: Final = r" \quad\text{and}\quad "
+JOINTS: Final[Mapping[str, str]] = MappingProxyType(
+    {AND: r"\text{and}\quad ", r" \quad\Rightarrow\quad ": r"\Rightarrow\quad ", " {}= ": "= "}
+)
+"""What joins statements on one line, and what heads the second where each has its own."""
 EQUALS: Final = " = "
 LONG: Final = 150
-"""From this many characters of LaTeX on, statements joined by 'and' stand on a line each."""
+"""From this many characters of LaTeX on, statements that are joined stand on a line each."""
 
 
 @dataclass(frozen=True)
@@ -61,10 +65,10 @@ def badge(verdict: Verdict) -> str:
 
 def display(latex: str) -> str:
     """Return a formula on lines of its own, as Markdown."""
-    parts = latex.split(AND)
-    if len(parts) > 1 and len(latex) >= LONG:
-        rows = r" \\[0.6em] &\text{and}\quad ".join(parts)
-        latex = rf"\begin{{aligned}}&{rows}\end{{aligned}}"
+    if len(latex) >= LONG and any(joint in latex for joint in JOINTS):
+        for joint, head in JOINTS.items():
+            latex = latex.replace(joint, rf" \\[0.6em] &{head}")
+        latex = rf"\begin{{aligned}}&{latex}\end{{aligned}}"
     return f"$$\n{latex}\n$$\n"
 
 
@@ -72,10 +76,12 @@ def _card(entry: Entry) -> Iterator[str]:
     # Blank lines end an HTML block, so that what stands between is read as Markdown.
     yield f'<div class="entry" id="entry-{entry.id}">\n<div class="entry-head"><p>'
     yield f'<span class="entry-id">{entry.id}</span> <strong>{badge(entry.verdict)}</strong> '
-    yield f'<span class="entry-kind">{entry.kind}</span>'
+    yield f'<span class="entry-kind">{entry.kind}, {entry.place}</span>'
     yield '</p></div>\n<div class="entry-body">\n'
     yield f"{entry.says}\n"
-    yield from _formula("As printed" if entry.witness else "", entry.printed_latex)
+    # Words have no formula to print: what stands here is how they are read.
+    term = "Read as" if entry.kind == "claim" else "As printed" if entry.witness else ""
+    yield from _formula(term, entry.printed_latex)
     if entry.given is not None:
         yield from _formula("Given", entry.given)
     if entry.correction_latex is not None:

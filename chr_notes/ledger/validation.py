@@ -1,6 +1,6 @@
 """The paper on validating Euler angles before the judgement: filter, field, factor E."""
 
-from sympy import Abs, And, Eq, ImmutableMatrix, MatMul, Ne, Rational, cos, sin, sqrt
+from sympy import Abs, Eq, ImmutableMatrix, MatMul, Ne, Rational, cos, sin, sqrt
 
 from chr_notes.derivations import estimation
 from chr_notes.derivations import validation as derived
@@ -25,7 +25,7 @@ from chr_notes.ledger.validation_reading import (
     WEAKENING,
 )
 from chr_notes.printed import validation as printed
-from chr_notes.printed.statement import Approximately
+from chr_notes.printed.statement import Approximately, Leads
 
 _BY_ID = {statement.id: statement for statement in printed.PRINTED}
 
@@ -60,7 +60,7 @@ SETTLED = (
     Case(
         _BY_ID["validation.12"],
         READ_FIELD,
-        correction=And(
+        correction=Leads(
             Eq(printed.M_I, MatMul(printed.R_BI, printed.M_B), evaluate=False),
             Eq(printed.M_I, printed.FIELD_WRITTEN_OUT, evaluate=False),
         ),

@@ -1,6 +1,6 @@
 """The paper's statements on rotations, gravity and rates before the judgement."""
 
-from sympy import And, Eq, ImmutableMatrix, MatMul, Rational, asin, atan2, pi, sin, sqrt
+from sympy import Eq, ImmutableMatrix, MatMul, Rational, asin, atan2, pi, sin, sqrt
 
 from chr_notes.derivations.steps import Step
 from chr_notes.ledger import ranges
@@ -14,6 +14,7 @@ from chr_notes.ledger.validation_reading import (
     WITHOUT_YAW,
 )
 from chr_notes.printed import validation as printed
+from chr_notes.printed.statement import InOrder, chain
 from chr_notes.symbols import BODY_RATES, g, phi, pitch_rate, psi, roll_rate, theta, yaw_rate
 
 DEGREE = pi / 180
@@ -29,7 +30,7 @@ LABEL = (
 NO_INFORMATION = Step(
     "Gravity in the body frame, put into the numerator and the denominator, makes both vanish at "
     "every attitude.",
-    And(Eq(printed.GRAVITY_X, 0), Eq(printed.GRAVITY_Y, 0)),
+    InOrder(Eq(printed.GRAVITY_X, 0), Eq(printed.GRAVITY_Y, 0)),
 )
 TANGENT_REMARK = (
     "Numerator and denominator are both zero at every attitude, so the line says 0 · tan ψ = 0 "
@@ -40,7 +41,7 @@ SETTLED = (
     Case(
         _BY_ID["validation.1"],
         READ,
-        correction=And(Eq(printed.R_BI, printed.TURNS), Eq(printed.R_BI, printed.MATRIX)),
+        correction=chain(printed.R_BI, printed.TURNS, printed.MATRIX),
         witness=SOME_ATTITUDE,
         readings=READINGS,
         steps=(
@@ -117,8 +118,10 @@ SETTLED = (
     Case(
         _BY_ID["validation.8"],
         READ,
-        correction=Eq(
-            ImmutableMatrix(BODY_RATES), MatMul(printed.R_IB, printed.RATES_I), evaluate=False
+        correction=chain(
+            ImmutableMatrix(BODY_RATES),
+            MatMul(printed.R_IB, printed.RATES_BY_AXES),
+            MatMul(printed.R_IB, printed.RATES_I),
         ),
         witness={**SOME_ATTITUDE, roll_rate: 10 * DEGREE, pitch_rate: 0, yaw_rate: 0},
         readings=READINGS,

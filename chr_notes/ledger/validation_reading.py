@@ -22,7 +22,7 @@ from sympy import (
 
 from chr_notes.derivations import estimation
 from chr_notes.derivations import validation as derived
-from chr_notes.derivations.euler import Z, body_rates, euler_rates, rotation
+from chr_notes.derivations.euler import X, Y, Z, body_rates, euler_rates, rotation
 from chr_notes.ledger.case import Reading
 from chr_notes.ledger.reading import Meaning, elements, reading
 from chr_notes.printed import validation as printed
@@ -115,12 +115,19 @@ _MEANING: dict[Basic, Meaning] = {
     printed.R_Z: rotation("v1", "I"),
     printed.R_Y: rotation("v2", "v1"),
     printed.R_X: rotation("B", "v2"),
+    printed.R_Z_IN_8: rotation("v1", "I"),
+    printed.R_Y_IN_8: rotation("v2", "v1"),
+    # The axes of the three turns, in the inertial frame.
+    printed.YAW_AXIS: Z,
+    printed.PITCH_AXIS: lambda: ImmutableMatrix(rotation("v1", "I") * Y),
+    printed.ROLL_AXIS: lambda: ImmutableMatrix(rotation("v2", "I") * X),
     WITHOUT_YAW: lambda: rotation("I", "B").subs(psi, 0),
     printed.V_I: VECTOR,
     printed.V_B: lambda: ImmutableMatrix(rotation("I", "B") * VECTOR),
     **elements(printed.GRAVITY, gravity),
     printed.ROLL_ACCEL: phi,
     printed.PITCH_ACCEL: theta,
+    printed.YAW_ACCEL: psi,
     **elements(BODY_RATES, body_rates),
     printed.YAW: psi,
 }

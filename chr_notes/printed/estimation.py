@@ -1,13 +1,13 @@
 """What "Fundamentals of Attitude Estimation" prints."""
 
 from sympy import (
-    And,
     Eq,
     Gt,
     ImmutableMatrix,
     IndexedBase,
     Limit,
     Lt,
+    MatAdd,
     MatMul,
     MatrixSymbol,
     Subs,
@@ -22,7 +22,7 @@ from sympy import (
     tan,
 )
 
-from chr_notes.printed.statement import Printed, Rotation, words
+from chr_notes.printed.statement import InOrder, Printed, Rotation, as_printed, chain, words
 from chr_notes.symbols import (
     EULER_RATES,
     Angle,
@@ -65,30 +65,34 @@ BIAS, GYRO_NOISE, VIBRATION = (
     for of in (r"e_{\text{bias}}", r"\sigma^2_{\text{gyro}}", r"\sigma^2_{\text{vibration}}")
 )
 
-PREDICT_PITCH = Eq(PITCH_PLUS, PITCH + T * pitch_rate)
-PREDICT_ROLL = Eq(ROLL_PLUS, ROLL + T * roll_rate)
+with as_printed():
+    PREDICT_PITCH = Eq(PITCH_PLUS, PITCH + T * pitch_rate)
+    PREDICT_ROLL = Eq(ROLL_PLUS, ROLL + T * roll_rate)
 
-PRINTED = (
-    Printed(
-        "estimation.2.1",
-        "equation",
-        "What an accelerometer reads: all forces on the body less that of gravity.",
-        Eq(A_M, (F - F_G) / m),
-    ),
-    Printed(
-        "estimation.2.2",
-        "equation",
-        "What it reads when the forces on the body add up to nothing.",
-        Eq(A_M, -F_G / m),
-    ),
-    Printed(
-        "estimation.2.3",
-        "equation",
-        "Gravity's force, rotated into the body frame.",
-        And(
-            Eq(F_G, MatMul(Rotation("I", "B"), ImmutableMatrix([0, 0, m * g]))),
-            Eq(
+with as_printed():
+    PRINTED = (
+        Printed(
+            "estimation.2.1",
+            "equation",
+            "section 2, paragraph 1",
+            "What an accelerometer reads: all forces on the body less that of gravity.",
+            Eq(A_M, MatMul(1 / m, MatAdd(F, -F_G))),
+        ),
+        Printed(
+            "estimation.2.2",
+            "equation",
+            "section 2, paragraph 2",
+            "What it reads when the forces on the body add up to nothing.",
+            Eq(A_M, MatMul(-1, F_G, 1 / m)),
+        ),
+        Printed(
+            "estimation.2.3",
+            "equation",
+            "section 2, paragraph 4",
+            "Gravity's force, rotated into the body frame.",
+            chain(
                 F_G,
+                MatMul(Rotation("I", "B"), ImmutableMatrix([0, 0, m * g])),
                 ImmutableMatrix(
                     [
                         -m * g * sin(theta),
@@ -98,111 +102,146 @@ PRINTED = (
                 ),
             ),
         ),
-    ),
-    Printed(
-        "estimation.2.4",
-        "equation",
-        "What an accelerometer at rest is expected to read.",
-        Eq(
-            A_M,
-            ImmutableMatrix(
-                [g * sin(theta), -g * cos(theta) * sin(phi), -g * cos(phi) * cos(theta)]
+        Printed(
+            "estimation.2.4",
+            "equation",
+            "section 2, paragraph 5",
+            "What an accelerometer at rest is expected to read.",
+            Eq(
+                A_M,
+                ImmutableMatrix(
+                    [g * sin(theta), -g * cos(theta) * sin(phi), -g * cos(phi) * cos(theta)]
+                ),
             ),
         ),
-    ),
-    Printed(
-        "estimation.2.5",
-        "equation",
-        "Pitch from the accelerometer.",
-        Eq(PITCH_ACCEL, asin(A_MX / g)),
-    ),
-    Printed(
-        "estimation.2.6",
-        "equation",
-        "Roll from the accelerometer.",
-        Eq(ROLL_ACCEL, atan(A_MY / A_MZ)),
-    ),
-    Printed(
-        "estimation.2.a",
-        "claim",
-        "The forces on the sensor add up to zero, which is said to mean that gravity is the only "
-        "one.",
-        And(Eq(F, ZeroMatrix(3, 1)), Eq(F, F_G)),
-    ),
-    Printed(
-        "estimation.3.1",
-        "equation",
-        "Euler rates from the gyros.",
-        Eq(
-            RATES,
-            ImmutableMatrix(
-                [
-                    p + q * sin(phi) * tan(theta) + r * cos(phi) * tan(theta),
-                    q * cos(phi) - r * sin(phi),
-                    q * sin(phi) / cos(theta) + r * cos(phi) / cos(theta),
-                ]
+        Printed(
+            "estimation.2.5",
+            "equation",
+            "section 2, paragraph 6",
+            "Pitch from the accelerometer.",
+            Eq(PITCH_ACCEL, asin(A_MX / g)),
+        ),
+        Printed(
+            "estimation.2.6",
+            "equation",
+            "section 2, paragraph 6",
+            "Roll from the accelerometer.",
+            Eq(ROLL_ACCEL, atan(A_MY / A_MZ)),
+        ),
+        Printed(
+            "estimation.2.a",
+            "claim",
+            "section 2, paragraph 8",
+            "The forces on the sensor add up to zero, which is said to mean that gravity is the "
+            "only one.",
+            InOrder(Eq(F, ZeroMatrix(3, 1)), Eq(F, F_G)),
+        ),
+        Printed(
+            "estimation.3.1",
+            "equation",
+            "section 3, paragraph 3",
+            "Euler rates from the gyros.",
+            Eq(
+                RATES,
+                ImmutableMatrix(
+                    [
+                        p + q * sin(phi) * tan(theta) + r * cos(phi) * tan(theta),
+                        q * cos(phi) - r * sin(phi),
+                        q * sin(phi) / cos(theta) + r * cos(phi) / cos(theta),
+                    ]
+                ),
             ),
-            evaluate=False,
         ),
-    ),
-    Printed("estimation.3.2", "equation", "Roll by Euler integration.", PREDICT_ROLL),
-    Printed("estimation.3.3", "equation", "Pitch by Euler integration.", PREDICT_PITCH),
-    Printed(
-        "estimation.3.a",
-        "claim",
-        "The errors of a gyro add up: by its bias, and by its noise, the angle drifts away.",
-        And(
-            Eq(Limit(GYRO_ERROR, n, oo), oo),
-            Eq(Limit(GYRO_VARIANCE, n, oo), oo),
+        Printed(
+            "estimation.3.2",
+            "equation",
+            "section 3, paragraph 5",
+            "Roll by Euler integration.",
+            PREDICT_ROLL,
         ),
-    ),
-    Printed("estimation.4.1", "equation", "Prediction of pitch.", PREDICT_PITCH),
-    Printed("estimation.4.2", "equation", "Prediction of roll.", PREDICT_ROLL),
-    Printed(
-        "estimation.4.3",
-        "equation",
-        "Update of pitch with the gain L.",
-        Eq(PITCH, PITCH_PLUS + L * (PITCH_ACCEL - PITCH_PLUS)),
-    ),
-    Printed(
-        "estimation.4.4",
-        "equation",
-        "Update of roll with the gain L.",
-        Eq(ROLL, ROLL_PLUS + L * (ROLL_ACCEL - ROLL_PLUS)),
-    ),
-    Printed(
-        "estimation.4.a",
-        "claim",
-        "With L = 0 only the gyros count.",
-        Eq(Subs(PITCH, L, 0), PITCH_PLUS),
-    ),
-    Printed(
-        "estimation.4.b",
-        "claim",
-        "With L = 1 the estimate is the accelerometer's angle.",
-        Eq(Subs(PITCH, L, 1), PITCH_ACCEL),
-    ),
-    Printed(
-        "estimation.4.c",
-        "claim",
-        "The combined estimate does not drift: in the long run its error stops growing.",
-        Eq(Limit(GROWTH, n, oo), 0),
-    ),
-    Printed(
-        "estimation.4.d",
-        "claim",
-        "A Kalman filter chooses the gain L optimally.",
-        Eq(KALMAN_GAIN, BEST_GAIN),
-    ),
-    Printed(
-        "estimation.4.e",
-        "claim",
-        "Of two gains, the larger one makes the estimate less sensitive to bias and noise of the "
-        "gyro, and more to vibration and other forces.",
-        And(
-            Lt(BIAS[1], BIAS[0]),
-            Lt(GYRO_NOISE[1], GYRO_NOISE[0]),
-            Gt(VIBRATION[1], VIBRATION[0]),
+        Printed(
+            "estimation.3.3",
+            "equation",
+            "section 3, paragraph 5",
+            "Pitch by Euler integration.",
+            PREDICT_PITCH,
         ),
-    ),
-)
+        Printed(
+            "estimation.3.a",
+            "claim",
+            "section 3, paragraph 7",
+            "The errors of a gyro add up: by its bias, and by its noise, the angle drifts away.",
+            InOrder(
+                Eq(Limit(GYRO_ERROR, n, oo), oo),
+                Eq(Limit(GYRO_VARIANCE, n, oo), oo),
+            ),
+        ),
+        Printed(
+            "estimation.4.1",
+            "equation",
+            "section 4, paragraph 3",
+            "Prediction of pitch.",
+            PREDICT_PITCH,
+        ),
+        Printed(
+            "estimation.4.2",
+            "equation",
+            "section 4, paragraph 3",
+            "Prediction of roll.",
+            PREDICT_ROLL,
+        ),
+        Printed(
+            "estimation.4.3",
+            "equation",
+            "section 4, paragraph 4",
+            "Update of pitch with the gain L.",
+            Eq(PITCH, PITCH_PLUS + L * (PITCH_ACCEL - PITCH_PLUS)),
+        ),
+        Printed(
+            "estimation.4.4",
+            "equation",
+            "section 4, paragraph 4",
+            "Update of roll with the gain L.",
+            Eq(ROLL, ROLL_PLUS + L * (ROLL_ACCEL - ROLL_PLUS)),
+        ),
+        Printed(
+            "estimation.4.a",
+            "claim",
+            "section 4, paragraph 5",
+            "With L = 0 only the gyros count.",
+            Eq(Subs(PITCH, L, 0), PITCH_PLUS),
+        ),
+        Printed(
+            "estimation.4.b",
+            "claim",
+            "section 4, paragraph 5",
+            "With L = 1 the estimate is the accelerometer's angle.",
+            Eq(Subs(PITCH, L, 1), PITCH_ACCEL),
+        ),
+        Printed(
+            "estimation.4.c",
+            "claim",
+            "section 4, paragraph 1",
+            "The combined estimate does not drift: in the long run its error stops growing.",
+            Eq(Limit(GROWTH, n, oo), 0),
+        ),
+        Printed(
+            "estimation.4.d",
+            "claim",
+            "section 4, paragraph 9",
+            "A Kalman filter chooses the gain L optimally.",
+            Eq(KALMAN_GAIN, BEST_GAIN),
+        ),
+        Printed(
+            "estimation.4.e",
+            "claim",
+            "section 4, paragraph 6",
+            "Of two gains, the larger one makes the estimate less sensitive to bias and noise of "
+            "the gyro, and more to vibration and other forces.",
+            InOrder(
+                Lt(BIAS[1], BIAS[0]),
+                Lt(GYRO_NOISE[1], GYRO_NOISE[0]),
+                Gt(VIBRATION[1], VIBRATION[0]),
+            ),
+        ),
+    )

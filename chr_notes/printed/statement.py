@@ -1,9 +1,10 @@
 """One printed statement, and the notation in which the documents write."""
 
+from contextlib import AbstractContextManager
 from dataclasses import dataclass
-from typing import Literal, Self
+from typing import Literal, Self, cast
 
-from sympy import Basic, Expr, Integer, MatrixExpr, Rational, Symbol
+from sympy import And, Basic, Eq, Equality, Expr, Integer, MatrixExpr, Rational, Symbol, evaluate
 from sympy.core.symbol import Str
 from sympy.logic.boolalg import Boolean
 from sympy.matrices.expressions.matexpr import MatrixElement
@@ -22,15 +23,19 @@ class Printed:
         The entry's id; its first part names the document, its second the section.
     kind
         Equation, claim (a sentence of words) or table cell.
+    place
+        Where it stands, section and paragraph. A paragraph counts from the section's heading, or
+        from the numbered equation before it, and goes on through the formulas within it.
     says
         What it is, in our words.
     statement
-        The mathematical statement as printed, unevaluated. Words are stated as the proposition
-        that they assert.
+        The mathematical statement as printed: unevaluated, its terms, factors and relations in
+        the document's own order. Words are stated as the proposition that they assert.
     """
 
     id: str
     kind: Kind
+    place: str
     says: str
     statement: Boolean
 
@@ -38,6 +43,54 @@ class Printed:
     def document(self) -> str:
         """The topic's stem, which the id begins with."""
         return self.id.split(".")[0]
+
+
+def as_printed() -> AbstractContextManager[None]:
+    """Let SymPy leave terms and factors where they are written, in formulas built within."""
+    return cast("AbstractContextManager[None]", evaluate(x=False))
+
+
+class InOrder(And):
+    """Statements that all hold, in the order in which the document makes them.
+
+    `And` sorts what it joins.
+    """
+
+    def __new__(cls, *statements: Boolean) -> Self:
+        """Join statements and leave them where they stand."""
+        joined = Basic.__new__(cls, *statements)
+        joined._argset = frozenset(statements)  # noqa: SLF001 (what And looks its parts up in)
+        return joined
+
+    def _latex(self, printer: LatexPrinter) -> str:
+        return r" \quad\text{and}\quad ".join(printer.doprint(part) for part in self.args)
+
+
+class Leads(InOrder):
+    """Statements of which each leads to the next."""
+
+    def _latex(self, printer: LatexPrinter) -> str:
+        return r" \quad\Rightarrow\quad ".join(printer.doprint(part) for part in self.args)
+
+
+class Chain(InOrder):
+    """A chain of equalities, `a = b = c`: the equations `a = b` and `a = c`."""
+
+    def _latex(self, printer: LatexPrinter) -> str:
+        sides = (self.args[0].lhs, *(part.rhs for part in self.args))
+        return " {}= ".join(printer.doprint(side) for side in sides)
+
+
+def chain(first: Basic, *others: Basic) -> Chain:
+    """Print a quantity as equal to several others, one after the other."""
+    return Chain(*(Eq(first, other, evaluate=False) for other in others))
+
+
+class Nearly(Equality):
+    """An equation that the document gives as an approximation; judged as an equation."""
+
+    def _latex(self, printer: LatexPrinter) -> str:
+        return rf"{printer.doprint(self.lhs)} \approx {printer.doprint(self.rhs)}"
 
 
 class Rotation(MatrixExpr):

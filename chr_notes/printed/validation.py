@@ -6,12 +6,10 @@ the ledger's readings say: the paper contradicts itself there.
 
 from sympy import (
     Abs,
-    And,
     Eq,
     ImmutableMatrix,
     IndexedBase,
     Limit,
-    Lt,
     MatAdd,
     MatMul,
     MatrixSymbol,
@@ -29,7 +27,7 @@ from sympy import (
     tan,
 )
 
-from chr_notes.printed.statement import Printed, Rotation
+from chr_notes.printed.statement import InOrder, Leads, Printed, Rotation, as_printed, chain
 from chr_notes.symbols import (
     BODY_RATES,
     EULER_RATES,
@@ -45,17 +43,24 @@ from chr_notes.symbols import (
 )
 
 R_IB, R_BI = Rotation("i", "b"), Rotation("b", "i")
+# Equation 1 names the turns by their axes as they then lie, equation 8 names two of them anew.
 R_Z = MatrixSymbol(r"\mathbf{R}_z(\psi)", 3, 3)
 R_Y = MatrixSymbol(r"\mathbf{R}_{y'}(\theta)", 3, 3)
 R_X = MatrixSymbol(r"\mathbf{R}_{x''}(\phi)", 3, 3)
+R_Z_IN_8 = MatrixSymbol(r"\mathbf{R}_Z(\psi)", 3, 3)
+R_Y_IN_8 = MatrixSymbol(r"\mathbf{R}_Y(\theta)", 3, 3)
+AXES = YAW_AXIS, PITCH_AXIS, ROLL_AXIS = tuple(
+    MatrixSymbol(rf"\mathbf{{{letter}}}{primes}", 3, 1)
+    for letter, primes in (("k", ""), ("j", "'"), ("i", "''"))
+)
 V_I = MatrixSymbol(r"\mathbf{v}_i", 3, 1)
 V_B = MatrixSymbol(r"\mathbf{v}_b", 3, 1)
 
 G_XB, G_YB, G_ZB = GRAVITY = symbols("g_{xb} g_{yb} g_{zb}", real=True)
 G_B = ImmutableMatrix(GRAVITY)
 G_I = ImmutableMatrix([0, 0, g])
-ROLL_ACCEL, PITCH_ACCEL = (
-    Angle(rf"\{name}_{{accelerometer}}", real=True) for name in ("phi", "theta")
+ROLL_ACCEL, PITCH_ACCEL, YAW_ACCEL = (
+    Angle(rf"\{name}_{{accelerometer}}", real=True) for name in ("phi", "theta", "psi")
 )
 
 # The complementary filter, its angles now and one sample before.
@@ -93,231 +98,260 @@ GROUND_DIRECTION, HIGH_DIRECTION = (
 )
 GROWTH = Symbol(r"\left.\frac{\partial E}{\partial\epsilon}\right|_{\epsilon=0}", real=True)
 
-MATRIX = ImmutableMatrix(
-    [
+with as_printed():
+    MATRIX = ImmutableMatrix(
         [
-            cos(psi) * cos(theta),
-            cos(psi) * sin(phi) * sin(theta) - cos(phi) * sin(psi),
-            sin(phi) * sin(psi) + cos(phi) * cos(psi) * sin(theta),
-        ],
+            [
+                cos(psi) * cos(theta),
+                cos(psi) * sin(phi) * sin(theta) - cos(phi) * sin(psi),
+                sin(phi) * sin(psi) + cos(phi) * cos(psi) * sin(theta),
+            ],
+            [
+                cos(theta) * sin(psi),
+                cos(phi) * cos(psi) + sin(psi) * sin(phi) * sin(theta),
+                cos(phi) * sin(psi) * sin(theta) - cos(psi) * sin(phi),
+            ],
+            [-sin(theta), cos(theta) * sin(phi), cos(phi) * cos(theta)],
+        ]
+    )
+    TURNS = MatMul(R_Z, R_Y, R_X)
+    RATES_I = MatAdd(
+        MatMul(yaw_rate, ImmutableMatrix([0, 0, 1])),
+        MatMul(R_Z_IN_8, pitch_rate, ImmutableMatrix([0, 1, 0])),
+        MatMul(R_Z_IN_8, R_Y_IN_8, roll_rate, ImmutableMatrix([1, 0, 0])),
+    )
+    RATES_BY_AXES = MatAdd(
+        MatMul(yaw_rate, YAW_AXIS), MatMul(pitch_rate, PITCH_AXIS), MatMul(roll_rate, ROLL_AXIS)
+    )
+    FIELD_WRITTEN_OUT = ImmutableMatrix(
         [
-            cos(theta) * sin(psi),
-            cos(phi) * cos(psi) + sin(psi) * sin(phi) * sin(theta),
-            cos(phi) * sin(psi) * sin(theta) - cos(psi) * sin(phi),
-        ],
-        [-sin(theta), cos(theta) * sin(phi), cos(phi) * cos(theta)],
-    ]
-)
-TURNS = MatMul(R_Z, R_Y, R_X)
-RATES_I = MatAdd(
-    yaw_rate * ImmutableMatrix([0, 0, 1]),
-    MatMul(R_Z, pitch_rate * ImmutableMatrix([0, 1, 0])),
-    MatMul(R_Z, R_Y, roll_rate * ImmutableMatrix([1, 0, 0])),
-)
-FIELD_WRITTEN_OUT = ImmutableMatrix(
-    [
-        M_ZB * (sin(phi) * sin(psi) + cos(phi) * cos(psi) * sin(theta))
-        - M_YB * (cos(phi) * sin(psi) - cos(psi) * sin(phi) * sin(theta))
-        + M_XB * cos(psi) * cos(theta),
-        -M_ZB * (cos(psi) * sin(phi) - cos(phi) * sin(psi) * sin(theta))
-        + M_YB * (cos(phi) * cos(psi) + sin(phi) * sin(psi) * sin(theta))
-        + M_XB * cos(theta) * sin(psi),
-        M_ZB * cos(phi) * cos(theta) + M_YB * cos(theta) * sin(phi) - M_XB * sin(theta),
-    ]
-)
-LEVEL_X = M_ZB * cos(phi) * sin(theta) + M_YB * sin(phi) * sin(theta) + M_XB * cos(theta)
-GRAVITY_X = G_ZB * cos(phi) * sin(theta) + G_YB * sin(phi) * sin(theta) + G_XB * cos(theta)
-GRAVITY_Y = G_ZB * sin(phi) - G_YB * cos(phi)
+            M_ZB * (sin(phi) * sin(psi) + cos(phi) * cos(psi) * sin(theta))
+            - M_YB * (cos(phi) * sin(psi) - cos(psi) * sin(phi) * sin(theta))
+            + M_XB * cos(psi) * cos(theta),
+            -M_ZB * (cos(psi) * sin(phi) - cos(phi) * sin(psi) * sin(theta))
+            + M_YB * (cos(phi) * cos(psi) + sin(phi) * sin(psi) * sin(theta))
+            + M_XB * cos(theta) * sin(psi),
+            M_ZB * cos(phi) * cos(theta) + M_YB * cos(theta) * sin(phi) - M_XB * sin(theta),
+        ]
+    )
+    LEVEL_X = M_ZB * cos(phi) * sin(theta) + M_YB * sin(phi) * sin(theta) + M_XB * cos(theta)
+    GRAVITY_X = G_ZB * cos(phi) * sin(theta) + G_YB * sin(phi) * sin(theta) + G_XB * cos(theta)
+    GRAVITY_Y = G_ZB * sin(phi) - G_YB * cos(phi)
 
-PRINTED = (
-    Printed(
-        "validation.1",
-        "equation",
-        "The 3-2-1 rotation matrix, as a product and multiplied out.",
-        And(Eq(R_IB, TURNS), Eq(R_IB, MATRIX)),
-    ),
-    Printed(
-        "validation.2",
-        "equation",
-        "Gravity in the body frame.",
-        And(
-            Eq(G_B, MatMul(R_IB, G_I), evaluate=False),
+with as_printed():
+    PRINTED = (
+        Printed(
+            "validation.1",
+            "equation",
+            "equation 1",
+            "The 3-2-1 rotation matrix, as a product and multiplied out.",
+            chain(R_IB, TURNS, MATRIX),
+        ),
+        Printed(
+            "validation.2",
+            "equation",
+            "equation 2",
+            "Gravity in the body frame.",
+            Leads(
+                Eq(G_B, MatMul(R_IB, G_I)),
+                Eq(
+                    G_B,
+                    ImmutableMatrix(
+                        [-g * sin(theta), g * cos(theta) * sin(phi), g * cos(theta) * cos(phi)]
+                    ),
+                ),
+            ),
+        ),
+        Printed(
+            "validation.3",
+            "equation",
+            "equation 3",
+            "Roll from the accelerometer.",
+            Eq(ROLL_ACCEL, atan(G_YB / G_ZB)),
+        ),
+        Printed(
+            "validation.4",
+            "equation",
+            "equation 4",
+            "Pitch from the accelerometer.",
+            Eq(PITCH_ACCEL, asin(G_XB / sqrt(G_XB**2 + G_YB**2 + G_ZB**2))),
+        ),
+        Printed(
+            "validation.5",
+            "equation",
+            "equation 5",
+            "Gravity, taken from the body to the inertial frame.",
+            Eq(G_I, MatMul(R_IB, G_B)),
+        ),
+        Printed(
+            "validation.6",
+            "equation",
+            "equation 6",
+            "Tangent of yaw from the first line of the equation before.",
             Eq(
-                G_B,
-                ImmutableMatrix(
-                    [-g * sin(theta), g * cos(theta) * sin(phi), g * cos(theta) * cos(phi)]
-                ),
-                evaluate=False,
+                tan(YAW_ACCEL),
+                (-G_ZB * cos(phi) * sin(theta) - G_YB * sin(phi) * sin(theta) - G_XB * cos(theta))
+                / GRAVITY_Y,
             ),
         ),
-    ),
-    Printed(
-        "validation.3",
-        "equation",
-        "Roll from the accelerometer.",
-        Eq(ROLL_ACCEL, atan(G_YB / G_ZB)),
-    ),
-    Printed(
-        "validation.4",
-        "equation",
-        "Pitch from the accelerometer.",
-        Eq(PITCH_ACCEL, asin(G_XB / sqrt(G_XB**2 + G_YB**2 + G_ZB**2))),
-    ),
-    Printed(
-        "validation.5",
-        "equation",
-        "Gravity, taken from the body to the inertial frame.",
-        Eq(G_I, MatMul(R_IB, G_B)),
-    ),
-    Printed(
-        "validation.6",
-        "equation",
-        "Tangent of yaw from the first line of the equation before.",
-        Eq(
-            tan(psi),
-            (-G_ZB * cos(phi) * sin(theta) - G_YB * sin(phi) * sin(theta) - G_XB * cos(theta))
-            / GRAVITY_Y,
+        Printed(
+            "validation.7",
+            "equation",
+            "equation 7",
+            "Tangent of yaw from the second line.",
+            Eq(tan(YAW_ACCEL), GRAVITY_Y / GRAVITY_X),
         ),
-    ),
-    Printed(
-        "validation.7",
-        "equation",
-        "Tangent of yaw from the second line.",
-        Eq(tan(psi), GRAVITY_Y / GRAVITY_X),
-    ),
-    Printed(
-        "validation.8",
-        "equation",
-        "Body rates from Euler rates, as three angular velocities brought to the body.",
-        Eq(ImmutableMatrix(BODY_RATES), MatMul(R_IB.T, RATES_I), evaluate=False),
-    ),
-    Printed(
-        "validation.9",
-        "equation",
-        "Euler rates from body rates.",
-        Eq(
-            ImmutableMatrix(EULER_RATES),
-            MatMul(
-                ImmutableMatrix(
-                    [
-                        [1, sin(phi) * tan(theta), cos(phi) * tan(theta)],
-                        [0, cos(phi), -sin(phi)],
-                        [0, sin(phi) * sec(theta), sec(theta) * cos(phi)],
-                    ]
-                ),
+        Printed(
+            "validation.8",
+            "equation",
+            "equation 8",
+            "Body rates from Euler rates, as three angular velocities brought to the body.",
+            chain(
                 ImmutableMatrix(BODY_RATES),
-                evaluate=False,
-            ),
-            evaluate=False,
-        ),
-    ),
-    Printed(
-        "validation.10",
-        "equation",
-        "Complementary filter for roll.",
-        Eq(ROLL, (1 - ALPHA) * (ROLL_BEFORE + ROLL_RATE * DT) + ALPHA * ROLL_ACCEL),
-    ),
-    Printed(
-        "validation.11",
-        "equation",
-        "Complementary filter for pitch.",
-        Eq(PITCH, (1 - ALPHA) * (PITCH_BEFORE + PITCH_RATE * DT) + ALPHA * PITCH_ACCEL),
-    ),
-    Printed(
-        "validation.12",
-        "equation",
-        "The magnetic field, taken from the body to the inertial frame, and written out.",
-        And(Eq(M_I, MatMul(R_IB, M_B), evaluate=False), Eq(M_I, FIELD_WRITTEN_OUT, evaluate=False)),
-    ),
-    Printed(
-        "validation.13",
-        "equation",
-        "Cosine of yaw.",
-        Eq(cos(psi), (M_YI * (M_ZB * sin(phi) - M_YB * cos(phi)) - M_XI * LEVEL_X) / A),
-    ),
-    Printed(
-        "validation.14",
-        "equation",
-        "Sine of yaw.",
-        Eq(sin(psi), (M_XI * (-M_ZB * sin(phi) + M_YB * cos(phi)) - M_YI * LEVEL_X) / A),
-    ),
-    Printed(
-        "validation.15",
-        "equation",
-        "The divisor A of both.",
-        Eq(
-            A,
-            -LEVEL_X * LEVEL_X
-            + (M_ZB * sin(phi) - M_YB * cos(phi)) * (-M_ZB * sin(phi) + M_YB * cos(phi)),
-        ),
-    ),
-    Printed(
-        "validation.16",
-        "equation",
-        "Yaw by the two-argument arctangent.",
-        Eq(YAW, atan2(sin(psi), cos(psi))),
-    ),
-    Printed(
-        "validation.17",
-        "equation",
-        "The factor E.",
-        Eq(
-            E,
-            Abs(
-                M_ZI
-                - (
-                    M_ZB * cos(ROLL_COMP) * cos(PITCH_COMP)
-                    + M_YB * cos(PITCH_COMP) * sin(ROLL_COMP)
-                    - M_XB * sin(PITCH_COMP)
-                )
+                MatMul(R_IB.T, RATES_BY_AXES),
+                MatMul(R_IB.T, RATES_I),
             ),
         ),
-    ),
-    Printed(
-        "validation.a",
-        "claim",
-        "The matrix of equation 1 takes a vector's components from the inertial to the body frame.",
-        Eq(V_B, MatMul(MATRIX, V_I)),
-    ),
-    Printed(
-        "validation.b",
-        "claim",
-        "An accelerometer alone cannot give yaw, because the tangent of yaw would equal minus its "
-        "own inverse.",
-        Eq(tan(psi), -1 / tan(psi)),
-    ),
-    Printed(
-        "validation.c",
-        "claim",
-        "At rest the angle of the filter converges to that of the accelerometer.",
-        Eq(Limit(SETTLING, n, oo), ROLL_ACCEL),
-    ),
-    Printed(
-        "validation.d",
-        "claim",
-        "E is zero when roll and pitch are exact.",
-        Eq(E, 0),
-    ),
-    Printed(
-        "validation.e",
-        "claim",
-        "The field in the inertial frame when its x-axis points south.",
-        Eq(
-            M_I,
-            ImmutableMatrix([M_E * cos(INCLINATION), 0, M_E * sin(INCLINATION)]),
-            evaluate=False,
+        Printed(
+            "validation.9",
+            "equation",
+            "equation 9",
+            "Euler rates from body rates.",
+            Eq(
+                ImmutableMatrix(EULER_RATES),
+                MatMul(
+                    ImmutableMatrix(
+                        [
+                            [1, sin(phi) * tan(theta), cos(phi) * tan(theta)],
+                            [0, cos(phi), -sin(phi)],
+                            [0, sin(phi) * sec(theta), sec(theta) * cos(phi)],
+                        ]
+                    ),
+                    ImmutableMatrix(BODY_RATES),
+                ),
+            ),
         ),
-    ),
-    Printed(
-        "validation.f",
-        "claim",
-        "The field is weaker at altitude; normalised, it is the same.",
-        And(Lt(HIGH_MAGNITUDE, GROUND_MAGNITUDE), Eq(HIGH_DIRECTION, GROUND_DIRECTION)),
-    ),
-    Printed(
-        "validation.g",
-        "claim",
-        "E tells an error of the Euler angles: it grows with a small one.",
-        Ne(GROWTH, 0),
-    ),
-)
+        Printed(
+            "validation.10",
+            "equation",
+            "equation 10",
+            "Complementary filter for roll.",
+            Eq(ROLL, (1 - ALPHA) * (ROLL_BEFORE + ROLL_RATE * DT) + ALPHA * ROLL_ACCEL),
+        ),
+        Printed(
+            "validation.11",
+            "equation",
+            "equation 11",
+            "Complementary filter for pitch.",
+            Eq(PITCH, (1 - ALPHA) * (PITCH_BEFORE + PITCH_RATE * DT) + ALPHA * PITCH_ACCEL),
+        ),
+        Printed(
+            "validation.12",
+            "equation",
+            "equation 12",
+            "The magnetic field, taken from the body to the inertial frame, and written out.",
+            Leads(Eq(M_I, MatMul(R_IB, M_B)), Eq(M_I, FIELD_WRITTEN_OUT)),
+        ),
+        Printed(
+            "validation.13",
+            "equation",
+            "equation 13",
+            "Cosine of yaw.",
+            Eq(cos(psi), (M_YI * (M_ZB * sin(phi) - M_YB * cos(phi)) - M_XI * LEVEL_X) / A),
+        ),
+        Printed(
+            "validation.14",
+            "equation",
+            "equation 14",
+            "Sine of yaw.",
+            Eq(sin(psi), (M_XI * (-M_ZB * sin(phi) + M_YB * cos(phi)) - M_YI * LEVEL_X) / A),
+        ),
+        Printed(
+            "validation.15",
+            "equation",
+            "equation 15",
+            "The divisor A of both.",
+            Eq(
+                A,
+                -LEVEL_X * LEVEL_X
+                + (M_ZB * sin(phi) - M_YB * cos(phi)) * (-M_ZB * sin(phi) + M_YB * cos(phi)),
+            ),
+        ),
+        Printed(
+            "validation.16",
+            "equation",
+            "equation 16",
+            "Yaw by the two-argument arctangent.",
+            Eq(YAW, atan2(sin(psi), cos(psi))),
+        ),
+        Printed(
+            "validation.17",
+            "equation",
+            "equation 17",
+            "The factor E.",
+            Eq(
+                E,
+                Abs(
+                    M_ZI
+                    - (
+                        M_ZB * cos(ROLL_COMP) * cos(PITCH_COMP)
+                        + M_YB * cos(PITCH_COMP) * sin(ROLL_COMP)
+                        - M_XB * sin(PITCH_COMP)
+                    )
+                ),
+            ),
+        ),
+        Printed(
+            "validation.a",
+            "claim",
+            "after equation 4, paragraph 1",
+            "The matrix of equation 1 takes a vector's components from the inertial to the body "
+            "frame.",
+            Eq(V_B, MatMul(MATRIX, V_I)),
+        ),
+        Printed(
+            "validation.b",
+            "claim",
+            "after equation 7, paragraph 1",
+            "By equations 6 and 7 the tangent of yaw would equal minus its own inverse.",
+            Eq(tan(YAW_ACCEL), -1 / tan(YAW_ACCEL)),
+        ),
+        Printed(
+            "validation.c",
+            "claim",
+            "after equation 11, paragraph 1",
+            "At rest the angle of the filter converges to that of the accelerometer.",
+            Eq(Limit(SETTLING, n, oo), ROLL_ACCEL),
+        ),
+        Printed(
+            "validation.d",
+            "claim",
+            "after equation 16, paragraph 1",
+            "E is zero when roll and pitch are exact.",
+            Eq(E, 0),
+        ),
+        Printed(
+            "validation.e",
+            "claim",
+            "after equation 17, paragraph 4",
+            "The field in the inertial frame when its x-axis points south.",
+            Eq(
+                M_I,
+                ImmutableMatrix([M_E * cos(INCLINATION), 0, M_E * sin(INCLINATION)]),
+            ),
+        ),
+        Printed(
+            "validation.f",
+            "claim",
+            "after equation 11, paragraph 2",
+            "The magnitude of the field varies with altitude, so vectors are normalised.",
+            InOrder(Ne(HIGH_MAGNITUDE, GROUND_MAGNITUDE), Eq(HIGH_DIRECTION, GROUND_DIRECTION)),
+        ),
+        Printed(
+            "validation.g",
+            "claim",
+            "after equation 17, paragraph 1",
+            "E tells an error of the Euler angles: it grows with a small one.",
+            Ne(GROWTH, 0),
+        ),
+    )

@@ -8,8 +8,8 @@ from chr_notes import ledger
 from chr_notes.__main__ import main
 
 FIELDS = {
-    "id", "document", "kind", "verdict", "printed_latex", "derived_latex", "correction_latex",
-    "condition", "witness", "method",
+    "id", "document", "kind", "place", "verdict", "printed_latex", "derived_latex",
+    "correction_latex", "condition", "witness", "method",
 }  # fmt: skip
 
 

@@ -1,0 +1,86 @@
+"""What the ledger typesets is what the document prints, term by term and in its order."""
+
+import csv
+from pathlib import Path
+
+import pytest
+
+from chr_notes.printed import (
+    DOCUMENTS,
+    dead_reckoning_claims,
+    estimation_claims,
+    euler_claims,
+    quaternions_claims,
+    sensors_claims,
+    validation_claims,
+)
+from chr_notes.printed.statement import Nearly
+from chr_notes.typeset import latex
+
+from .terms import relations
+
+with (Path(__file__).parent / "formulas.tsv").open(encoding="utf-8") as _file:
+    FORMULAS = {row["id"]: row["latex"] for row in csv.DictReader(_file, delimiter="\t", quoting=3)}
+MORE = (
+    euler_claims,
+    quaternions_claims,
+    sensors_claims,
+    estimation_claims,
+    dead_reckoning_claims,
+    validation_claims,
+)
+STATEMENTS = {
+    each.id: each
+    for document in (*DOCUMENTS.values(), *(claims.ADDITIONS for claims in MORE))
+    for each in document
+}
+EQUATIONS = {name: each for name, each in STATEMENTS.items() if each.kind == "equation"}
+
+
+def test_there_is_a_formula_for_every_equation() -> None:
+    assert FORMULAS.keys() == EQUATIONS.keys()
+
+
+@pytest.mark.parametrize("name", FORMULAS)
+def test_terms_stand_as_the_document_has_them(name: str) -> None:
+    statement = EQUATIONS[name].statement
+    printed = relations(FORMULAS[name])
+    if isinstance(statement, Nearly):  # the words before the formula say so, not its sign
+        assert printed[1] == "="
+        printed[1] = r"\approx"
+    assert relations(latex(statement, as_written=True)) == printed
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [
+        ("a + b", "b + a"),
+        ("a b", "b a"),
+        ("a - (b - c)", "a - b + c"),
+        ("a (b + c)", "a b + a c"),
+        (r"\sin x", r"\cos x"),
+        (r"\frac{a}{b}", r"\frac{b}{a}"),
+        ("x_1", "x_2"),
+        ("x^2", "x"),
+        (r"\begin{pmatrix}a & b\end{pmatrix}", r"\begin{pmatrix}a \\ b\end{pmatrix}"),
+        ("a = b = c", "a = c = b"),
+        ("a = b", r"a \Rightarrow b"),
+    ],
+)
+def test_what_is_not_layout_makes_a_difference(one: str, other: str) -> None:
+    assert relations(one) != relations(other)
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [
+        (r"\frac{a b}{c}", "a b / c"),
+        (r"\mathbf{a} {b}", "a(b)"),
+        (r"\sin\left(x\right)", r"\sin {x}"),
+        (r"s(\phi) S_\theta", r"\sin\phi \sin\theta"),
+        (r"\begin{pmatrix}a & b\end{pmatrix}^T", r"\begin{bmatrix}a \\ b\end{bmatrix}"),
+        (r"-\frac{a}{b}", r"\frac{-a}{b}"),
+    ],
+)
+def test_layout_makes_none(one: str, other: str) -> None:
+    assert relations(one) == relations(other)
