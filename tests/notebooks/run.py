@@ -20,7 +20,11 @@ def run(path: Path) -> None:
     """Execute a notebook in its own folder and write it back."""
     notebook = nbformat.read(path, as_version=4)
     NotebookClient(
-        notebook, timeout=900, record_timing=False, resources={"metadata": {"path": path.parent}}
+        notebook,
+        timeout=900,
+        record_timing=False,
+        coalesce_streams=True,  # else a busy machine tears what is printed apart
+        resources={"metadata": {"path": path.parent}},
     ).execute()
     notebook.metadata = METADATA
     for cell in notebook.cells:
