@@ -1,7 +1,6 @@
-"""What tests share: the material beside the project, and a browser without a network."""
+"""What tests share: recordings beside the project, and a browser without a network."""
 
 import functools
-import os
 import shutil
 import threading
 from collections.abc import Callable, Iterator
@@ -14,9 +13,7 @@ from playwright.sync_api import Browser, ConsoleMessage, Page, Route, sync_playw
 
 # A first call compiles and caches; how long one example takes says nothing.
 settings.register_profile("project", deadline=None)
-settings.load_profile("project")
-
-SHARED = Path(__file__).resolve().parents[2] / "shared"
+settings.register_profile("full", deadline=None, max_examples=2_000)
 
 CHROMIUM_FLAGS = [
     "--no-sandbox",  # a container's only user is root, for whom Chromium has no sandbox
@@ -31,26 +28,39 @@ CHROMIUM_FLAGS = [
 PATIENCE = 120_000  # milliseconds; a busy machine typesets slowly
 
 
-@pytest.fixture(scope="session")
-def shared() -> Path:
-    """The folder with the documents and other people's data; a test that needs it skips."""
-    if not SHARED.is_dir():
-        pytest.skip("the material beside the project (../shared) is not there")
-    return SHARED
+def pytest_configure(config: pytest.Config) -> None:
+    """Let hypothesis try more with `--full`."""
+    settings.load_profile("full" if config.getoption("full") else "project")
 
 
 @pytest.fixture(scope="session")
-def program() -> Callable[[str], str]:
-    """Find a program; without it a test skips, but in CI it fails."""
+def samples(pytestconfig: pytest.Config) -> Callable[[int, int], int]:
+    """How many samples a test takes: of two numbers the small one, with `--full` the large one."""
+    return max if pytestconfig.getoption("full") else min
+
+
+@pytest.fixture(scope="session")
+def wait_for(pytestconfig: pytest.Config) -> Callable[[str], None]:
+    """Leave out a test for want of what it waits for; the list is in the outermost conftest.py."""
+    rules = pytestconfig.pluginmanager.get_plugin(str(pytestconfig.rootpath / "conftest.py"))
+    wait: Callable[[str], None] = rules.wait_for
+    return wait
+
+
+@pytest.fixture
+def recordings(wait_for: Callable[[str], None]) -> Path:
+    """The folder with other people's recordings."""
+    wait_for("../shared/data")
+    return Path(__file__).resolve().parents[2] / "shared" / "data"
+
+
+@pytest.fixture(scope="session")
+def program(wait_for: Callable[[str], None]) -> Callable[[str], str]:
+    """Find a program."""
 
     def find(name: str) -> str:
-        found = shutil.which(name)
-        if found is None:
-            message = f"this test needs {name} on the path"
-            if os.environ.get("CI"):
-                pytest.fail(message)
-            pytest.skip(message)
-        return found
+        wait_for(name)
+        return str(shutil.which(name))
 
     return find
 

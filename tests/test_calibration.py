@@ -24,8 +24,8 @@ seeds = st.integers(0, 2**32 - 1)
 UPRIGHT = np.stack([np.eye(3), -np.eye(3)], axis=1).reshape(6, 3)  # x up, x down, y up, ...
 
 
-def recorded(shared: Path, file: str) -> Floats:
-    return np.loadtxt(shared / "data" / file, delimiter=",", skiprows=1)
+def recorded(recordings: Path, file: str) -> Floats:
+    return np.loadtxt(recordings / file, delimiter=",", skiprows=1)
 
 
 @given(seeds)
@@ -50,9 +50,9 @@ def test_iron_is_found_up_to_a_rotation(seed: int) -> None:
     [("bazhin_mag_cloud.csv", [0, 1, 2], 0.022), ("ckexplorer_acc_mag_log.csv", [3, 4, 5], 0.014)],
 )
 def test_recorded_fields_are_calibrated(
-    shared: Path, file: str, columns: list[int], largest: float
+    recordings: Path, file: str, columns: list[int], largest: float
 ) -> None:
-    samples = recorded(shared, file)[:, columns]
+    samples = recorded(recordings, file)[:, columns]
     norms = np.linalg.norm(fit_magnetometer(samples).correct(samples), axis=1)
     assert np.std(norms) / np.mean(norms) <= largest
 
@@ -76,9 +76,9 @@ def test_six_positions_give_the_model(seed: int, gravity: float) -> None:
     assert_allclose(found.bias[0], bias, atol=1e-8)
 
 
-def test_a_recorded_session_of_six_positions(shared: Path) -> None:
-    session = recorded(shared, "imucal_ferraris_session.csv")[:, 4:]
-    listed = json.loads((shared / "data" / "imucal_ferraris_session_list.json").read_text())
+def test_a_recorded_session_of_six_positions(recordings: Path) -> None:
+    session = recorded(recordings, "imucal_ferraris_session.csv")[:, 4:]
+    listed = json.loads((recordings / "imucal_ferraris_session_list.json").read_text())
     stretches = [listed[name] for name in ("x_p", "x_a", "y_p", "y_a", "z_p", "z_a")]
     readings = np.array([session[s["start"] : s["end"]].mean(axis=0) for s in stretches])
     before = np.linalg.norm(readings, axis=1) / 9.81
@@ -128,8 +128,8 @@ def test_bias_is_the_mean_of_what_is_there() -> None:
     assert_allclose(fit_gyro_bias(holed), rates.mean(axis=0))
 
 
-def test_bias_of_a_recording_at_rest(shared: Path) -> None:
-    rates = np.radians(recorded(shared, "mpu6050_static_449s_raw.csv")[:, 4:] / 131)
+def test_bias_of_a_recording_at_rest(recordings: Path) -> None:
+    rates = np.radians(recorded(recordings, "mpu6050_static_449s_raw.csv")[:, 4:] / 131)
     error = fit_gyro_bias(rates) - rates.mean(axis=0)
     assert np.abs(np.degrees(error)).max() < 0.002
     # Half of the samples tell the mean of the other half, and holes do no harm.

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose, assert_array_equal
 
@@ -23,6 +23,8 @@ from chr_notes.derivations import dead_reckoning as derived
 from chr_notes.simulated_sensors import SensorErrors, spoil
 from chr_notes.simulation import ideal_readings, minimum_jerk, swing, trajectory
 from chr_notes.symbols import T
+
+from .sampling import few
 
 seeds = st.integers(0, 2**32 - 1)
 G = chr_notes.STANDARD_GRAVITY
@@ -48,7 +50,7 @@ def test_at_rest_there_is_no_acceleration_and_in_free_fall_one_g() -> None:
 
 
 @given(seeds)
-@settings(max_examples=20)
+@few(20)
 def test_steps_are_those_of_the_notes(seed: int) -> None:
     generator = np.random.default_rng(seed)
     forces, euler = generator.normal(size=(2, 12, 3))
@@ -89,7 +91,7 @@ def test_rows_with_nan_are_held_out() -> None:
 
 
 @given(st.floats(-0.1, 0.1), st.floats(0, 2 * np.pi))
-@settings(max_examples=20)
+@few(20)
 def test_a_tilt_error_makes_the_drift_that_is_derived(error: float, yaw: float) -> None:
     count, period = 3000, 0.01
     reading = np.tile(chr_notes.accelerometer_at_rest([0, 0, 0], 9.8), (count, 1))
@@ -139,8 +141,8 @@ def test_drift_broadcasts() -> None:
     assert [part.shape for part in parts] == [(2, 3)] * 3
 
 
-def test_a_recorded_walk_ends_tens_of_metres_off(shared: Path) -> None:
-    walk = np.loadtxt(shared / "data" / "xio_gait_short_walk.csv", delimiter=",", skiprows=1)
+def test_a_recorded_walk_ends_tens_of_metres_off(recordings: Path) -> None:
+    walk = np.loadtxt(recordings / "xio_gait_short_walk.csv", delimiter=",", skiprows=1)
     # The times are those of arrival, in bursts; the samples were taken evenly.
     step = (walk[-1, 0] - walk[0, 0]) / (len(walk) - 1)
     to_body = np.array([1.0, -1.0, -1.0])  # from z up to forward, right, down

@@ -137,17 +137,17 @@ def test_what_cannot_be_fitted_is_refused(samples: Floats, message: str) -> None
     [("bazhin_mag_cloud.csv", (0, 1, 2), 0.022), ("ckexplorer_acc_mag_log.csv", (3, 4, 5), 0.014)],
 )
 def test_recorded_fields_have_one_norm(
-    shared: Path, file: str, columns: tuple[int, ...], largest: float
+    recordings: Path, file: str, columns: tuple[int, ...], largest: float
 ) -> None:
-    samples = np.loadtxt(shared / "data" / file, delimiter=",", skiprows=1, usecols=columns)
+    samples = np.loadtxt(recordings / file, delimiter=",", skiprows=1, usecols=columns)
     found = fit_ellipsoid(samples)
     norms = np.linalg.norm((samples - found.centre) @ found.to_sphere, axis=1)
     assert np.std(norms) / np.mean(norms) <= largest
     assert_allclose(np.std(norms) / np.mean(norms), found.spread)
 
 
-def test_a_recording_that_covers_too_little_is_refused(shared: Path) -> None:
-    file = shared / "data" / "xio_fusion_sensor_data.csv"
+def test_a_recording_that_covers_too_little_is_refused(recordings: Path) -> None:
+    file = recordings / "xio_fusion_sensor_data.csv"
     samples = np.loadtxt(file, delimiter=",", skiprows=1, usecols=(7, 8, 9))
     with pytest.raises(ValueError, match="too little of the sphere"):
         fit_ellipsoid(samples)

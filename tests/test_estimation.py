@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose, assert_array_equal
 from numpy.typing import NDArray
@@ -18,6 +18,7 @@ from chr_notes.simulation import at_rest, swing, trajectory
 from chr_notes.symbols import T
 
 from .attitudes import apart, turns
+from .sampling import few
 
 Floats = NDArray[np.float64]
 seeds = st.integers(0, 2**32 - 1)
@@ -88,7 +89,7 @@ def test_a_reading_of_zero_shows_no_tilt() -> None:
 
 
 @given(seeds, st.floats(0.1, 3.0))
-@settings(max_examples=20)
+@few(20)
 def test_a_constant_turn_is_integrated_exactly(seed: int, total: float) -> None:
     generator = np.random.default_rng(seed)
     axis = generator.normal(size=3)

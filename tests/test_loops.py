@@ -28,7 +28,6 @@ def recording(count: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
 
 @pytest.mark.parametrize("loop", LOOPS, ids=lambda loop: loop.__name__)
 def test_compiled_loops_give_the_same_numbers(loop: Callable[..., object]) -> None:
-    pytest.importorskip("numba", reason="the extra `fast` is not installed")
     generator = np.random.default_rng(1)
     names = list(inspect.signature(loop).parameters)
     inputs = [name for name in names if name.endswith("_samples")]
@@ -50,7 +49,6 @@ def test_compiled_loops_give_the_same_numbers(loop: Callable[..., object]) -> No
 def test_long_recordings_are_compiled_and_come_out_the_same(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    pytest.importorskip("numba", reason="the extra `fast` is not installed")
     rates, forces = recording(20_000)
     plain = fixed_gain_observer(rates, forces, 0.01, 0.02)
     calls = []
@@ -66,7 +64,6 @@ def test_parts_of_a_recording_join(monkeypatch: pytest.MonkeyPatch) -> None:
     whole = fixed_gain_observer(rates, forces, 0.01, 0.02)
     monkeypatch.setattr(_loops, "_LISTED", 17)
     assert_array_equal(fixed_gain_observer(rates, forces, 0.01, 0.02), whole)
-    pytest.importorskip("numba", reason="the extra `fast` is not installed")
     monkeypatch.setattr(_loops, "LONG", 1)
     monkeypatch.setattr(_loops, "_COMPILED", 23)
     assert_array_equal(fixed_gain_observer(rates, forces, 0.01, 0.02), whole)

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose, assert_array_equal
 from numpy.typing import NDArray
@@ -19,6 +19,7 @@ from chr_notes.simulation import at_rest, ideal_readings, swing, trajectory
 from chr_notes.symbols import T
 
 from .attitudes import apart, inclinations_apart
+from .sampling import few
 
 Floats = NDArray[np.float64]
 seeds = st.integers(0, 2**32 - 1)
@@ -28,7 +29,7 @@ LEVEL = np.array([0.0, 0.0, -9.80665])
 
 
 @given(seeds)
-@settings(max_examples=20)
+@few(20)
 def test_no_gain_leaves_the_gyros_and_full_gain_the_accelerometer(seed: int) -> None:
     generator = np.random.default_rng(seed)
     rates = generator.normal(0, 0.3, (30, 3))
@@ -42,7 +43,7 @@ def test_no_gain_leaves_the_gyros_and_full_gain_the_accelerometer(seed: int) -> 
 
 
 @given(st.floats(0.001, 1.0), roll_angles, off_the_pole, roll_angles, st.floats(-1.5, 1.5))
-@settings(max_examples=50)
+@few(50)
 def test_a_still_sensor_converges_to_its_tilt(
     gain: float, roll: float, pitch: float, first_roll: float, first_pitch: float
 ) -> None:
@@ -63,7 +64,7 @@ def test_a_still_sensor_converges_to_its_tilt(
 
 
 @given(seeds, st.floats(-3.0, 3.0))
-@settings(max_examples=20)
+@few(20)
 def test_turning_the_world_about_the_vertical_changes_yaw_alone(seed: int, turn: float) -> None:
     generator = np.random.default_rng(seed)
     rates = generator.normal(0, 0.5, (200, 3))
@@ -76,7 +77,7 @@ def test_turning_the_world_about_the_vertical_changes_yaw_alone(seed: int, turn:
 
 
 @given(seeds, st.floats(1e-3, 1e3))
-@settings(max_examples=20)
+@few(20)
 def test_the_scale_of_the_accelerometer_does_not_matter(seed: int, scale: float) -> None:
     generator = np.random.default_rng(seed)
     rates, forces = generator.normal(size=(2, 50, 3))
@@ -292,8 +293,8 @@ def test_vibration_comes_through_as_derived() -> None:
 # Recordings
 
 
-def test_inclination_on_a_recording_with_optical_truth(shared: Path) -> None:
-    file = shared / "data" / "broad_01_slow_rotation_A_95hz_ned.csv"
+def test_inclination_on_a_recording_with_optical_truth(recordings: Path) -> None:
+    file = recordings / "broad_01_slow_rotation_A_95hz_ned.csv"
     columns = np.genfromtxt(file, delimiter=",", skip_header=1)
     rates, forces, truth = columns[:, 1:4], columns[:, 4:7], np.radians(columns[:, 14:17])
     scored = (columns[:, 17] == 1) & np.isfinite(truth).all(axis=1)

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose, assert_array_equal
 from scipy.interpolate import CubicSpline
@@ -19,6 +19,8 @@ from chr_notes.simulation import (
     swing,
     trajectory,
 )
+
+from .sampling import few
 
 seeds = st.integers(0, 2**32 - 1)
 TIME = np.linspace(0, 4, 4001)
@@ -62,7 +64,7 @@ def test_half_way_is_half_the_way() -> None:
 
 
 @given(seeds)
-@settings(max_examples=10)
+@few(10)
 def test_gyros_read_how_the_attitude_turns(seed: int) -> None:
     generator = np.random.default_rng(seed)
     step = 1e-5

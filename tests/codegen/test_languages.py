@@ -1,7 +1,7 @@
 """Python, NumPy, JavaScript and C give what mpmath gives, for ordinary and for special values."""
 
 import math
-import shutil
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -22,8 +22,6 @@ ANGLES = {
     "observer_step": 3,
     "correct_tilt": 2,
 }
-needs_node = pytest.mark.skipif(not shutil.which("node"), reason="needs Node.js")
-needs_gcc = pytest.mark.skipif(not shutil.which("gcc"), reason="needs gcc")
 
 
 @pytest.fixture(scope="module")
@@ -90,18 +88,22 @@ def test_numpy(double: list[Vector]) -> None:
     check(double, languages.numpy(double), DOUBLE.epsilon)
 
 
-@needs_node
-def test_javascript(double: list[Vector], file: Path, tmp_path: Path) -> None:
+def test_javascript(
+    program: Callable[[str], str], double: list[Vector], file: Path, tmp_path: Path
+) -> None:
+    program("node")
     check(double, languages.node(file, tmp_path), DOUBLE.epsilon)
 
 
-@needs_gcc
-def test_c_in_double_precision(double: list[Vector], file: Path, tmp_path: Path) -> None:
+def test_c_in_double_precision(
+    program: Callable[[str], str], double: list[Vector], file: Path, tmp_path: Path
+) -> None:
+    program("gcc")
     check(double, languages.c(file, tmp_path, "double"), DOUBLE.epsilon)
 
 
-@needs_gcc
-def test_c_in_single_precision(tmp_path: Path) -> None:
+def test_c_in_single_precision(program: Callable[[str], str], tmp_path: Path) -> None:
+    program("gcc")
     single = vectors(SINGLE)
     write(tmp_path / "single.txt", single)
     check(single, languages.c(tmp_path / "single.txt", tmp_path, "float"), SINGLE.epsilon)

@@ -33,9 +33,15 @@ def state_of(page: Page) -> dict[str, float]:
 
 
 def hold(page: Page) -> None:
-    """Stop the time of the page: only `page.clock.run_for` makes it pass."""
+    """Stop the time of the page: only `let_pass` and `page.clock` make it pass."""
     page.clock.install(time=0)
     page.clock.pause_at(1_000)
+
+
+def let_pass(page: Page, milliseconds: int, *, frame: int = 200) -> None:
+    """Let time pass with a frame now and then; `page.clock.run_for` would draw sixty a second."""
+    for _ in range(0, milliseconds, frame):
+        page.clock.fast_forward(frame)
 
 
 def picture(page: Page | Locator) -> str:

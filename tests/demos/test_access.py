@@ -12,7 +12,18 @@ from chr_notes.demos import DriftDemo, GimbalLockDemo, TiltDemo
 from chr_notes.demos.base import SOURCES, Demo
 from chr_notes.palette import PALETTE
 
-from .parts import DEMOS, PageOf, Visit, each_demo, hold, output, picture, slider, state_of
+from .parts import (
+    DEMOS,
+    PageOf,
+    Visit,
+    each_demo,
+    hold,
+    let_pass,
+    output,
+    picture,
+    slider,
+    state_of,
+)
 
 MINUS_ZERO = re.compile(r"[−-]0(?:\.0+)?(?![\d.])")
 UNITS = ("degrees", "metres per second squared", "second", "minute", "hour")
@@ -168,7 +179,7 @@ def test_screen_reader_hears_once_the_reader_pauses(
         page.keyboard.press("ArrowRight")
         page.clock.run_for(100)
     assert page.evaluate("announced") == 0
-    page.clock.run_for(1_000)
+    let_pass(page, 1_000)
     assert page.evaluate("announced") == 1
     expect(live).not_to_have_text("")
 
@@ -183,7 +194,7 @@ def test_story_is_told_a_sentence_at_a_time(
     page.get_by_role("button", name="Play").click()
     # It glides for two seconds, waits for three and a half, and glides on.
     for seconds, announced in ((1.9, 0), (1.1, 1), (4, 1), (2.5, 2)):
-        page.clock.run_for(1000 * seconds)
+        let_pass(page, round(1000 * seconds), frame=100)
         assert page.evaluate("announced") == announced
 
 

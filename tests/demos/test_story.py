@@ -6,7 +6,7 @@ from playwright.sync_api import expect
 
 from chr_notes.demos.base import Demo
 
-from .parts import PageOf, Visit, each_demo, hold, picture, state_of
+from .parts import PageOf, Visit, each_demo, hold, let_pass, picture, state_of
 
 
 @each_demo
@@ -25,14 +25,14 @@ def test_play_moves_and_pause_stops(visit: Visit, page_of: PageOf, demo: type[De
     hold(page)
     page.get_by_role("button", name="Play").click()
     expect(page.locator(".chr-said")).not_to_have_text("")
-    page.clock.run_for(7_000)
+    let_pass(page, 7_000)
     page.get_by_role("button", name="Pause").click()
     stopped = root.get_attribute("data-state")
     assert stopped != first
-    page.clock.run_for(60_000)
+    let_pass(page, 60_000, frame=5_000)
     assert root.get_attribute("data-state") == stopped
     page.get_by_role("button", name="Go on").click()
-    page.clock.run_for(120_000)
+    let_pass(page, 120_000, frame=500)
     expect(page.get_by_role("button", name="Play")).to_have_count(1)
 
 
@@ -41,11 +41,11 @@ def test_a_hand_on_a_slider_ends_the_story(visit: Visit, page_of: PageOf, demo: 
     page = visit(page_of(demo()))
     hold(page)
     page.get_by_role("button", name="Play").click()
-    page.clock.run_for(7_000)
+    let_pass(page, 7_000)
     page.locator("input").first.focus()
     page.keyboard.press("ArrowLeft")
     state = page.locator(".chr-demo").get_attribute("data-state")
-    page.clock.run_for(60_000)
+    let_pass(page, 60_000, frame=5_000)
     assert page.locator(".chr-demo").get_attribute("data-state") == state
     expect(page.locator(".chr-said")).to_have_text("")
 

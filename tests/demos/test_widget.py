@@ -4,7 +4,7 @@ from playwright.sync_api import Page, expect
 
 from chr_notes.demos.base import BUILT, Demo
 
-from .parts import PageOf, Visit, each_demo, hold, slider, state_of
+from .parts import PageOf, Visit, each_demo, hold, let_pass, slider, state_of
 
 RENDER = """async ([source, values]) => {
   const url = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
@@ -54,7 +54,7 @@ def test_model_is_told_a_few_times_a_second_and_of_the_end(
     page = rendered(visit, page_of, demo)
     page.get_by_role("button", name="Play").click()
     frames = set()
-    page.clock.run_for(6_000)
+    let_pass(page, 6_000)
     before = page.evaluate("saved")
     for _ in range(20):
         page.clock.run_for(50)
@@ -86,9 +86,9 @@ def test_a_change_by_the_kernel_ends_the_story(
 ) -> None:
     page = rendered(visit, page_of, demo)
     page.get_by_role("button", name="Play").click()
-    page.clock.run_for(7_000)
+    let_pass(page, 7_000)
     control = demo.controls[0]
     page.evaluate(f"model.set('{control}', {demo.class_traits()[control].max})")
-    page.clock.run_for(10_000)
+    let_pass(page, 10_000)
     assert state_of(page)[control] == demo.class_traits()[control].max
     expect(page.get_by_role("button", name="Pause")).to_have_count(0)

@@ -1,0 +1,118 @@
+"""Rules for every test, cells of notebooks included: none is left out without a permit.
+
+A test may skip only where `PERMITTED` says so, for want of what stands there; any other skip, and
+any expected failure, is a failure. Where `CI` is set, every program must be there.
+"""
+
+import os
+import shutil
+from collections import Counter
+from collections.abc import Generator
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parent
+RECORDINGS = "../shared/data"
+
+# What a test waits for: a program, or a folder beside the project. Then the tests that do.
+PERMITTED = {
+    RECORDINGS: (
+        "tests/test_calibration.py::test_a_recorded_session_of_six_positions",
+        "tests/test_calibration.py::test_bias_of_a_recording_at_rest",
+        "tests/test_calibration.py::test_recorded_fields_are_calibrated",
+        "tests/test_dead_reckoning.py::test_a_recorded_walk_ends_tens_of_metres_off",
+        "tests/test_ellipsoid.py::test_a_recording_that_covers_too_little_is_refused",
+        "tests/test_ellipsoid.py::test_recorded_fields_have_one_norm",
+        "tests/test_observer.py::test_inclination_on_a_recording_with_optical_truth",
+    ),
+    "chromium": ("tests/book/", "tests/demos/"),
+    "gcc": ("tests/codegen/test_languages.py::test_c_", "tests/test_export.py::"),
+    "node": ("tests/codegen/test_languages.py::test_javascript", "tests/test_export.py::"),
+    "npx": ("tests/demos/test_build.py::test_committed_bundles_are_as_made_now",),
+}
+
+
+def is_there(wanted: str) -> bool:
+    """Tell whether a program or folder that tests wait for can be used."""
+    return (ROOT / wanted).is_dir() if "/" in wanted else shutil.which(wanted) is not None
+
+
+def wait_for(wanted: str) -> None:
+    """Leave out the present test if a program or folder of the list is missing."""
+    if not is_there(wanted):
+        pytest.skip(f"waits for {wanted}")
+
+
+def permitted(test: str, reason: str) -> bool:
+    """Tell whether a test may be left out for that reason."""
+    wanted = reason.removeprefix("Skipped: ").removeprefix("waits for ")
+    may = any(test.startswith(start) for start in PERMITTED.get(wanted, ()))
+    return may and not is_there(wanted) and ("/" in wanted or not os.environ.get("CI"))
+
+
+def judge(report: pytest.TestReport | pytest.CollectReport) -> None:
+    """Make a failure of a test that was left out without a permit."""
+    if report.outcome != "skipped":
+        return
+    expected_failure = getattr(report, "wasxfail", None)
+    where = report.longrepr
+    reason = str(where[2]) if isinstance(where, tuple) else f"expected to fail: {expected_failure}"
+    if expected_failure is not None or not permitted(report.nodeid, reason):
+        report.outcome = "failed"
+        report.longrepr = f"left out without a permit in conftest.py: {reason}"
+        vars(report).pop("wasxfail", None)
+
+
+@pytest.hookimpl(wrapper=True, tryfirst=True)
+def pytest_runtest_makereport() -> Generator[None, pytest.TestReport, pytest.TestReport]:
+    """Judge a test that skips."""
+    report = yield
+    judge(report)
+    return report
+
+
+@pytest.hookimpl(wrapper=True, tryfirst=True)
+def pytest_make_collect_report() -> Generator[None, pytest.CollectReport, pytest.CollectReport]:
+    """Judge a file that skips as a whole."""
+    report = yield
+    judge(report)
+    return report
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    """Say how many tests were left out, and why."""
+    reports = terminalreporter.stats.get("skipped", [])
+    reasons = Counter(str(report.longrepr[2]).removeprefix("Skipped: ") for report in reports)
+    each = [f"{count} {reason}" for reason, count in sorted(reasons.items())]
+    terminalreporter.write_line(f"Left out: {'; '.join(each) or 'no test'}.")
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """Offer the large samples."""
+    parser.addoption("--full", action="store_true", help="large samples instead of small ones")
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_cmdline_main(config: pytest.Config) -> None:
+    """Keep the cells of a notebook together, whatever distribution is asked for."""
+    if getattr(config.option, "dist", "no") in ("load", "worksteal"):
+        config.option.dist = "loadgroup"
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Mark tests by what they use, and say what belongs on one worker."""
+    for item in items:
+        used = set(getattr(item, "fixturenames", ()))
+        for name in ("browser", "book"):
+            if name in used:
+                item.add_marker(name)
+        if item.path.suffix == ".ipynb":
+            item.add_marker(pytest.mark.xdist_group(item.path.stem))
+        elif "book" in used:
+            item.add_marker(pytest.mark.xdist_group("book"))
+    if not config.getoption("full"):
+        large = [item for item in items if item.get_closest_marker("full")]
+        items[:] = [item for item in items if item not in large]
+        config.hook.pytest_deselected(items=large)
