@@ -1,0 +1,75 @@
+"""The checks by name: `nox -l` lists them, `nox -s quick` runs one, `nox -s quick -- -x` passes on.
+
+The README's two commands need none of this. An environment is made once for each name and kept;
+`--no-venv --no-install` uses the one that is active.
+"""
+
+import nox
+
+nox.options.default_venv_backend = "uv|virtualenv"
+nox.options.reuse_existing_virtualenvs = True
+nox.options.sessions = ["lint", "quick"]
+
+
+def pytest(session: nox.Session, *given: str) -> None:
+    """Run tests in an environment that has what they need."""
+    session.install("-e", ".[test]")
+    session.run("python", "-m", "pytest", *given, *session.posargs)
+
+
+@nox.session
+def lint(session: nox.Session) -> None:
+    """Check style, layers, generated files and types, the cheapest first."""
+    session.install("-e", ".[dev]")
+    session.run("ruff", "check", ".")
+    session.run("ruff", "format", "--check", ".")
+    session.run("python", "-m", "pytest", "-q", "-n0", "tests/test_layers.py")
+    session.run("python", "-m", "chr_notes.demos.build", "--check")
+    session.run("python", "-m", "chr_notes.codegen", "--check")
+    session.run("mypy")
+
+
+@nox.session
+def quick(session: nox.Session) -> None:
+    """Run what takes no browser, no book and no notebook, in less than a minute."""
+    pytest(session, "tests", "-m", "not browser and not book and not slow")
+
+
+@nox.session
+def notebooks(session: nox.Session) -> None:
+    """Check every notebook as it is stored, and run it again."""
+    pytest(session, "--nbval", "notebooks", "tests/notebooks")
+
+
+@nox.session
+def browser(session: nox.Session) -> None:
+    """Try the demos in Chromium."""
+    pytest(session, "tests", "-m", "browser and not book")
+
+
+@nox.session
+def book(session: nox.Session) -> None:
+    """Build the book and try its pages in Chromium."""
+    pytest(session, "tests/book")
+
+
+@nox.session
+def full(session: nox.Session) -> None:
+    """Run all of it with the large samples, which takes its time."""
+    pytest(session, "--full")
+
+
+@nox.session
+def generate(session: nox.Session) -> None:
+    """Write the generated code and the demos' bundles."""
+    session.install("-e", ".[book]")
+    session.run("python", "-m", "chr_notes.codegen")
+    session.run("python", "-m", "chr_notes.demos.build")
+
+
+@nox.session(python="3.11", venv_backend="uv")
+def oldest(session: nox.Session) -> None:
+    """Try the core and the ledger with the lowest versions that pyproject.toml permits."""
+    session.install("--resolution", "lowest-direct", "-e", ".[test]")
+    aside = [f"--ignore=tests/{name}" for name in ("book", "demos", "notebooks", "plots")]
+    session.run("python", "-m", "pytest", "tests", "-m", "not slow", *aside, *session.posargs)
