@@ -11,9 +11,13 @@ from collections.abc import Generator
 from pathlib import Path
 
 import pytest
+from xdist.remote import Producer
+from xdist.scheduler import LoadScopeScheduling
 
 ROOT = Path(__file__).resolve().parent
 RECORDINGS = "../shared/data"
+# Folders whose tests share what is made once a run.
+ONCE = ("tests/book/", "tests/ledger/")
 
 # What a test waits for: a program, or a folder beside the project. Then the tests that do.
 PERMITTED = {
@@ -93,25 +97,32 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--full", action="store_true", help="large samples instead of small ones")
 
 
-@pytest.hookimpl(trylast=True)
-def pytest_cmdline_main(config: pytest.Config) -> None:
-    """Keep the cells of a notebook together, whatever distribution is asked for."""
-    if getattr(config.option, "dist", "no") in ("load", "worksteal"):
-        config.option.dist = "loadgroup"
+class Together(LoadScopeScheduling):
+    """Files stay whole on a worker, and so do all that read the built book or judge the ledger.
+
+    Neither `--dist loadfile` nor marks would do: the first builds the book more than once, and a
+    notebook's cells must stay together whatever `--dist` says.
+    """
+
+    def _split_scope(self, nodeid: str) -> str:
+        file = nodeid.partition("::")[0]
+        return next((folder for folder in ONCE if file.startswith(folder)), file)
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Producer) -> Together | None:
+    """Give each worker whole files, whatever distribution is asked for."""
+    return None if config.getoption("dist") == "each" else Together(config, log)
 
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Mark tests by what they use, and say what belongs on one worker."""
+    """Mark tests by what they use, and leave the large samples to `--full`."""
     for item in items:
         used = set(getattr(item, "fixturenames", ()))
         for name in ("browser", "book"):
             if name in used:
                 item.add_marker(name)
-        if item.path.suffix == ".ipynb":
-            item.add_marker(pytest.mark.xdist_group(item.path.stem))
-        elif "book" in used:
-            item.add_marker(pytest.mark.xdist_group("book"))
     if not config.getoption("full"):
         large = [item for item in items if item.get_closest_marker("full")]
         items[:] = [item for item in items if item not in large]

@@ -90,7 +90,8 @@ def test_rows_with_nan_are_held_out() -> None:
 # How errors grow
 
 
-@given(st.floats(-0.1, 0.1), st.floats(0, 2 * np.pi))
+# Half of a subnormal number has not the digits that are compared here.
+@given(st.floats(-0.1, 0.1, allow_subnormal=False), st.floats(0, 2 * np.pi))
 @few(20)
 def test_a_tilt_error_makes_the_drift_that_is_derived(error: float, yaw: float) -> None:
     count, period = 3000, 0.01
