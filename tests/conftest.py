@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 from hypothesis import settings
-from playwright.sync_api import Browser, ConsoleMessage, Page, Route, sync_playwright
+from playwright.sync_api import Browser, ConsoleMessage, Page, Route, expect, sync_playwright
 
 # A first call compiles and caches; how long one example takes says nothing.
 settings.register_profile("project", deadline=None)
@@ -26,6 +26,7 @@ CHROMIUM_FLAGS = [
 ]
 
 PATIENCE = 120_000  # milliseconds; a busy machine typesets slowly
+expect.set_options(timeout=PATIENCE)
 
 
 def pytest_configure(config: pytest.Config) -> None:
