@@ -19,11 +19,11 @@ NO_PARAGRAPH = re.compile(r"## Abstract|\*P\. Amiri|Keywords|Home Products")
 TAG = re.compile(r"\((\d+)\) ?\$\$$")
 
 
-def places(shared: Path) -> dict[str, dict[str, str]]:
+def places(sources: Path) -> dict[str, dict[str, str]]:
     """Give the text of each place of each document, formulas within it included."""
     found: dict[str, dict[str, str]] = {}
     for name in ("chr_library.md", "amiri_validation.md"):
-        text = (shared / "sources" / name).read_text(encoding="utf-8")
+        text = (sources / name).read_text(encoding="utf-8")
         document, section, paragraph = "", "section 0", 0
         for block in re.split(r"\n\s*\n", text):
             line = block.strip()
