@@ -14,6 +14,8 @@ import pytest
 from xdist.remote import Producer
 from xdist.scheduler import LoadScopeScheduling
 
+from chr_notes import kernels_in_use
+
 ROOT = Path(__file__).resolve().parent
 RECORDINGS = "../shared/data"
 # Folders whose tests share what is made once a run.
@@ -125,7 +127,9 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         for name in ("browser", "book"):
             if name in used:
                 item.add_marker(name)
-    if not config.getoption("full"):
-        large = [item for item in items if item.get_closest_marker("full")]
-        items[:] = [item for item in items if item not in large]
-        config.hook.pytest_deselected(items=large)
+    unasked = [] if config.getoption("full") else ["full"]
+    # A run without the kernels says so beforehand: with CHR_NOTES_KERNELS=require there is none.
+    unasked += [] if kernels_in_use() else ["kernels"]
+    out = [item for item in items if any(map(item.get_closest_marker, unasked))]
+    items[:] = [item for item in items if item not in out]
+    config.hook.pytest_deselected(items=out)

@@ -7,6 +7,7 @@ is loaded when it is first used, and SymPy when something is derived.
 from importlib import import_module
 from typing import TYPE_CHECKING
 
+from chr_notes._kernels import kernels_in_use
 from chr_notes.conventions import STANDARD_GRAVITY
 from chr_notes.errors import (
     GimbalLockError,
@@ -111,6 +112,7 @@ __all__ = [
     "heading_from_magnetometer",
     "inertial_acceleration",
     "integrate_gyro",
+    "kernels_in_use",
     "matrix_from_euler",
     "matrix_from_quaternion",
     "monitored_observer",

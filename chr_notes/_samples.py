@@ -1,5 +1,7 @@
 """Checks that functions of recordings share: samples along the first axis, one after another."""
 
+from typing import cast
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -47,19 +49,34 @@ def held_out(
     return np.where(missing[:, np.newaxis], np.nan, array), missing
 
 
-def one_sample(name: str, value: ArrayLike, below: float = np.inf) -> Floats:
-    """Take one vector, shape (3,), NaN all over if it is not complete.
+def one_sample(name: str, value: ArrayLike) -> list[float]:
+    """Take one vector, as three of Python's numbers.
 
     Raises
     ------
     ValueError
-        If the shape differs; it states the expected and the received shape.
+        If the shape is not (3,); it states the received shape.
     """
+    if isinstance(value, np.ndarray) and value.shape == (3,) and value.dtype == np.float64:
+        return list(value.tolist())
     array = floats(name, value, 3)
     if array.ndim != 1:
         msg = f"{name}: expected shape (3,), got {array.shape}"
         raise ValueError(msg)
-    return np.asarray(held_out(name, array[np.newaxis], below)[0][0])
+    return list(array.tolist())
+
+
+def period(value: object) -> float:
+    """Take one time step.
+
+    Raises
+    ------
+    ValueError
+        If it is negative or no number.
+    """
+    if isinstance(value, float) and 0 <= value < np.inf:
+        return value
+    return float(periods(number("dt", cast("ArrayLike", value)), 1))
 
 
 def start(name: str, value: ArrayLike) -> list[float]:
@@ -136,7 +153,7 @@ def periods(value: ArrayLike, count: int) -> Floats:
     ValueError
         If the shape is neither, or a step is negative or no number.
     """
-    array = np.asarray(floats("dt", value), dtype=np.float64)
+    array = floats("dt", value)
     if array.shape not in ((), (count,)):
         msg = f"dt: expected a number or shape ({count},), got {array.shape}"
         raise ValueError(msg)
@@ -145,7 +162,7 @@ def periods(value: ArrayLike, count: int) -> Floats:
         found = array.reshape(-1)[wrong[0]]
         msg = f"dt: expected seconds, not negative, got {found} at {wrong[0]}"
         raise ValueError(msg)
-    return np.broadcast_to(array, (count,))
+    return array
 
 
 def per_axis(name: str, value: ArrayLike) -> Floats:

@@ -3,24 +3,31 @@
 The inertial frame is north-east-down.
 """
 
-from collections.abc import Callable
-
 import numpy as np
 from numpy.typing import ArrayLike
 
-from chr_notes._arrays import Floats, common_shape, components, evaluate, floats
-from chr_notes._loops import run
+from chr_notes._arrays import Floats
+from chr_notes._recordings import run
+from chr_notes._rows import Rows
 from chr_notes._samples import complete, number, periods, same_length, samples, start
 from chr_notes.conventions import STANDARD_GRAVITY
 from chr_notes.generated.arrays import dead_reckoning as generated
-from chr_notes.generated.loops import dead_reckoning as loops
+from chr_notes.generated.scalar.dead_reckoning import dead_reckoning_held
+
+_inertial_acceleration = Rows(generated.inertial_acceleration)
+_accelerometer_from_acceleration = Rows(generated.accelerometer_from_acceleration)
+_drift_from_tilt_error = Rows(generated.drift_from_tilt_error)
 
 NOTES_GRAVITY = 9.8
 """What the notes reckon with, m/s²."""
 
 
 def inertial_acceleration(
-    accel: ArrayLike, euler: ArrayLike, gravity: ArrayLike = STANDARD_GRAVITY
+    accel: ArrayLike,
+    euler: ArrayLike,
+    gravity: ArrayLike = STANDARD_GRAVITY,
+    *,
+    out: Floats | None = None,
 ) -> Floats:
     """Turn what an accelerometer reads into the acceleration of the body.
 
@@ -32,6 +39,8 @@ def inertial_acceleration(
         Roll, pitch, yaw in radians, shape (..., 3).
     gravity
         Magnitude of gravity, shape (...).
+    out
+        An array for the result.
 
     Returns
     -------
@@ -47,11 +56,15 @@ def inertial_acceleration(
     -----
     Ledger: dead_reckoning.2.3.
     """
-    return _rotated(generated.inertial_acceleration, ("accel", accel), euler, gravity)
+    return _inertial_acceleration(accel, euler, gravity, out=out)
 
 
 def accelerometer_from_acceleration(
-    acceleration: ArrayLike, euler: ArrayLike, gravity: ArrayLike = STANDARD_GRAVITY
+    acceleration: ArrayLike,
+    euler: ArrayLike,
+    gravity: ArrayLike = STANDARD_GRAVITY,
+    *,
+    out: Floats | None = None,
 ) -> Floats:
     """Tell what an ideal accelerometer reads on a body that accelerates.
 
@@ -63,6 +76,8 @@ def accelerometer_from_acceleration(
         Roll, pitch, yaw in radians, shape (..., 3).
     gravity
         Magnitude of gravity, shape (...).
+    out
+        An array for the result.
 
     Returns
     -------
@@ -78,8 +93,7 @@ def accelerometer_from_acceleration(
     -----
     Ledger: dead_reckoning.2.1.
     """
-    function = generated.accelerometer_from_acceleration
-    return _rotated(function, ("acceleration", acceleration), euler, gravity)
+    return _accelerometer_from_acceleration(acceleration, euler, gravity, out=out)
 
 
 def dead_reckon(  # noqa: PLR0913 (an initial value for each integral)
@@ -130,8 +144,7 @@ def dead_reckon(  # noqa: PLR0913 (an initial value for each integral)
     accelerations = inertial_acceleration(forces, angles, number("gravity", gravity))
     missing = ~complete(accelerations)
     accelerations[missing] = np.nan
-    inputs = [*components(accelerations), periods(dt, count)]
-    out = run(loops.dead_reckon, state, (), inputs)
+    out = run(dead_reckoning_held, state, accelerations, periods(dt, count))
     out[missing] = np.nan
     return out[:, :3], out[:, 3:]
 
@@ -164,24 +177,6 @@ def drift_from_tilt_error(
     -----
     Ledger: dead_reckoning.4.a, dead_reckoning.4.b, and the cells of Table 1.
     """
-    names = ("angle_error", "time", "gravity")
-    given = [floats(n, value) for n, value in zip(names, (angle_error, time, gravity), strict=True)]
-    named = zip(names, given, strict=True)
-    out = np.empty((3, *common_shape(*((name, array, 0) for name, array in named))))
-    evaluate(generated.drift_from_tilt_error, given, [out[0, ...], out[1, ...], out[2, ...]])
-    return out[0], out[1], out[2]
-
-
-def _rotated(
-    function: Callable[..., None],
-    vector: tuple[str, ArrayLike],
-    euler: ArrayLike,
-    gravity: ArrayLike,
-) -> Floats:
-    name, value = vector
-    given, angles = floats(name, value, 3), floats("euler", euler, 3)
-    magnitude = floats("gravity", gravity)
-    shape = common_shape((name, given, 1), ("euler", angles, 1), ("gravity", magnitude, 0))
-    out = np.empty((*shape, 3))
-    evaluate(function, [*components(given), *components(angles), magnitude], components(out))
-    return out
+    errors = _drift_from_tilt_error(angle_error, time, gravity)
+    acceleration, velocity, position = np.moveaxis(errors, -1, 0).copy()
+    return acceleration, velocity, position

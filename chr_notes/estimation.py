@@ -5,20 +5,22 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from chr_notes._arrays import Floats, common_shape, components, evaluate, floats
-from chr_notes._loops import run
+from chr_notes._arrays import Floats
+from chr_notes._recordings import run
+from chr_notes._rows import Rows
 from chr_notes._samples import WILD_RATE, held_out, periods, start
 from chr_notes.conventions import STANDARD_GRAVITY
 from chr_notes.euler import wrap_angle
 from chr_notes.generated.arrays import estimation as generated
 from chr_notes.generated.arrays import sensors
-from chr_notes.generated.loops import estimation as loops
+from chr_notes.generated.scalar.estimation import gyro_step, gyro_turn
 from chr_notes.quaternions import euler_from_quaternion, quaternion_from_euler
 
-_LEAST, _MOST = 1e-200, 1e200  # between these no square of a square root loses digits
+_tilt_from_accelerometer = Rows(generated.tilt_from_accelerometer, scaled="nothing")
+_accelerometer_at_rest = Rows(sensors.accelerometer_at_rest)
 
 
-def tilt_from_accelerometer(accel: ArrayLike) -> Floats:
+def tilt_from_accelerometer(accel: ArrayLike, *, out: Floats | None = None) -> Floats:
     """Tell roll and pitch from which way an accelerometer at rest reads gravity.
 
     Only the direction of the reading counts, so that a wrong scale or more than one g on the
@@ -30,6 +32,8 @@ def tilt_from_accelerometer(accel: ArrayLike) -> Floats:
     ----------
     accel
         Specific force in any unit, shape (..., 3); level and at rest it is (0, 0, -g).
+    out
+        An array for the result.
 
     Returns
     -------
@@ -45,27 +49,12 @@ def tilt_from_accelerometer(accel: ArrayLike) -> Floats:
     -----
     Ledger: estimation.2.5, estimation.2.6, validation.3, validation.4.
     """
-    reading = np.asarray(floats("accel", accel, 3), dtype=np.float64)
-    with np.errstate(over="ignore", invalid="ignore"):
-        # Column by column: along an axis of three NumPy is several times slower.
-        squares = np.asarray(sum(np.square(part) for part in components(reading)))
-    # What is very large, very small, zero or NaN is scaled first; 0/0 makes NaN of a zero.
-    scaled = ~((squares > _LEAST) & (squares < _MOST))
-    if scaled.any():
-        largest = np.max(np.abs(reading), axis=-1, keepdims=True)
-        largest[np.isinf(largest)] = np.nan  # no direction either
-        with np.errstate(invalid="ignore"):
-            reading = np.where(scaled[..., np.newaxis], reading / largest, reading)
-    out = np.empty((*reading.shape[:-1], 2))
-    evaluate(generated.tilt_from_accelerometer, components(reading), components(out))
-    roll, (_, y, z) = out[..., 0], components(reading)
-    # Of a zero atan2 takes the sign into account, which means nothing here.
-    np.copyto(roll, np.pi, where=roll == -np.pi)
-    np.copyto(roll, 0.0, where=(y == 0) & (z == 0))
-    return out
+    return _tilt_from_accelerometer(accel, out=out)
 
 
-def accelerometer_at_rest(euler: ArrayLike, gravity: ArrayLike = STANDARD_GRAVITY) -> Floats:
+def accelerometer_at_rest(
+    euler: ArrayLike, gravity: ArrayLike = STANDARD_GRAVITY, *, out: Floats | None = None
+) -> Floats:
     """Tell what an ideal accelerometer reads at rest.
 
     Parameters
@@ -74,6 +63,8 @@ def accelerometer_at_rest(euler: ArrayLike, gravity: ArrayLike = STANDARD_GRAVIT
         Roll, pitch, yaw in radians, shape (..., 3); yaw does not matter.
     gravity
         Magnitude of gravity, shape (...).
+    out
+        An array for the result.
 
     Returns
     -------
@@ -89,12 +80,7 @@ def accelerometer_at_rest(euler: ArrayLike, gravity: ArrayLike = STANDARD_GRAVIT
     -----
     Ledger: estimation.2.4.
     """
-    angles, magnitude = floats("euler", euler, 3), floats("gravity", gravity)
-    shape = common_shape(("euler", angles, 1), ("gravity", magnitude, 0))
-    out = np.empty((*shape, 3))
-    roll, pitch, _ = components(angles)
-    evaluate(sensors.accelerometer_at_rest, [roll, pitch, magnitude], components(out))
-    return out
+    return _accelerometer_at_rest(euler, gravity, out=out)
 
 
 def integrate_gyro(
@@ -140,14 +126,13 @@ def integrate_gyro(
         msg = f'method: expected "euler" or "quaternion", got {method!r}'
         raise ValueError(msg)
     rates, missing = held_out("body_rates", body_rates, WILD_RATE)
-    inputs = [*components(rates), periods(dt, len(rates))]
+    steps = periods(dt, len(rates))
     first = start("initial", initial)
     if method == "quaternion":
-        attitude = quaternion_from_euler(first).tolist()
-        turned = run(loops.integrate_quaternion, attitude, (), inputs)
+        turned = run(gyro_turn, quaternion_from_euler(first).tolist(), rates, steps)
         out = euler_from_quaternion(turned, on_gimbal_lock="ignore")
     else:
-        out = in_range(run(loops.integrate_angles, first, (), inputs))
+        out = in_range(run(gyro_step, first, rates, steps))
     out[missing] = np.nan
     return out
 

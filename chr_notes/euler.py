@@ -4,29 +4,30 @@ Each takes array-likes, broadcasts over the leading axes, and returns new float6
 are in radians, in the order (roll, pitch, yaw); matrices are `R_I^B`, body from inertial.
 """
 
-import numpy as np
 from numpy.typing import ArrayLike
 
-from chr_notes._arrays import (
-    Floats,
-    common_shape,
-    components,
-    evaluate,
-    in_pairs,
-    pairs,
-    reals,
-)
-from chr_notes._attitudes import OnGimbalLock, check_choice, rotations, tell
+from chr_notes._arrays import Floats
+from chr_notes._attitudes import OnGimbalLock, with_lock
+from chr_notes._rows import Rows
 from chr_notes.generated.arrays import euler as generated
 
+_matrix_from_euler = Rows(generated.matrix_from_euler)
+_euler_from_matrix = Rows(generated.euler_from_matrix, rotation=True)
+_wrap_angle = Rows(generated.wrap_angle)
+_euler_rates_matrix = Rows(generated.euler_rates_matrix)
+_euler_rates_from_body_rates = Rows(generated.euler_rates_from_body_rates)
+_body_rates_from_euler_rates = Rows(generated.body_rates_from_euler_rates)
 
-def matrix_from_euler(euler: ArrayLike) -> Floats:
+
+def matrix_from_euler(euler: ArrayLike, *, out: Floats | None = None) -> Floats:
     """Turn Euler angles into the matrix from the inertial to the body frame.
 
     Parameters
     ----------
     euler
         Roll, pitch, yaw in radians, any real number, shape (..., 3).
+    out
+        An array for the result.
 
     Returns
     -------
@@ -42,13 +43,12 @@ def matrix_from_euler(euler: ArrayLike) -> Floats:
     -----
     Ledger: euler.5.2, euler.5.3.
     """
-    angles = reals("euler", euler, 3)
-    out = np.empty((*angles.shape, 3))
-    evaluate(generated.matrix_from_euler, components(angles), components(out, 2))
-    return out
+    return _matrix_from_euler(euler, out=out)
 
 
-def euler_from_matrix(matrix: ArrayLike, *, on_gimbal_lock: OnGimbalLock = "warn") -> Floats:
+def euler_from_matrix(
+    matrix: ArrayLike, *, on_gimbal_lock: OnGimbalLock = "warn", out: Floats | None = None
+) -> Floats:
     """Turn matrices from the inertial to the body frame into Euler angles.
 
     Parameters
@@ -58,6 +58,8 @@ def euler_from_matrix(matrix: ArrayLike, *, on_gimbal_lock: OnGimbalLock = "warn
     on_gimbal_lock
         What to do where pitch is ±90°, so that roll is set to 0 and yaw carries the rest: "warn",
         "ignore" or "raise".
+    out
+        An array for the result.
 
     Returns
     -------
@@ -79,20 +81,10 @@ def euler_from_matrix(matrix: ArrayLike, *, on_gimbal_lock: OnGimbalLock = "warn
     GimbalLockWarning
         If an attitude is at gimbal lock and `on_gimbal_lock` is "warn".
     """
-    check_choice(on_gimbal_lock)
-    rotation = rotations("matrix", matrix)
-    out = np.empty(rotation.shape[:-1])
-    locked = evaluate(
-        generated.euler_from_matrix,
-        components(rotation, 2),
-        components(out),
-        every_place=on_gimbal_lock == "raise",
-    )
-    tell(locked, out.shape[:-1], on_gimbal_lock)
-    return out
+    return with_lock(_euler_from_matrix, matrix, on_gimbal_lock, out)
 
 
-def wrap_angle(angle: ArrayLike) -> Floats:
+def wrap_angle(angle: ArrayLike, *, out: Floats | None = None) -> Floats:
     """Take whole turns off an angle until it lies in [-pi, pi).
 
     An angle that lies there already is returned as it is.
@@ -101,19 +93,19 @@ def wrap_angle(angle: ArrayLike) -> Floats:
     ----------
     angle
         Radians, any shape.
+    out
+        An array for the result.
 
     Returns
     -------
     ndarray
         The angle in [-pi, pi), same shape.
     """
-    angles = reals("angle", angle)
-    out = np.empty(angles.shape)
-    evaluate(generated.wrap_angle, [angles], [out])
-    return out[()]
+    wrapped = _wrap_angle(angle, out=out)
+    return wrapped[()] if out is None else wrapped
 
 
-def euler_rates_matrix(euler: ArrayLike) -> Floats:
+def euler_rates_matrix(euler: ArrayLike, *, out: Floats | None = None) -> Floats:
     """Matrix D that takes body rates to Euler rates.
 
     Towards a pitch of ±90° its elements grow without bound.
@@ -122,6 +114,8 @@ def euler_rates_matrix(euler: ArrayLike) -> Floats:
     ----------
     euler
         Roll, pitch, yaw in radians, shape (..., 3); yaw does not matter.
+    out
+        An array for the result.
 
     Returns
     -------
@@ -137,13 +131,12 @@ def euler_rates_matrix(euler: ArrayLike) -> Floats:
     -----
     Ledger: euler.7.2, euler.7.d.
     """
-    angles = reals("euler", euler, 3)
-    out = np.empty((*angles.shape, 3))
-    evaluate(generated.euler_rates_matrix, components(angles)[:2], components(out, 2))
-    return out
+    return _euler_rates_matrix(euler, out=out)
 
 
-def euler_rates_from_body_rates(euler: ArrayLike, body_rates: ArrayLike) -> Floats:
+def euler_rates_from_body_rates(
+    euler: ArrayLike, body_rates: ArrayLike, *, out: Floats | None = None
+) -> Floats:
     """Turn what the gyros read into the derivatives of roll, pitch and yaw.
 
     Parameters
@@ -152,6 +145,8 @@ def euler_rates_from_body_rates(euler: ArrayLike, body_rates: ArrayLike) -> Floa
         Roll, pitch, yaw in radians, shape (..., 3); yaw does not matter.
     body_rates
         Rates p, q, r about the body axes, rad/s, shape (..., 3).
+    out
+        An array for the result.
 
     Returns
     -------
@@ -167,20 +162,12 @@ def euler_rates_from_body_rates(euler: ArrayLike, body_rates: ArrayLike) -> Floa
     -----
     Ledger: euler.7.3.
     """
-    angles, rates = reals("euler", euler, 3), reals("body_rates", body_rates, 3)
-    shape = common_shape(("euler", angles, 1), ("body_rates", rates, 1))
-    out = np.empty((*shape, 3))
-    given = components(angles)[:2]
-    if in_pairs(rates):
-        given += [*components(rates[..., :1]), *pairs(rates[..., 1:])]
-        evaluate(generated.euler_rates_from_body_rates_pairs, given, components(out))
-    else:
-        given += components(rates)
-        evaluate(generated.euler_rates_from_body_rates, given, components(out))
-    return out
+    return _euler_rates_from_body_rates(euler, body_rates, out=out)
 
 
-def body_rates_from_euler_rates(euler: ArrayLike, euler_rates: ArrayLike) -> Floats:
+def body_rates_from_euler_rates(
+    euler: ArrayLike, euler_rates: ArrayLike, *, out: Floats | None = None
+) -> Floats:
     """Turn derivatives of roll, pitch and yaw into the rates that the gyros read.
 
     Parameters
@@ -189,6 +176,8 @@ def body_rates_from_euler_rates(euler: ArrayLike, euler_rates: ArrayLike) -> Flo
         Roll, pitch, yaw in radians, shape (..., 3); yaw does not matter.
     euler_rates
         Derivatives of roll, pitch and yaw, rad/s, shape (..., 3).
+    out
+        An array for the result.
 
     Returns
     -------
@@ -204,9 +193,4 @@ def body_rates_from_euler_rates(euler: ArrayLike, euler_rates: ArrayLike) -> Flo
     -----
     Ledger: euler.7.a.
     """
-    angles, rates = reals("euler", euler, 3), reals("euler_rates", euler_rates, 3)
-    shape = common_shape(("euler", angles, 1), ("euler_rates", rates, 1))
-    out = np.empty((*shape, 3))
-    given = [*components(angles)[:2], *components(rates)]
-    evaluate(generated.body_rates_from_euler_rates, given, components(out))
-    return out
+    return _body_rates_from_euler_rates(euler, euler_rates, out=out)

@@ -1,18 +1,18 @@
 """A watch over the factor E that adapts an observer's gain first, and raises an alarm after."""
 
 from dataclasses import dataclass
+from itertools import islice
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from chr_notes._arrays import Floats
-from chr_notes._samples import WILD_RATE, held_out, number, periods, same_length
-from chr_notes.estimation import in_range, tilt_from_accelerometer
-from chr_notes.generated.loops.estimation import fixed_gain_observer
+from chr_notes._recordings import advance
+from chr_notes._samples import WILD_RATE, complete, number, periods, same_length, samples
 from chr_notes.generated.scalar.validation import validation_factor
-from chr_notes.observer import check_gain, first_tilt
-from chr_notes.validation import direction, part_down
+from chr_notes.observer import check_gain, first_tilt, way_of
+from chr_notes.validation import part_down
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -173,29 +173,25 @@ def monitored_observer(  # noqa: PLR0913 (three sensors, and what they are measu
     -----
     Ledger: validation.10, validation.11, validation.17.
     """
-    rates, missing = held_out("body_rates", body_rates, WILD_RATE)
-    forces, _ = held_out("accel", accel)
-    field = direction(held_out("mag", mag)[0])
+    rates, forces = samples("body_rates", body_rates), samples("accel", accel)
+    field = samples("mag", mag)
     count = same_length(("body_rates", rates), ("accel", forces), ("mag", field))
     down = float(part_down(number("reference_down", reference_down)))
-    tilt = tilt_from_accelerometer(forces)
-    columns = (*rates.T, *tilt.T, periods(dt, count))
-    begin, first = first_tilt(tilt)
-    state: tuple[float, ...] = tuple(first)
-    watch = monitor.begin()
+    steps = np.broadcast_to(periods(dt, count), count)
+    way = way_of("quaternion")
+    judge: Callable[..., float] = validation_factor
+    begin, first = first_tilt(forces)
+    state, watch = way.begin(first), monitor.begin()
     euler, factors = np.full((count, 3), np.nan), np.full(count, np.nan)
     gains, alarms = np.full(count, watch.gain), np.full(count, watch.alarm)
-    step: Callable[..., tuple[float, ...]] = fixed_gain_observer
-    judge: Callable[..., float] = validation_factor
-    unread = ([0.0], [0.0], [0.0])
-    for sample in range(begin, count):
+    given = zip(rates.tolist(), forces.tolist(), field.tolist(), steps.tolist(), strict=True)
+    for sample, (turning, force, flux, step) in enumerate(islice(given, begin, None), begin):
         gains[sample] = watch.gain
-        given = ([column[sample]] for column in columns)
-        state = step(*state, watch.gain, *given, *unread)
-        euler[sample] = state
-        factors[sample] = judge(*field[sample], *state[:2], down)
-        watch = monitor.watch(watch, factors[sample])
+        if sample > begin:
+            state = advance(way.step, state, turning, force, (step,), (watch.gain,))
+        euler[sample] = angles = way.angles(state).tolist()
+        factors[sample] = factor = judge(*flux, *angles[:2], down)
+        watch = monitor.watch(watch, factor)
         alarms[sample] = watch.alarm
-    euler = in_range(euler)
-    euler[missing] = np.nan
+    euler[~complete(rates, WILD_RATE)] = np.nan
     return Monitored(euler, factors, gains, alarms)

@@ -4,36 +4,99 @@ A sample with NaN or infinity, or with a rate of 1e12 rad/s and more, which no g
 out, and the estimate goes on without it.
 """
 
-from collections.abc import Iterable, Iterator
-from typing import NamedTuple
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from math import inf, pi
+from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from chr_notes._arrays import Floats, components
-from chr_notes._loops import run
-from chr_notes._samples import WILD_RATE, held_out, number, one_sample, periods, same_length, start
-from chr_notes.estimation import in_range, tilt_from_accelerometer
-from chr_notes.generated.loops import estimation as loops
+from chr_notes._arrays import Floats
+from chr_notes._recordings import advance, run
+from chr_notes._samples import (
+    WILD_RATE,
+    complete,
+    number,
+    one_sample,
+    period,
+    periods,
+    same_length,
+    samples,
+    start,
+)
+from chr_notes.estimation import in_range
+from chr_notes.generated.scalar import estimation as steps
+from chr_notes.generated.scalar.quaternions import euler_from_quaternion as euler_of
+from chr_notes.quaternions import euler_from_quaternion, quaternion_from_euler
+
+Method = Literal["quaternion", "euler"]
 
 
-def fixed_gain_observer(
+@dataclass(frozen=True)
+class _Way:
+    """One of the two methods.
+
+    Parameters
+    ----------
+    step
+        From state and sample to the next state.
+    begin
+        From Euler angles to a state.
+    end, angles
+        From states, and from one, to Euler angles in their ranges.
+    """
+
+    step: Callable[..., tuple[float, ...]]
+    begin: Callable[[Sequence[float]], Sequence[float]]
+    end: Callable[[Floats], Floats]
+    angles: Callable[[Sequence[float]], Floats]
+
+
+def _angles(quaternion: Sequence[float]) -> Floats:
+    roll, pitch, yaw, _ = euler_of(*quaternion)
+    return np.array([roll if roll < pi else -pi, pitch, yaw if yaw < pi else -pi])
+
+
+_WAYS = {
+    "quaternion": _Way(
+        steps.observer_turn,
+        lambda euler: list(quaternion_from_euler(euler).tolist()),
+        lambda states: in_range(euler_from_quaternion(states, on_gimbal_lock="ignore")),
+        _angles,
+    ),
+    "euler": _Way(
+        steps.euler_observer_step,
+        list,
+        in_range,
+        lambda euler: np.asarray(in_range(np.array([euler]))[0]),
+    ),
+}
+
+
+def way_of(method: str) -> _Way:
+    """Find a method by its name; refuse one that does not exist."""
+    if method not in _WAYS:
+        msg = f'method: expected "quaternion" or "euler", got {method!r}'
+        raise ValueError(msg)
+    return _WAYS[method]
+
+
+def fixed_gain_observer(  # noqa: PLR0913 (a recording, and how to run through it)
     body_rates: ArrayLike,
     accel: ArrayLike,
     dt: ArrayLike,
     gain: float,
     initial: ArrayLike | None = None,
+    *,
+    method: Method = "quaternion",
 ) -> Floats:
     """Predict by the gyros, and correct roll and pitch by the accelerometer.
 
-    Each sample moves the prediction towards the tilt that the accelerometer shows, by the gain
-    times the difference; the difference of rolls goes the shorter way round. Yaw comes from the
-    gyros alone.
-
-    Within 15° of straight up or down two things are done otherwise, because the rates of the
-    angles grow without bound there, and roll and yaw turn about nearly the same axis: the
-    prediction is an exact turn, and a correction of roll changes yaw so that the body keeps its
-    heading.
+    Each sample turns the attitude by the gyros. If the accelerometer then reads gravity from
+    elsewhere than the attitude says, the attitude is turned towards it, about a level axis, by
+    the gain times the angle between the two. Nothing corrects the turn about the vertical: yaw
+    comes from the gyros.
 
     Parameters
     ----------
@@ -47,7 +110,12 @@ def fixed_gain_observer(
         L, from 0, the gyros alone, to 1, the accelerometer alone.
     initial
         Roll, pitch, yaw before the first time step, radians, shape (3,). Without it, the estimate
-        starts at the first sample whose accelerometer shows a tilt, with that and a yaw of 0.
+        starts with the first tilt that the accelerometer shows, as that sample's, and a yaw of 0.
+    method
+        "quaternion" does as said, exactly, in every attitude. "euler" is the note's own step:
+        the angles go on by their rates, and roll and pitch are moved towards those that the
+        accelerometer shows, each by the gain times its difference, the shorter way round. It is
+        off by the square of the step, and fails near a pitch of ±90°.
 
     Returns
     -------
@@ -72,15 +140,22 @@ def fixed_gain_observer(
     Ledger: estimation.4.1, estimation.4.2, estimation.4.3, estimation.4.4, validation.10,
     validation.11.
     """
-    rates, missing = held_out("body_rates", body_rates, WILD_RATE)
-    forces, _ = held_out("accel", accel)
+    way, share = way_of(method), np.array(check_gain("gain", gain))
+    rates, forces = samples("body_rates", body_rates), samples("accel", accel)
     count = same_length(("body_rates", rates), ("accel", forces))
-    tilt = tilt_from_accelerometer(forces)
-    steps = periods(dt, count)
-    begin, first = first_tilt(tilt) if initial is None else (0, canonical("initial", initial))
+    dt = periods(dt, count)
     out = np.full((count, 3), np.nan)
-    out[begin:] = in_range(_observe(first, rates[begin:], tilt[begin:], steps[begin:], gain))
-    out[missing] = np.nan
+    if initial is None:
+        begin, first = first_tilt(forces)
+        out[begin:count][:1] = first
+        begin += 1
+    else:
+        begin, first = 0, canonical("initial", initial)
+    if begin < count:
+        each = dt[begin:] if dt.ndim else dt
+        states = run(way.step, way.begin(first), rates[begin:], forces[begin:], each, share)
+        out[begin:] = way.end(states)
+    out[~complete(rates, WILD_RATE)] = np.nan
     return out
 
 
@@ -105,14 +180,19 @@ def samples_held_out(body_rates: ArrayLike, accel: ArrayLike) -> NDArray[np.bool
     ValueError
         If a shape is wrong.
     """
-    rates, missing = held_out("body_rates", body_rates, WILD_RATE)
-    forces, _ = held_out("accel", accel)
+    rates, forces = samples("body_rates", body_rates), samples("accel", accel)
     same_length(("body_rates", rates), ("accel", forces))
-    return np.asarray(missing | np.isnan(tilt_from_accelerometer(forces)[:, 0]))
+    return ~(complete(rates, WILD_RATE) & complete(forces) & forces.any(axis=1))
 
 
-def observe_sample(
-    euler: ArrayLike, body_rates: ArrayLike, accel: ArrayLike, dt: float, gain: float
+def observe_sample(  # noqa: PLR0913 (a state and a sample)
+    euler: ArrayLike,
+    body_rates: ArrayLike,
+    accel: ArrayLike,
+    dt: float,
+    gain: float,
+    *,
+    method: Method = "quaternion",
 ) -> Floats:
     """Take one step of `fixed_gain_observer`.
 
@@ -126,6 +206,8 @@ def observe_sample(
         Time step, seconds.
     gain
         L, from 0 to 1; it may differ from sample to sample.
+    method
+        As for `fixed_gain_observer`.
 
     Returns
     -------
@@ -137,10 +219,11 @@ def observe_sample(
     ValueError
         As `fixed_gain_observer`.
     """
-    rates = one_sample("body_rates", body_rates, WILD_RATE)
-    tilt = tilt_from_accelerometer(one_sample("accel", accel))
-    after = _step(canonical("euler", euler), rates, tilt, dt, gain)
-    return np.asarray(in_range(after)[0])
+    way = way_of(method)
+    before = way.begin(start("euler", euler))
+    sample = (one_sample("body_rates", body_rates), one_sample("accel", accel))
+    share = check_gain("gain", gain)
+    return way.angles(advance(way.step, before, *sample, (period(dt),), (share,)))
 
 
 class Estimate(NamedTuple):
@@ -163,6 +246,8 @@ def observe(
     stream: Iterable[tuple[ArrayLike, ArrayLike, float]],
     gain: float,
     initial: ArrayLike | None = None,
+    *,
+    method: Method = "quaternion",
 ) -> Iterator[Estimate]:
     """Run the fixed-gain observer on a stream, sample by sample.
 
@@ -170,7 +255,7 @@ def observe(
     ----------
     stream
         Body rates (3,), specific force (3,) and time step of each sample, as they come.
-    gain, initial
+    gain, initial, method
         As for `fixed_gain_observer`, which gives the same numbers. Without an initial attitude
         nothing comes out before the first sample whose accelerometer shows a tilt.
 
@@ -184,30 +269,29 @@ def observe(
     ValueError
         As for `fixed_gain_observer`, when the sample comes.
     """
-    check_gain("gain", gain)
-    state = None if initial is None else canonical("initial", initial)
+    way, share = way_of(method), (check_gain("gain", gain),)
+    state = None if initial is None else way.begin(canonical("initial", initial))
     incomplete = 0
     for body_rates, accel, dt in stream:
-        rates = one_sample("body_rates", body_rates, WILD_RATE)
-        tilt = tilt_from_accelerometer(one_sample("accel", accel))
-        incomplete += bool(np.isnan(rates[0]) or np.isnan(tilt[0]))
+        rates, force = one_sample("body_rates", body_rates), one_sample("accel", accel)
+        heard = any(force) and all(-inf < part < inf for part in force)
+        incomplete += not (heard and all(-WILD_RATE < rate < WILD_RATE for rate in rates))
         if state is None:
-            if np.isnan(tilt[0]):
+            if not heard:
                 continue
-            _, state = first_tilt(tilt[np.newaxis])
-        # Angles go on past half a turn, as within a recording, so that no digit differs.
-        after = _step(state, rates, tilt, dt, gain)
-        state = after[0].tolist()
-        yield Estimate(in_range(after)[0], incomplete)
+            state = way.begin((*steps.tilt_from_accelerometer(*force), 0.0))
+        else:
+            state = advance(way.step, state, rates, force, (period(dt),), share)
+        yield Estimate(way.angles(state), incomplete)
 
 
-def first_tilt(tilt: Floats) -> tuple[int, list[float]]:
+def first_tilt(forces: Floats) -> tuple[int, Sequence[float]]:
     """Find the first tilt that is known.
 
     Parameters
     ----------
-    tilt
-        Roll and pitch, shape (N, 2).
+    forces
+        Specific force, shape (N, 3).
 
     Returns
     -------
@@ -221,14 +305,14 @@ def first_tilt(tilt: Floats) -> tuple[int, list[float]]:
     ValueError
         If there are samples and none shows a tilt.
     """
-    if not len(tilt):
-        return 0, [0.0, 0.0, 0.0]
-    known = ~np.isnan(tilt[:, 0])
-    first = int(np.argmax(known))
-    if not known[first]:
+    for sample, force in enumerate(forces):
+        roll, pitch = steps.tilt_from_accelerometer(*force.tolist())
+        if roll == roll:  # noqa: PLR0124 (NaN is not itself)
+            return sample, (roll, pitch, 0.0)
+    if len(forces):
         msg = "accel: expected a sample that shows a tilt to start from, got none; pass initial"
         raise ValueError(msg)
-    return first, [*tilt[first].tolist(), 0.0]
+    return 0, (0.0, 0.0, 0.0)
 
 
 def canonical(name: str, euler: ArrayLike) -> list[float]:
@@ -237,16 +321,6 @@ def canonical(name: str, euler: ArrayLike) -> list[float]:
     Corrections go towards a tilt that is in these ranges, so the start has to be too.
     """
     return list(in_range(np.array([start(name, euler)]))[0].tolist())
-
-
-def _observe(first: list[float], rates: Floats, tilt: Floats, steps: Floats, gain: float) -> Floats:
-    inputs = [*components(rates), *components(tilt), steps]
-    return run(loops.fixed_gain_observer, first, (check_gain("gain", gain),), inputs)
-
-
-def _step(first: list[float], rates: Floats, tilt: Floats, dt: float, gain: float) -> Floats:
-    steps = periods(number("dt", dt), 1)
-    return _observe(first, rates[np.newaxis], tilt[np.newaxis], steps, gain)
 
 
 def check_gain(name: str, gain: float) -> float:

@@ -6,33 +6,35 @@ that stands for an attitude may have any norm but zero; results that do are unit
 a >= 0. Products, conjugates and inverses are those of the algebra, sign and norm included.
 """
 
-from collections.abc import Callable
-
-import numpy as np
 from numpy.typing import ArrayLike
 
-from chr_notes._arrays import (
-    Floats,
-    Numbers,
-    Reports,
-    common_shape,
-    components,
-    evaluate,
-    in_pairs,
-    pairs,
-    reals,
-)
-from chr_notes._attitudes import OnGimbalLock, check_choice, rotations, tell
+from chr_notes._arrays import Floats
+from chr_notes._attitudes import OnGimbalLock, with_lock
+from chr_notes._rows import Rows
 from chr_notes.generated.arrays import quaternions as generated
 
+_matrix_from_quaternion = Rows(generated.matrix_from_quaternion, scaled="refused")
+_quaternion_from_matrix = Rows(generated.quaternion_from_matrix, rotation=True)
+_quaternion_from_euler = Rows(generated.quaternion_from_euler)
+_euler_from_quaternion = Rows(generated.euler_from_quaternion, scaled="refused")
+_quaternion_from_axis_angle = Rows(generated.quaternion_from_axis_angle, scaled="refused")
+_axis_angle_from_quaternion = Rows(generated.axis_angle_from_quaternion, scaled="refused")
+_quaternion_multiply = Rows(generated.quaternion_multiply)
+_quaternion_conjugate = Rows(generated.quaternion_conjugate)
+_quaternion_inverse = Rows(generated.quaternion_inverse, scaled="refused", degree=-1)
+_rotate_to_inertial = Rows(generated.rotate_to_inertial, scaled="refused")
+_rotate_to_body = Rows(generated.rotate_to_body, scaled="refused")
 
-def matrix_from_quaternion(q: ArrayLike) -> Floats:
+
+def matrix_from_quaternion(q: ArrayLike, *, out: Floats | None = None) -> Floats:
     """Turn quaternions into matrices from the inertial to the body frame.
 
     Parameters
     ----------
     q
         Attitude quaternions of any norm but zero, shape (..., 4).
+    out
+        An array for the result.
 
     Returns
     -------
@@ -48,20 +50,18 @@ def matrix_from_quaternion(q: ArrayLike) -> Floats:
     -----
     Ledger: quaternions.3.3.
     """
-    quaternion = reals("q", q, 4)
-    out = np.empty((*quaternion.shape[:-1], 3, 3))
-    given = components(quaternion)
-    evaluate(generated.matrix_from_quaternion, given, components(out, 2), ("q", quaternion))
-    return out
+    return _matrix_from_quaternion(q, out=out)
 
 
-def quaternion_from_matrix(matrix: ArrayLike) -> Floats:
+def quaternion_from_matrix(matrix: ArrayLike, *, out: Floats | None = None) -> Floats:
     """Turn matrices from the inertial to the body frame into quaternions.
 
     Parameters
     ----------
     matrix
         `R_I^B` with `v_B = R v_I`, shape (..., 3, 3).
+    out
+        An array for the result.
 
     Returns
     -------
@@ -79,19 +79,18 @@ def quaternion_from_matrix(matrix: ArrayLike) -> Floats:
     -----
     Ledger: quaternions.3.3, whose matrix is solved for the elements.
     """
-    rotation = rotations("matrix", matrix)
-    out = np.empty((*rotation.shape[:-2], 4))
-    evaluate(generated.quaternion_from_matrix, components(rotation, 2), components(out))
-    return out
+    return _quaternion_from_matrix(matrix, out=out)
 
 
-def quaternion_from_euler(euler: ArrayLike) -> Floats:
+def quaternion_from_euler(euler: ArrayLike, *, out: Floats | None = None) -> Floats:
     """Turn Euler angles into quaternions.
 
     Parameters
     ----------
     euler
         Roll, pitch, yaw in radians, any real number, shape (..., 3).
+    out
+        An array for the result.
 
     Returns
     -------
@@ -107,13 +106,12 @@ def quaternion_from_euler(euler: ArrayLike) -> Floats:
     -----
     Ledger: quaternions.2.2, for each of the three turns.
     """
-    angles = reals("euler", euler, 3)
-    out = np.empty((*angles.shape[:-1], 4))
-    evaluate(generated.quaternion_from_euler, components(angles), components(out))
-    return out
+    return _quaternion_from_euler(euler, out=out)
 
 
-def euler_from_quaternion(q: ArrayLike, *, on_gimbal_lock: OnGimbalLock = "warn") -> Floats:
+def euler_from_quaternion(
+    q: ArrayLike, *, on_gimbal_lock: OnGimbalLock = "warn", out: Floats | None = None
+) -> Floats:
     """Turn quaternions into Euler angles, to full precision up to the pole.
 
     Parameters
@@ -123,6 +121,8 @@ def euler_from_quaternion(q: ArrayLike, *, on_gimbal_lock: OnGimbalLock = "warn"
     on_gimbal_lock
         What to do where pitch is ±90°, so that roll is set to 0 and yaw carries the rest: "warn",
         "ignore" or "raise".
+    out
+        An array for the result.
 
     Returns
     -------
@@ -146,22 +146,12 @@ def euler_from_quaternion(q: ArrayLike, *, on_gimbal_lock: OnGimbalLock = "warn"
     -----
     Ledger: quaternions.4.1, quaternions.4.2, quaternions.4.3, quaternions.4.b.
     """
-    check_choice(on_gimbal_lock)
-    quaternion = reals("q", q, 4)
-    out = np.empty((*quaternion.shape[:-1], 3))
-    given = components(quaternion)
-    locked = evaluate(
-        generated.euler_from_quaternion,
-        given,
-        components(out),
-        ("q", quaternion),
-        every_place=on_gimbal_lock == "raise",
-    )
-    tell(locked, out.shape[:-1], on_gimbal_lock)
-    return out
+    return with_lock(_euler_from_quaternion, q, on_gimbal_lock, out)
 
 
-def quaternion_from_axis_angle(axis: ArrayLike, angle: ArrayLike) -> Floats:
+def quaternion_from_axis_angle(
+    axis: ArrayLike, angle: ArrayLike, *, out: Floats | None = None
+) -> Floats:
     """Quaternion of a turn about an axis.
 
     Parameters
@@ -170,6 +160,8 @@ def quaternion_from_axis_angle(axis: ArrayLike, angle: ArrayLike) -> Floats:
         Direction of the axis, of any length but zero, shape (..., 3).
     angle
         Angle of the turn by the right-hand rule, radians, shape (...).
+    out
+        An array for the result.
 
     Returns
     -------
@@ -186,12 +178,7 @@ def quaternion_from_axis_angle(axis: ArrayLike, angle: ArrayLike) -> Floats:
     -----
     Ledger: quaternions.2.2.
     """
-    axes, angles = reals("axis", axis, 3), reals("angle", angle)
-    shape = common_shape(("axis", axes, 1), ("angle", angles, 0))
-    out = np.empty((*shape, 4))
-    given = [*components(axes), angles]
-    evaluate(generated.quaternion_from_axis_angle, given, components(out), ("axis", axes))
-    return out
+    return _quaternion_from_axis_angle(axis, angle, out=out)
 
 
 def axis_angle_from_quaternion(q: ArrayLike) -> tuple[Floats, Floats]:
@@ -218,21 +205,19 @@ def axis_angle_from_quaternion(q: ArrayLike) -> tuple[Floats, Floats]:
     -----
     Ledger: quaternions.2.2.
     """
-    quaternion = reals("q", q, 4)
-    axis = np.empty((*quaternion.shape[:-1], 3))
-    angle = np.empty(quaternion.shape[:-1])
-    given, out = components(quaternion), [*components(axis), angle]
-    evaluate(generated.axis_angle_from_quaternion, given, out, ("q", quaternion))
-    return axis, angle[()]
+    both = _axis_angle_from_quaternion(q)
+    return both[..., :3].copy(), both[..., 3].copy()[()]
 
 
-def quaternion_multiply(p: ArrayLike, q: ArrayLike) -> Floats:
+def quaternion_multiply(p: ArrayLike, q: ArrayLike, *, out: Floats | None = None) -> Floats:
     """Hamilton's product `p q`: the turn p after the turn q, both about fixed axes.
 
     Parameters
     ----------
     p, q
         Quaternions, shape (..., 4).
+    out
+        An array for the result.
 
     Returns
     -------
@@ -248,24 +233,18 @@ def quaternion_multiply(p: ArrayLike, q: ArrayLike) -> Floats:
     -----
     Ledger: quaternions.3.2.
     """
-    first, second = reals("p", p, 4), reals("q", q, 4)
-    out = np.empty((*common_shape(("p", first, 1), ("q", second, 1)), 4))
-    if in_pairs(first, second):
-        given = [*pairs(first), *pairs(second)]
-        evaluate(generated.quaternion_multiply_pairs, given, pairs(out))
-    else:
-        given = [*components(first), *components(second)]
-        evaluate(generated.quaternion_multiply, given, components(out))
-    return out
+    return _quaternion_multiply(p, q, out=out)
 
 
-def quaternion_conjugate(q: ArrayLike) -> Floats:
+def quaternion_conjugate(q: ArrayLike, *, out: Floats | None = None) -> Floats:
     """Negate the vector part: for a unit quaternion, the turn back.
 
     Parameters
     ----------
     q
         Quaternions, shape (..., 4).
+    out
+        An array for the result.
 
     Returns
     -------
@@ -281,19 +260,18 @@ def quaternion_conjugate(q: ArrayLike) -> Floats:
     -----
     Ledger: quaternions.3.a, quaternions.3.c.
     """
-    quaternion = reals("q", q, 4)
-    out = np.empty(quaternion.shape)
-    evaluate(generated.quaternion_conjugate, components(quaternion), components(out))
-    return out
+    return _quaternion_conjugate(q, out=out)
 
 
-def quaternion_inverse(q: ArrayLike) -> Floats:
+def quaternion_inverse(q: ArrayLike, *, out: Floats | None = None) -> Floats:
     """Inverse of a quaternion: `q` times it is 1.
 
     Parameters
     ----------
     q
         Quaternions of any norm but zero, shape (..., 4).
+    out
+        An array for the result.
 
     Returns
     -------
@@ -309,14 +287,10 @@ def quaternion_inverse(q: ArrayLike) -> Floats:
     -----
     Ledger: quaternions.3.a.
     """
-    quaternion = reals("q", q, 4)
-    out = np.empty(quaternion.shape)
-    given = components(quaternion)
-    evaluate(generated.quaternion_inverse, given, components(out), ("q", quaternion), degree=-1)
-    return out
+    return _quaternion_inverse(q, out=out)
 
 
-def rotate_to_inertial(q: ArrayLike, v_body: ArrayLike) -> Floats:
+def rotate_to_inertial(q: ArrayLike, v_body: ArrayLike, *, out: Floats | None = None) -> Floats:
     """Components in the inertial frame of vectors given in the body frame: `q v q*`.
 
     Parameters
@@ -325,6 +299,8 @@ def rotate_to_inertial(q: ArrayLike, v_body: ArrayLike) -> Floats:
         Attitude quaternions of any norm but zero, shape (..., 4).
     v_body
         Vectors in the body frame, any unit, shape (..., 3).
+    out
+        An array for the result.
 
     Returns
     -------
@@ -341,11 +317,10 @@ def rotate_to_inertial(q: ArrayLike, v_body: ArrayLike) -> Floats:
     -----
     Ledger: quaternions.3.1.
     """
-    plain, paired = generated.rotate_to_inertial, generated.rotate_to_inertial_pairs
-    return _rotated(plain, paired, ("q", q), ("v_body", v_body))
+    return _rotate_to_inertial(q, v_body, out=out)
 
 
-def rotate_to_body(q: ArrayLike, v_inertial: ArrayLike) -> Floats:
+def rotate_to_body(q: ArrayLike, v_inertial: ArrayLike, *, out: Floats | None = None) -> Floats:
     """Components in the body frame of vectors given in the inertial frame: `q* v q`.
 
     Parameters
@@ -354,6 +329,8 @@ def rotate_to_body(q: ArrayLike, v_inertial: ArrayLike) -> Floats:
         Attitude quaternions of any norm but zero, shape (..., 4).
     v_inertial
         Vectors in the inertial frame, any unit, shape (..., 3).
+    out
+        An array for the result.
 
     Returns
     -------
@@ -370,25 +347,4 @@ def rotate_to_body(q: ArrayLike, v_inertial: ArrayLike) -> Floats:
     -----
     Ledger: quaternions.3.1, quaternions.3.4.
     """
-    plain, paired = generated.rotate_to_body, generated.rotate_to_body_pairs
-    return _rotated(plain, paired, ("q", q), ("v_inertial", v_inertial))
-
-
-def _rotated(
-    plain: Callable[..., Reports],
-    paired: Callable[..., Reports],
-    attitude: tuple[str, ArrayLike],
-    turned: tuple[str, ArrayLike],
-) -> Floats:
-    """Rotate vectors, in pairs where their elements lie side by side."""
-    quaternion, vector = reals(*attitude, 4), reals(*turned, 3)
-    out = np.empty((*common_shape((attitude[0], quaternion, 1), (turned[0], vector, 1)), 3))
-    scaled = attitude[0], quaternion
-    if in_pairs(quaternion, vector):
-        given: list[Numbers] = [*pairs(quaternion), *components(vector[..., :1])]
-        given += pairs(vector[..., 1:])
-        evaluate(paired, given, [*components(out[..., :1]), *pairs(out[..., 1:])], scaled)
-    else:
-        given = [*components(quaternion), *components(vector)]
-        evaluate(plain, given, components(out), scaled)
-    return out
+    return _rotate_to_body(q, v_inertial, out=out)

@@ -4,15 +4,24 @@ Vectors stand on the last axis, leading axes broadcast. Sensitivity and bias may
 polynomial in temperature: coefficients along the first axis, the constant one first.
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from chr_notes._arrays import Floats, common_shape, components, evaluate, floats
+from chr_notes._arrays import Floats, floats
+from chr_notes._rows import Rows
 from chr_notes.generated.arrays import sensors as generated
 
+_sensor_measures = Rows(generated.sensor_measures)
+_sensor_corrected = Rows(generated.sensor_corrected)
+_gyro_measures = Rows(generated.gyro_measures)
+_gyro_corrected = Rows(generated.gyro_corrected)
+_iron_added = Rows(generated.iron_added)
+_iron_removed = Rows(generated.iron_removed)
+
+# Terms have a row for each temperature, so an error about their shape is one about its.
+_TERMS = ("misalignment", "temperature", "temperature")
 _SINGULAR = 1e-12  # smallest singular value over the largest
 
 
@@ -73,16 +82,15 @@ class ThreeAxisCalibration:
         ValueError
             If a shape is wrong, the temperature is missing, or a sensitivity is zero at it.
         """
-        terms = _at(self, temperature)
-        given = {"actual": actual}
-        return _apply(generated.sensor_measures, self.misalignment, terms, given)
+        sensitivity, bias = _at(self, temperature)
+        given = (self.misalignment, sensitivity, bias, actual)
+        return _sensor_measures.located(*given, names=(*_TERMS, "actual"))[0]
 
     def correct(self, measured: ArrayLike, temperature: ArrayLike | None = None) -> Floats:
         """Tell what is there from what the sensor reads; parameters and errors as in `measure`."""
-        terms = _at(self, temperature)
-        given = {"measured": measured}
-        back = _inverse(self.misalignment)
-        return _apply(generated.sensor_corrected, back, terms, given)
+        sensitivity, bias = _at(self, temperature)
+        given = (_inverse(self.misalignment), sensitivity, bias, measured)
+        return _sensor_corrected.located(*given, names=(*_TERMS, "measured"))[0]
 
 
 @dataclass(frozen=True, eq=False)
@@ -143,19 +151,17 @@ class RateGyroCalibration:
         ValueError
             If a shape is wrong, the temperature is missing, or a sensitivity is zero at it.
         """
-        terms = _at(self, temperature)
-        given = {"accel": accel, "actual": actual}
-        function = generated.gyro_measures
-        return _apply(function, self.misalignment, terms, given, self.coupling)
+        sensitivity, bias = _at(self, temperature)
+        given = (self.misalignment, sensitivity, bias, self.coupling, accel, actual)
+        return _gyro_measures.located(*given, names=(*_TERMS, "coupling", "accel", "actual"))[0]
 
     def correct(
         self, measured: ArrayLike, accel: ArrayLike, temperature: ArrayLike | None = None
     ) -> Floats:
         """Tell the body rates from what the gyro reads; parameters and errors as in `measure`."""
-        terms = _at(self, temperature)
-        given = {"accel": accel, "measured": measured}
-        function = generated.gyro_corrected
-        return _apply(function, _inverse(self.misalignment), terms, given, self.coupling)
+        sensitivity, bias = _at(self, temperature)
+        given = (_inverse(self.misalignment), sensitivity, bias, self.coupling, accel, measured)
+        return _gyro_corrected.located(*given, names=(*_TERMS, "coupling", "accel", "measured"))[0]
 
 
 @dataclass(frozen=True, eq=False)
@@ -189,13 +195,11 @@ class MagnetometerCalibration:
 
     def measure(self, actual: ArrayLike) -> Floats:
         """Tell what a magnetometer near the iron reads of a field, shape (..., 3)."""
-        back = _inverse(self.soft_iron)
-        return _apply(generated.iron_added, back, (self.hard_iron,), {"actual": actual})
+        return _iron_added(_inverse(self.soft_iron), self.hard_iron, actual)
 
     def correct(self, field: ArrayLike) -> Floats:
         """Tell the field without the iron from a reading, shape (..., 3)."""
-        iron = (self.hard_iron,)
-        return _apply(generated.iron_removed, self.soft_iron, iron, {"field": field})
+        return _iron_removed(self.soft_iron, self.hard_iron, field)
 
 
 def _keep(calibration: object, name: str, value: Floats) -> None:
@@ -263,31 +267,3 @@ def _evaluated(coefficients: Floats, temperature: Floats) -> Floats:
 
 def _inverse(matrix: Floats) -> Floats:
     return np.asarray(np.linalg.inv(matrix), dtype=np.float64)
-
-
-def _apply(
-    function: Callable[..., None],
-    matrix: Floats,
-    by_axis: tuple[Floats, ...],
-    vectors: dict[str, ArrayLike],
-    coupling: Floats | None = None,
-) -> Floats:
-    """Run a generated function of a model's terms and of vectors, in the order of its arguments.
-
-    Terms by axis have the leading axes of the temperature, which broadcast with the vectors'.
-    """
-    arrays = {name: floats(name, value, 3) for name, value in vectors.items()}
-    named = [(name, array, 1) for name, array in arrays.items()]
-    if by_axis[0].ndim > 1:
-        # One row for each temperature; an error is to state the shape that was given.
-        named.append(("temperature", by_axis[0][..., 0], 0))
-    out = np.empty((*common_shape(*named), 3))
-    given = components(matrix, 2)
-    for term in by_axis:
-        given += components(term)
-    if coupling is not None:
-        given += components(coupling, 2)
-    for array in arrays.values():
-        given += components(array)
-    evaluate(function, given, components(out))
-    return out

@@ -3,12 +3,20 @@
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from chr_notes._arrays import Floats, common_shape, components, evaluate, floats
+from chr_notes._arrays import Floats, floats
+from chr_notes._rows import Rows
 from chr_notes.generated.arrays import validation as generated
+
+_heading_from_magnetometer = Rows(generated.heading_from_magnetometer, scaled="nothing")
+_validation_factor = Rows(generated.validation_factor, scaled="nothing")
 
 
 def heading_from_magnetometer(
-    mag: ArrayLike, tilt: ArrayLike, reference: ArrayLike = (1.0, 0.0)
+    mag: ArrayLike,
+    tilt: ArrayLike,
+    reference: ArrayLike = (1.0, 0.0),
+    *,
+    out: Floats | None = None,
 ) -> Floats:
     """Tell yaw from a magnetometer once roll and pitch are known.
 
@@ -21,6 +29,8 @@ def heading_from_magnetometer(
     reference
         The Earth's horizontal field, north and east, any unit, shape (..., 2): (1, 0) counts yaw
         from magnetic north, (cos(declination), sin(declination)) from true north.
+    out
+        An array for the result.
 
     Returns
     -------
@@ -38,19 +48,18 @@ def heading_from_magnetometer(
     -----
     Ledger: validation.12, validation.13, validation.14, validation.15, validation.16.
     """
-    field, angles = direction(mag), floats("tilt", tilt, 2)
-    level = np.asarray(floats("reference", reference, 2), dtype=np.float64)
+    level = floats("reference", reference, 2)
     zero = np.asarray(~level.any(axis=-1))
     if zero.any():
         msg = f"reference: expected a horizontal field, got none at {_first(zero)}"
         raise ValueError(msg)
-    out = np.empty(common_shape(("mag", field, 1), ("tilt", angles, 1), ("reference", level, 1)))
-    given = [*components(field), *components(angles), *components(level)]
-    evaluate(generated.heading_from_magnetometer, given, [out])
-    return out[()]
+    yaw = _heading_from_magnetometer(mag, tilt, level, out=out)
+    return yaw[()] if out is None else yaw
 
 
-def validation_factor(mag: ArrayLike, tilt: ArrayLike, reference_down: ArrayLike) -> Floats:
+def validation_factor(
+    mag: ArrayLike, tilt: ArrayLike, reference_down: ArrayLike, *, out: Floats | None = None
+) -> Floats:
     """Tell by how much the field's part that points down is not what roll and pitch make of it.
 
     Parameters
@@ -62,6 +71,8 @@ def validation_factor(mag: ArrayLike, tilt: ArrayLike, reference_down: ArrayLike
     reference_down
         Part down of the Earth's field divided by its magnitude: the sine of the inclination,
         from -1 to 1, shape (...).
+    out
+        An array for the result.
 
     Returns
     -------
@@ -78,25 +89,13 @@ def validation_factor(mag: ArrayLike, tilt: ArrayLike, reference_down: ArrayLike
     -----
     Ledger: validation.17, validation.d, validation.f, validation.g.
     """
-    field, angles = direction(mag), floats("tilt", tilt, 2)
-    down = part_down(reference_down)
-    shape = common_shape(("mag", field, 1), ("tilt", angles, 1), ("reference_down", down, 0))
-    out = np.empty(shape)
-    given = [*components(field), *components(angles), down]
-    evaluate(generated.validation_factor, given, [out])
-    return out[()]
-
-
-def direction(mag: ArrayLike) -> Floats:
-    """Scale readings so that no square overflows or vanishes; a reading of zero gives NaN."""
-    field = np.asarray(floats("mag", mag, 3), dtype=np.float64)
-    with np.errstate(invalid="ignore"):
-        return np.asarray(field / np.max(np.abs(field), axis=-1, keepdims=True))
+    factor = _validation_factor(mag, tilt, part_down(reference_down), out=out)
+    return factor[()] if out is None else factor
 
 
 def part_down(value: ArrayLike) -> Floats:
     """Take the part down of a field of magnitude 1; refuse what is not from -1 to 1."""
-    down = np.asarray(floats("reference_down", value), dtype=np.float64)
+    down = floats("reference_down", value)
     beyond = np.asarray(np.abs(down) > 1)
     if beyond.any():
         msg = (

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 import chr_notes
-from chr_notes._arrays import BLOCK
+from chr_notes._rows import BLOCK
 
 from .sampling import few
 
@@ -266,8 +266,21 @@ def test_wrapped_angle_is_the_same_direction_in_range(angle: float) -> None:
     assert chr_notes.wrap_angle(wrapped) == wrapped
 
 
-def test_angles_at_the_ends_of_the_range() -> None:
-    below = np.nextafter(-np.pi, -4)
-    angles = [np.pi, -np.pi, 3 * np.pi, below, 1e-300, -1e-300, np.nextafter(np.pi, 0)]
-    expected = [-np.pi, -np.pi, -np.pi, below + 2 * np.pi, 1e-300, -1e-300, np.nextafter(np.pi, 0)]
-    assert_array_equal(chr_notes.wrap_angle(angles), expected)
+@pytest.mark.parametrize(
+    "angle",
+    [
+        *(np.pi, -np.pi, 3 * np.pi, np.nextafter(-np.pi, -4), np.nextafter(np.pi, 4)),
+        *(7.0, -1e3, 999_999.9, 1e6, 1e12, -1e15, 1e300),
+    ],
+)
+def test_whole_turns_are_those_of_pi_itself(angle: float) -> None:
+    wrapped = float(chr_notes.wrap_angle(angle))
+    assert -np.pi <= wrapped < np.pi
+    with mpmath.workdps(400):
+        turns = (mpmath.mpf(wrapped) - mpmath.mpf(angle)) / (2 * mpmath.pi)
+        assert abs(turns - mpmath.nint(turns)) * 2 * mpmath.pi < 5e-16
+
+
+def test_angles_in_the_range_stay_as_they_are() -> None:
+    angles = [-np.pi, 1e-300, -1e-300, 0.0, np.nextafter(np.pi, 0)]
+    assert_array_equal(chr_notes.wrap_angle(angles), angles)

@@ -195,11 +195,11 @@ REFUSED = {
     ),
     "shapes that do not fit": (
         lambda: accelerometer_from_acceleration(np.zeros((2, 3)), np.zeros((4, 3))),
-        "expected acceleration and euler and gravity with leading axes that broadcast",
+        "expected acceleration and euler with leading axes that broadcast",
     ),
     "angles and times that do not fit": (
         lambda: drift_from_tilt_error([0.1, 0.2], [1.0, 2.0, 3.0]),
-        "expected angle_error and time and gravity with leading axes that broadcast",
+        "expected angle_error and time with leading axes that broadcast",
     ),
 }
 

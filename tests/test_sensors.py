@@ -163,7 +163,7 @@ REFUSED = {
     ),
     "temperatures of another length": (
         lambda: ThreeAxisCalibration(EYE, [ONES, ONES], ZEROS).measure(np.ones((2, 3)), np.ones(4)),
-        r"expected actual and temperature with leading .*, got shapes \(2, 3\) and \(4,\)",
+        r"expected temperature and actual with leading .*, got shapes \(4, 3\) and \(2, 3\)",
     ),
 }
 

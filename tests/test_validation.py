@@ -115,7 +115,7 @@ REFUSED = {
     ),
     "shapes that do not fit": (
         lambda: validation_factor(np.ones((2, 3)), np.ones((3, 2)), 0.5),
-        "expected mag and tilt and reference_down with leading axes that broadcast",
+        "expected mag and tilt with leading axes that broadcast",
     ),
 }
 

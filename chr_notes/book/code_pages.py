@@ -5,15 +5,15 @@ import re
 from collections.abc import Iterator
 from math import radians
 from pathlib import Path
+from textwrap import dedent
 from typing import Any, Final
 
 import numpy as np
 from sympy import ImmutableMatrix, Symbol
 
-from chr_notes.codegen.arrays import COMMENTS
-from chr_notes.codegen.expressions import infix
 from chr_notes.codegen.lowering import Program, lower
-from chr_notes.codegen.rewriting import by_half_tangent, by_library, one_plus_cosine, secant
+from chr_notes.codegen.python import PYTHON
+from chr_notes.codegen.rewriting import by_library
 from chr_notes.codegen.targets import TARGETS
 from chr_notes.derivations import euler
 from chr_notes.derivations.computation import Let
@@ -28,7 +28,6 @@ ROOT: Final = Path(__file__).resolve().parents[2]
 SPEED: Final = ROOT / "book" / "speed.json"
 GENERATED: Final = ROOT / "chr_notes" / "generated"
 NAME: Final = "euler_rates_from_body_rates"
-PAIRS: Final = f"{NAME}_pairs"
 TARGET: Final = next(target for target in TARGETS if target.name == NAME)
 SIZES: Final = {1: "one attitude", 1_000: "a thousand", 1_000_000: "a million"}
 SCALAR: Final = "chr_notes, one at a time"
@@ -44,12 +43,10 @@ def generated() -> dict[str, str]:
         ),
         "code/form.md": "\n".join(_form()),
         "code/library.md": _block("text", steps(lower(TARGET, by_library))),
-        "code/half_tangent.md": _block("text", steps(lower(TARGET, by_half_tangent))),
-        "code/near_the_pole.md": "\n".join(_near_the_pole()),
         "code/number.md": "\n".join(_number()),
         "code/python.md": _block("python", python(GENERATED / "scalar" / "euler.py")),
         "code/numpy.md": _block("python", python(GENERATED / "arrays" / "euler.py")),
-        "code/pairs.md": _block("python", python(GENERATED / "arrays" / "euler.py", PAIRS)),
+        "code/kernel.md": _block("c", kernel()),
         "code/javascript.md": _block("javascript", javascript()),
         "code/c.md": _block("c", c()),
         "speed.md": "\n".join(speed(json.loads(SPEED.read_text(encoding="utf-8")))),
@@ -77,10 +74,10 @@ def _form() -> Iterator[str]:
 
 def steps(program: Program) -> str:
     """Write the steps of a program and its results, one a line."""
-    lines = [f"{s.name} = {infix(s.value, COMMENTS)}" for s in program.steps if isinstance(s, Let)]
+    lines = [f"{s.name} = {PYTHON.written(s.value)}" for s in program.steps if isinstance(s, Let)]
     names = ("roll_rate", "pitch_rate", "yaw_rate")
     for name, value in zip(names, program.results, strict=True):
-        lines.append(f"{name} = {infix(value, COMMENTS)}")
+        lines.append(f"{name} = {PYTHON.written(value)}")
     return "\n".join(lines)
 
 
@@ -103,23 +100,21 @@ def c() -> str:
     return _find(rf"^void attitude_{NAME}\(.*?^\}}", GENERATED / "c" / "attitude.c")
 
 
+def kernel() -> str:
+    """Find the loop over a block of rows in the generated kernels."""
+    whole = _find(
+        rf"^EVERY_INSTRUCTION_SET static int64_t {NAME}\n.*?^\}}", GENERATED / "c" / "kernels.c"
+    )
+    start = whole.index("        for (ptrdiff_t row = 0; row < padded; row++) {")
+    return dedent(whole[start : whole.index("        STORE")]).rstrip()
+
+
 def _find(pattern: str, path: Path) -> str:
     found = re.search(pattern, path.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
     if found is None:
         msg = f"expected {NAME} in {path.name}, found none"
         raise ValueError(msg)
     return found.group().rstrip()
-
-
-def _near_the_pole() -> Iterator[str]:
-    """Yield the secant of pitch near 90° in both ways, next to what it is."""
-    yield "| degrees below 90° | 1 / cos(pitch) | from 1 + cos(pitch) | from both tangents |"
-    yield "|---|---|---|---|"
-    for degrees in (1e-3, 1e-6, 1e-9):
-        pitch = np.pi / 2 - np.radians(degrees)
-        half = np.tan(pitch / 2)
-        ways = (1 / np.cos(pitch), 1 / (one_plus_cosine(half) - 1), secant(np.tan(pitch), half))
-        yield f"| {degrees:g} | " + " | ".join(f"{way:.10g}" for way in ways) + " |"
 
 
 def _number() -> Iterator[str]:

@@ -2,16 +2,17 @@
 
 import argparse
 import sys
+from hashlib import sha256
 from pathlib import Path
 
-from chr_notes.codegen import arrays, c, javascript, loops, python
-from chr_notes.codegen.header import COMMAND
-from chr_notes.codegen.loop_targets import LOOPS
+from chr_notes.codegen import arrays, c, javascript, kernels, python
+from chr_notes.codegen.header import COMMAND, made_how
 from chr_notes.codegen.lowering import Program, lower
-from chr_notes.codegen.rewriting import by_half_tangent, by_library
+from chr_notes.codegen.rewriting import by_library, for_columns
 from chr_notes.codegen.targets import TARGETS
 
 FOLDER = Path(__file__).resolve().parents[1] / "generated"
+NATIVE = FOLDER.parent / "native"
 
 
 def files() -> dict[str, str]:
@@ -22,25 +23,37 @@ def files() -> dict[str, str]:
     dict
         From the path below `generated/` to the text of the file.
     """
-    programs = tuple(lower(target, by_library) for target in TARGETS if not target.complex)
-    blocks = tuple(lower(target, by_half_tangent, guarded=True) for target in TARGETS)
-    topics = list(dict.fromkeys(target.topic for target in TARGETS))
+    programs = tuple(lower(target, by_library) for target in TARGETS)
+    rows = [target for target in TARGETS if target.arrays and not target.over_samples]
+    columns = tuple(lower(target, for_columns) for target in rows)
+    checked = tuple(lower(target, for_columns, checked=True) for target in rows)
+    steps = tuple(program for program in programs if program.target.over_samples)
+    compiled = kernels.source(checked, steps)
     made = {
         "__init__.py": '"""Generated code; `python -m chr_notes.codegen` writes it."""\n',
         "scalar/__init__.py": '"""Functions of floats, for one attitude at a time."""\n',
         "arrays/__init__.py": '"""Functions of arrays, for many attitudes at once."""\n',
-        "loops/__init__.py": '"""Functions of recordings, sample after sample."""\n',
+        "arrays/shapes.py": arrays.table((*columns, *steps)),
         "javascript/attitude.mjs": javascript.module(programs),
         "c/attitude.h": c.header(programs),
         "c/attitude.c": c.source(programs),
+        "c/kernels.c": compiled,
+        **_stamps(compiled),
     }
-    for topic in topics:
+    for topic in dict.fromkeys(target.topic for target in TARGETS):
         made[f"scalar/{topic}.py"] = python.module(_of_topic(programs, topic))
-        made[f"arrays/{topic}.py"] = arrays.module(_of_topic(blocks, topic))
-    for topic in dict.fromkeys(loop.topic for loop in LOOPS):
-        own = tuple(loop for loop in LOOPS if loop.topic == topic)
-        made[f"loops/{topic}.py"] = loops.module(own, programs)
+        made[f"arrays/{topic}.py"] = arrays.module(_of_topic(columns, topic))
     return made
+
+
+def _stamps(compiled: str) -> dict[str, str]:
+    """Give the kernels a stamp by which Python tells whether a binary was built from them."""
+    sources = [compiled, *(path.read_text(encoding="utf-8") for path in sorted(NATIVE.iterdir()))]
+    stamp = sha256("".join(sources).encode()).hexdigest()[:16]
+    return {
+        "stamp.py": f'"""{made_how(())[0]}"""\n\nSTAMP = "{stamp}"\n',
+        "c/stamp.h": f'/* {made_how(())[0]} */\n#define STAMP "{stamp}"\n',
+    }
 
 
 def _of_topic(programs: tuple[Program, ...], topic: str) -> tuple[Program, ...]:

@@ -4,10 +4,7 @@ from sympy import ImmutableMatrix, Symbol
 
 from chr_notes.codegen.target import Argument
 from chr_notes.derivations import calibration, dead_reckoning, estimation, validation
-from chr_notes.derivations.forms import pairs
 from chr_notes.derivations.forms.dead_reckoning import NEXT as ACCELERATION_AFTER
-from chr_notes.derivations.forms.estimation import PITCH_ACCEL as PITCH_SEEN
-from chr_notes.derivations.forms.estimation import ROLL_ACCEL as ROLL_SEEN
 from chr_notes.derivations.forms.euler import ANGLE as WRAPPED
 from chr_notes.derivations.quaternions import MATRIX as ELEMENTS
 from chr_notes.symbols import (
@@ -96,25 +93,6 @@ PRODUCT = tuple(
     for number, which, symbols in ((1, "first", FIRST), (2, "second", SECOND))
     for symbol, name, says in zip(symbols, "abcd", _ELEMENTS, strict=True)
 )
-PAIRS = tuple(
-    Argument(name, symbol, f"{elements} of the {which} factor as one complex number")
-    for symbol, (name, elements, which) in zip(
-        pairs.FACTORS,
-        (
-            ("ab1", "a + i b", "first"),
-            ("cd1", "c + i d", "first"),
-            ("ab2", "a + i b", "second"),
-            ("cd2", "c + i d", "second"),
-        ),
-        strict=True,
-    )
-)
-ATTITUDE_PAIRS = (
-    Argument("ab", pairs.ATTITUDE[0], "a + i b of the attitude quaternion as one complex number"),
-    Argument("cd", pairs.ATTITUDE[1], "c + i d of the attitude quaternion as one complex number"),
-)
-RATES_PAIR = Argument("qr", pairs.RATES_SIDE, "body rates about y and z as q + i r, rad/s")
-SIDE = Argument("yz", pairs.VECTOR_SIDE, "y + i z of the vector as one complex number")
 AXIS_ARGUMENTS = axes("{}", AXIS, "{} of the axis, any length")
 TURN = Argument("angle", alpha, "angle of the turn about the axis, radians")
 ANGLE = Argument("angle", WRAPPED, "angle, radians")
@@ -137,8 +115,6 @@ NORTH, EAST, DOWN = (
         strict=True,
     )
 )
-ROLL_ACCEL = Argument("roll_accel", ROLL_SEEN, "roll that the accelerometer shows, radians")
-PITCH_ACCEL = Argument("pitch_accel", PITCH_SEEN, "pitch that the accelerometer shows, radians")
 GAIN = Argument("gain", estimation.L, "weight of the accelerometer, from 0 to 1")
 
 MISALIGNMENT = matrix("m", calibration.MISALIGNMENT, "the misalignment")

@@ -7,7 +7,6 @@ from chr_notes.codegen import arguments as given
 from chr_notes.codegen.target import Target
 from chr_notes.derivations import euler, hamilton, quaternions
 from chr_notes.derivations.forms import euler as euler_forms
-from chr_notes.derivations.forms import pairs
 from chr_notes.derivations.forms import quaternions as forms
 
 TARGETS = (
@@ -18,6 +17,7 @@ TARGETS = (
         given.ANGLES,
         lambda: euler.rotation("I", "B"),
         ("euler.5.2", "euler.5.3"),
+        arrays=(("euler", given.ANGLES),),
     ),
     Target(
         "euler_from_matrix",
@@ -25,6 +25,15 @@ TARGETS = (
         "Roll, pitch and yaw, radians",
         given.MATRIX,
         euler_forms.euler_from_matrix,
+        arrays=(("matrix", given.MATRIX),),
+    ),
+    Target(
+        "rotation_defect",
+        "euler",
+        "How far a matrix is from a rotation: root mean square of R Rᵀ - 1, and the determinant",
+        given.MATRIX,
+        euler_forms.rotation_defect,
+        arrays=(("matrix", given.MATRIX),),
     ),
     Target(
         "euler_rates_matrix",
@@ -33,6 +42,7 @@ TARGETS = (
         (given.ROLL, given.PITCH),
         euler.euler_rates_matrix,
         ("euler.7.2", "euler.7.d"),
+        arrays=(("euler", given.ANGLES),),
     ),
     Target(
         "euler_rates_from_body_rates",
@@ -41,14 +51,7 @@ TARGETS = (
         (given.ROLL, given.PITCH, *given.RATES),
         euler_forms.euler_rates,
         ("euler.7.3",),
-    ),
-    Target(
-        "euler_rates_from_body_rates_pairs",
-        "euler",
-        "Derivatives of roll, pitch and yaw, rad/s",
-        (given.ROLL, given.PITCH, given.RATES[0], given.RATES_PAIR),
-        pairs.euler_rates,
-        ("euler.7.3",),
+        arrays=(("euler", given.ANGLES), ("body_rates", given.RATES)),
     ),
     Target(
         "body_rates_from_euler_rates",
@@ -57,6 +60,7 @@ TARGETS = (
         (given.ROLL, given.PITCH, *given.ANGLE_RATES),
         euler.body_rates,
         ("euler.7.a",),
+        arrays=(("euler", given.ANGLES), ("euler_rates", given.ANGLE_RATES)),
     ),
     Target(
         "euler_rates_determinant",
@@ -80,6 +84,7 @@ TARGETS = (
         "The angle less whole turns, from -pi up to but not including pi",
         (given.ANGLE,),
         euler_forms.wrap_angle,
+        arrays=(("angle", (given.ANGLE,)),),
     ),
     Target(
         "matrix_from_quaternion",
@@ -88,6 +93,7 @@ TARGETS = (
         given.QUATERNION_ARGUMENTS,
         forms.matrix_from_quaternion,
         ("quaternions.3.3",),
+        arrays=(("q", given.QUATERNION_ARGUMENTS),),
     ),
     Target(
         "quaternion_from_matrix",
@@ -96,6 +102,7 @@ TARGETS = (
         given.MATRIX,
         forms.quaternion_from_matrix,
         ("quaternions.3.3",),
+        arrays=(("matrix", given.MATRIX),),
     ),
     Target(
         "quaternion_from_euler",
@@ -103,6 +110,7 @@ TARGETS = (
         "Unit quaternion with a >= 0",
         given.ANGLES,
         forms.quaternion_from_euler,
+        arrays=(("euler", given.ANGLES),),
     ),
     Target(
         "euler_from_quaternion",
@@ -111,6 +119,7 @@ TARGETS = (
         given.QUATERNION_ARGUMENTS,
         forms.euler_from_quaternion,
         ("quaternions.4.1", "quaternions.4.2", "quaternions.4.3", "quaternions.4.b"),
+        arrays=(("q", given.QUATERNION_ARGUMENTS),),
     ),
     Target(
         "quaternion_from_axis_angle",
@@ -119,6 +128,7 @@ TARGETS = (
         (*given.AXIS_ARGUMENTS, given.TURN),
         forms.quaternion_from_axis_angle,
         ("quaternions.2.2",),
+        arrays=(("axis", given.AXIS_ARGUMENTS), ("angle", (given.TURN,))),
     ),
     Target(
         "axis_angle_from_quaternion",
@@ -127,6 +137,7 @@ TARGETS = (
         given.QUATERNION_ARGUMENTS,
         forms.axis_angle_from_quaternion,
         ("quaternions.2.2",),
+        arrays=(("q", given.QUATERNION_ARGUMENTS),),
     ),
     Target(
         "quaternion_multiply",
@@ -135,14 +146,7 @@ TARGETS = (
         given.PRODUCT,
         hamilton.product,
         ("quaternions.3.2",),
-    ),
-    Target(
-        "quaternion_multiply_pairs",
-        "quaternions",
-        "Product of two quaternions as pairs of complex numbers",
-        given.PAIRS,
-        pairs.product,
-        ("quaternions.3.2",),
+        arrays=(("p", given.PRODUCT[:4]), ("q", given.PRODUCT[4:])),
     ),
     Target(
         "quaternion_conjugate",
@@ -151,6 +155,7 @@ TARGETS = (
         given.QUATERNION_ARGUMENTS,
         lambda: hamilton.conjugate(quaternions.ATTITUDE),
         ("quaternions.3.c",),
+        arrays=(("q", given.QUATERNION_ARGUMENTS),),
     ),
     Target(
         "quaternion_inverse",
@@ -159,6 +164,7 @@ TARGETS = (
         given.QUATERNION_ARGUMENTS,
         forms.quaternion_inverse,
         ("quaternions.3.a",),
+        arrays=(("q", given.QUATERNION_ARGUMENTS),),
     ),
     Target(
         "rotate_to_inertial",
@@ -167,6 +173,7 @@ TARGETS = (
         (*given.QUATERNION_ARGUMENTS, *given.BODY_VECTOR),
         forms.rotate_to_inertial,
         ("quaternions.3.1",),
+        arrays=(("q", given.QUATERNION_ARGUMENTS), ("v_body", given.BODY_VECTOR)),
     ),
     Target(
         "rotate_to_body",
@@ -175,22 +182,7 @@ TARGETS = (
         (*given.QUATERNION_ARGUMENTS, *given.INERTIAL_VECTOR),
         forms.rotate_to_body,
         ("quaternions.3.1", "quaternions.3.4"),
-    ),
-    Target(
-        "rotate_to_inertial_pairs",
-        "quaternions",
-        "The vector in the inertial frame: x, and y + i z",
-        (*given.ATTITUDE_PAIRS, given.BODY_VECTOR[0], given.SIDE),
-        pairs.rotate_to_inertial,
-        ("quaternions.3.1",),
-    ),
-    Target(
-        "rotate_to_body_pairs",
-        "quaternions",
-        "The vector in the body frame: x, and y + i z",
-        (*given.ATTITUDE_PAIRS, given.INERTIAL_VECTOR[0], given.SIDE),
-        pairs.rotate_to_body,
-        ("quaternions.3.1", "quaternions.3.4"),
+        arrays=(("q", given.QUATERNION_ARGUMENTS), ("v_inertial", given.INERTIAL_VECTOR)),
     ),
     Target(
         "quaternion_after_constant_rates",

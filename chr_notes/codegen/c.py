@@ -1,37 +1,16 @@
 """Printer of C99: `attitude.h` and `attitude.c`, each function in double and in float."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from textwrap import wrap
 
 from sympy import Basic
 from sympy.core.relational import Relational
 from sympy.logic.boolalg import BooleanFunction
 
-from chr_notes.codegen.expressions import Language, conditional, infix
-from chr_notes.codegen.header import FLAG, WIDTH, folded, ledger, made_how, needs, returns
+from chr_notes.codegen.expressions import C, SingleC, Spelling
+from chr_notes.codegen.header import FLAG, WIDTH, folded, is_short, ledger, made_how, needs, returns
 from chr_notes.codegen.lowering import Program, expressions
 from chr_notes.derivations.computation import Choice, Let
-
-_NAMES = ("acos", "asin", "atan", "atan2", "cos", "floor", "hypot", "sin", "sqrt", "tan")
-
-DOUBLE = Language(
-    name=str,
-    number=repr,
-    call={"Abs": "fabs", **{name: name for name in _NAMES}},
-    remainder="fmod({0}, {1})",
-    epsilon=2.0**-52,
-    both="&&",
-    either="||",
-    negation="!",
-    conditional="{condition} ? {yes} : {no}",
-)
-FLOAT = replace(
-    DOUBLE,
-    number=lambda value: f"{value!r}f",
-    call={"Abs": "fabsf", **{name: f"{name}f" for name in _NAMES}},
-    remainder="fmodf({0}, {1})",
-    epsilon=2.0**-23,
-)
 
 
 @dataclass(frozen=True)
@@ -50,10 +29,10 @@ class Precision:
 
     type: str
     suffix: str
-    language: Language
+    language: Spelling
 
 
-PRECISIONS = (Precision("double", "", DOUBLE), Precision("float", "_f", FLOAT))
+PRECISIONS = (Precision("double", "", C()), Precision("float", "_f", SingleC()))
 
 
 def header(programs: tuple[Program, ...]) -> str:
@@ -128,7 +107,7 @@ def _function(program: Program, precision: Precision) -> list[str]:
     ]
     for step in program.steps:
         lines += [part for line in _step(step, precision) for part in folded(f"    {line}")]
-    values = [infix(value, language) for value in program.results]
+    values = [language.written(value) for value in program.results]
     if not program.shape:
         return [*lines, *folded(f"    return {values[0]};"), "}"]
     for index, value in enumerate(values):
@@ -146,18 +125,18 @@ def _step(step: Let | Choice, precision: Precision) -> list[str]:
     language = precision.language
     if isinstance(step, Let):
         kind = "int" if isinstance(step.value, BooleanFunction | Relational) else precision.type
-        return [f"const {kind} {step.name} = {infix(step.value, language)};"]
-    one = conditional(step, language)
-    if one is not None and len(one) <= WIDTH // 2:
+        return [f"const {kind} {step.name} = {language.written(step.value)};"]
+    if is_short(step, language):
+        one = language.conditional(step, step.names[0])
         return [f"const {precision.type} {step.names[0]} = {one};"]
     lines = [f"{precision.type} {', '.join(name.name for name in step.names)};"]
     for place, (condition, values) in enumerate(step.branches):
         if condition == True:  # noqa: E712 (SymPy's true, not Python's)
             lines.append("} else {")
         else:
-            lines.append(f"{'} else ' if place else ''}if ({infix(condition, language)}) {{")
+            lines.append(f"{'} else ' if place else ''}if ({language.written(condition)}) {{")
         lines += [
-            f"    {name} = {infix(value, language)};"
+            f"    {name} = {language.written(value)};"
             for name, value in zip(step.names, values, strict=True)
         ]
     return [*lines, "}"]

@@ -1,230 +1,204 @@
-"""Printer of expressions for languages with infix operators: the languages differ in tables."""
+"""Printers of expressions: SymPy's own for each language, with its spelling of a few things."""
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-
-from sympy import (
-    Abs,
-    Add,
-    Basic,
-    Expr,
-    Float,
-    I,
-    Integer,
-    Mul,
-    Pow,
-    Rational,
-    Symbol,
-    acos,
-    asin,
-    atan,
-    atan2,
-    conjugate,
-    cos,
-    floor,
-    im,
-    re,
-    sin,
-    tan,
-)
-from sympy.codegen.cfunctions import hypot
+from sympy import Add, Basic, Float, Integer, Mul, Pow, Rational, Symbol, UnevaluatedExpr
+from sympy.codegen.ast import float32, real
 from sympy.core.relational import Relational
 from sympy.logic.boolalg import And, Not, Or
+from sympy.printing.c import C99CodePrinter
+from sympy.printing.codeprinter import CodePrinter
+from sympy.printing.jscode import JavascriptCodePrinter
+from sympy.printing.numpy import NumPyPrinter
+from sympy.printing.precedence import PRECEDENCE
+from sympy.printing.pycode import PythonCodePrinter
 
-from chr_notes.derivations.computation import EPSILON, Choice, Remainder
+from chr_notes.derivations.computation import EPSILON, LARGEST, NOTHING, Choice
 
-FUNCTIONS = (Abs, acos, asin, atan, atan2, conjugate, cos, floor, hypot, im, re, sin, tan)
-HALF = Rational(1, 2)
-# How tightly an operator binds: what binds less than its surroundings is put in brackets.
-OR, AND, COMPARE, SUM, PRODUCT, UNARY, ATOM = range(7)
+EPSILONS = {"double": 2.0**-52, "float": 2.0**-23}
+LARGESTS = {"double": (2.0 - 2.0**-52) * 2.0**1023, "float": (2.0 - 2.0**-23) * 2.0**127}
 
 
-@dataclass(frozen=True)
-class Language:
-    """What differs between languages with infix operators.
+def number(value: Float | Rational) -> str:
+    """Write a number with as many digits as it needs, and a point."""
+    return repr(float(value))
 
-    Parameters
-    ----------
-    name
-        Turns the name of an argument or local into the language's way of writing names.
-    number
-        Writes a number.
-    call
-        From the name of a SymPy function, and `sqrt`, to the name of the language's. Without
-        `floor` the language divides by one and rounds down.
-    remainder
-        Format of what is left of {0} after whole multiples of {1}.
-    epsilon
-        Value of `EPSILON`.
-    both, either, negation
-        Logical operators.
-    conditional
-        Format of {yes} where {condition} holds, {no} elsewhere.
+
+class Spelling(CodePrinter):
+    """What SymPy's printers write in another way: numbers, names, and what is not a number.
+
+    A number that the language would have to work out, such as `pi/2 - 8 epsilon`, is worked out
+    before, and a power of a name is a product.
     """
 
-    name: Callable[[str], str]
-    number: Callable[[float], str]
-    call: Mapping[str, str]
-    remainder: str
-    epsilon: float
-    both: str
-    either: str
-    negation: str
-    conditional: str
+    precision = "double"
+    nothing = "nan"
+
+    def written(self, value: Basic) -> str:
+        """Print an expression."""
+        constants = {
+            EPSILON: Float(EPSILONS[self.precision]),
+            LARGEST: Float(LARGESTS[self.precision]),
+        }
+        return str(self.doprint(_prepared(value.xreplace(constants))))
+
+    def name(self, name: str) -> str:
+        """Write the name of an argument or local."""
+        return name
+
+    def chosen(self, condition: Basic, yes: str, no: str) -> str:
+        """Write what is one value where a condition holds and another elsewhere."""
+        return f"{self.written(condition)} ? {yes} : {no}"
+
+    def conditional(self, choice: Choice, name: Symbol) -> str:
+        """Write one of the values of a choice as one expression."""
+        place = choice.names.index(name)
+        *branches, (_, values) = choice.branches
+        text = self.written(values[place])
+        for condition, values in reversed(branches):
+            text = self.chosen(condition, self.written(values[place]), text)
+        return text
+
+    def _print_Symbol(self, value: Symbol) -> str:
+        return self.nothing if value == NOTHING else self.name(value.name)
+
+    def _print_Float(self, value: Float) -> str:
+        return number(value)
+
+    def _print_Integer(self, value: Integer) -> str:
+        return number(value)
+
+    def _print_Rational(self, value: Rational) -> str:
+        return number(value)
+
+    _print_One = _print_Zero = _print_NegativeOne = _print_Integer
+
+    def _print_Pow(self, value: Pow, rational: bool = False) -> str:  # noqa: ARG002, FBT001, FBT002
+        if value.exp.is_negative:
+            return f"{self._print(Integer(1))}/{self.parenthesize(1 / value, PRECEDENCE['Pow'])}"
+        return str(super()._print_Pow(value))
 
 
-def infix(value: Basic, language: Language) -> str:
-    """Print one expression."""
-    return _print(value, language)[0]
+def _prepared(value: Basic) -> Basic:
+    """Work out every part that is a number but not whole, and write powers as products."""
+    if value.is_number and not value.is_Integer:
+        return Float(float(value), 17)
+    if isinstance(value, Pow):
+        base, exponent = _prepared(value.base), value.exp
+        if isinstance(exponent, Integer) and abs(exponent) > 1:
+            product = UnevaluatedExpr(Mul(*[base] * abs(exponent), evaluate=False))
+            return product if exponent > 0 else 1 / product
+        return Pow(base, exponent)
+    known = [part for part in value.args if part.is_number]
+    if isinstance(value, Add | Mul) and len(known) > 1:
+        rest = [_prepared(part) for part in value.args if not part.is_number]
+        return value.func(_prepared(value.func(*known)), *rest)
+    return value.func(*map(_prepared, value.args)) if value.args else value
 
 
-def conditional(choice: Choice, language: Language) -> str | None:
-    """Print the choice of one value in two ways; None for any other choice."""
-    if len(choice.names) != 1 or len(choice.branches) != 2:  # noqa: PLR2004 (this way or that)
-        return None
-    (condition, (yes,)), (_, (no,)) = choice.branches
-    parts = {"condition": condition, "yes": yes, "no": no}
-    return language.conditional.format(
-        **{name: infix(value, language) for name, value in parts.items()}
-    )
+class C(Spelling, C99CodePrinter):
+    """C in double precision."""
+
+    nothing = "NAN"
+
+    def __init__(self) -> None:
+        super().__init__()
 
 
-def _print(value: Basic, language: Language) -> tuple[str, int]:
-    """Print an expression and say how tightly its outermost operator binds."""
-    if isinstance(value, Symbol) and value != EPSILON:
-        return language.name(value.name), ATOM
-    if value == I:
-        return "1j", ATOM
-    if not value.free_symbols - {EPSILON}:
-        number = float(value.subs(EPSILON, Float(language.epsilon)))
-        return language.number(number), UNARY if number < 0 else ATOM
-    for kind, printer in PRINTERS.items():
-        if isinstance(value, kind):
-            return printer(value, language)
-    msg = f"expected an expression of known functions, got {value}"
-    raise TypeError(msg)
+class SingleC(Spelling, C99CodePrinter):
+    """C in single precision."""
+
+    nothing = "NAN"
+    precision = "float"
+
+    def __init__(self) -> None:
+        super().__init__({"type_aliases": {real: float32}})
+
+    def _print_Float(self, value: Float) -> str:
+        return f"{number(value)}f"
+
+    _print_Integer = _print_Rational = _print_Float
+    _print_One = _print_Zero = _print_NegativeOne = _print_Float
 
 
-def _within(value: Basic, least: int, language: Language) -> str:
-    text, binds = _print(value, language)
-    return text if binds >= least else f"({text})"
+class ColumnC(C):
+    """C in a loop without branches, with the project's own functions of angles."""
+
+    functions = "column"
+
+    def _print_own(self, value: Basic) -> str:
+        arguments = ", ".join(self._print(argument) for argument in value.args)
+        return f"{self.functions}_{type(value).__name__}({arguments})"
+
+    _print_sin = _print_cos = _print_atan2 = _print_own
+
+    def _print_And(self, value: And) -> str:
+        return " & ".join(self.parenthesize(part, PRECEDENCE["Atom"]) for part in value.args)
 
 
-def _ordered(value: Basic, least: int, language: Language) -> list[str]:
-    return [
-        _within(part, least, language)
-        for part in sorted(value.args, key=lambda part: part.sort_key())
-    ]
+class StepC(ColumnC):
+    """C in a loop over samples, where branches cost nothing."""
+
+    functions = "step"
 
 
-def split_sum(value: Add) -> list[tuple[bool, Expr]]:
-    """Take a sum apart into (is subtracted, term), a term that is added first."""
-    terms = value.as_ordered_terms()
-    parts = [(True, -term) if term.could_extract_minus_sign() else (False, term) for term in terms]
-    first = next((index for index, (minus, _) in enumerate(parts) if not minus), 0)
-    return [parts[first], *parts[:first], *parts[first + 1 :]]
+class JavaScript(Spelling, JavascriptCodePrinter):
+    """JavaScript."""
+
+    nothing = "NaN"
+
+    def name(self, name: str) -> str:
+        """Write a name in JavaScript's way."""
+        return camel(name)
+
+    def _print_Integer(self, value: Integer) -> str:
+        return str(int(value))
+
+    _print_One = _print_Zero = _print_NegativeOne = _print_Integer
+
+    def _print_hypot(self, value: Basic) -> str:
+        return f"Math.hypot({', '.join(map(self._print, value.args))})"
 
 
-def split_product(value: Expr) -> tuple[Expr, list[Expr], list[Expr]]:
-    """Take a product apart into its number, what multiplies and what divides."""
-    coefficient, factors = value.as_coeff_mul()
-    above, below = [], []
-    constant = Mul(*(factor for factor in factors if factor.is_number))
-    if constant != 1:
-        # One number for all that is known, such as 2 pi; its sign stays apart.
-        sign = -1 if coefficient.could_extract_minus_sign() else 1
-        above, coefficient = [sign * coefficient * constant], Integer(sign)
-        factors = [factor for factor in factors if not factor.is_number]
-    for factor in sorted(factors, key=lambda factor: factor.sort_key()):
-        if isinstance(factor, Pow) and factor.exp.could_extract_minus_sign():
-            below.append(factor.base**-factor.exp)
-        else:
-            above.append(factor)
-    return coefficient, above, below
+class Python(Spelling, PythonCodePrinter):
+    """Python with `math`."""
+
+    def __init__(self) -> None:
+        super().__init__({"fully_qualified_modules": False})
+
+    def _print_Relational(self, value: Relational) -> str:
+        return f"{self._print(value.lhs)} {value.rel_op} {self._print(value.rhs)}"
+
+    def chosen(self, condition: Basic, yes: str, no: str) -> str:
+        """Write what is one value where a condition holds and another elsewhere."""
+        return f"{yes} if {self.written(condition)} else {no}"
+
+    def _print_floor(self, value: Basic) -> str:
+        # Python's own floor is an integer, so it refuses NaN.
+        return f"(({self._print(value.args[0])}) // 1.0)"
 
 
-def _sum(value: Add, language: Language) -> tuple[str, int]:
-    (minus, first), *rest = split_sum(value)
-    text = f"-{_within(first, UNARY, language)}" if minus else _within(first, SUM, language)
-    for subtracted, term in rest:
-        text += f" {'-' if subtracted else '+'} {_within(term, PRODUCT, language)}"
-    return text, SUM
+class NumPy(Spelling, NumPyPrinter):
+    """NumPy."""
+
+    def __init__(self) -> None:
+        super().__init__({"fully_qualified_modules": False})
+
+    def chosen(self, condition: Basic, yes: str, no: str) -> str:
+        """Write what is one value where a condition holds and another elsewhere."""
+        return f"where({self.written(condition)}, {yes}, {no})"
+
+    _print_Relational = Python._print_Relational  # noqa: SLF001 (SymPy's protocol)
+
+    def _print_And(self, value: And) -> str:
+        return " & ".join(self.parenthesize(part, PRECEDENCE["Atom"]) for part in value.args)
+
+    def _print_Or(self, value: Or) -> str:
+        return " | ".join(self.parenthesize(part, PRECEDENCE["Atom"]) for part in value.args)
+
+    def _print_Not(self, value: Not) -> str:
+        return f"~{self.parenthesize(value.args[0], PRECEDENCE['Not'])}"
 
 
-def _product(value: Mul, language: Language) -> tuple[str, int]:
-    coefficient, above, below = split_product(value)
-    sign = "-" if coefficient.could_extract_minus_sign() else ""
-    coefficient = abs(coefficient)
-    if isinstance(coefficient, Rational) and coefficient.q != 1 and coefficient != HALF:
-        below = [Integer(coefficient.q), *below]
-        coefficient = Integer(coefficient.p)
-    if coefficient != 1 or not above:
-        above = [coefficient, *above]
-    text = " * ".join(_within(factor, UNARY, language) for factor in above)
-    if below:
-        divisor = below[0] if len(below) == 1 else Mul(*below, evaluate=False)
-        text += f" / {_within(divisor, UNARY, language)}"
-    return sign + text, UNARY if sign and len(above) == 1 and not below else PRODUCT
-
-
-def _power(value: Pow, language: Language) -> tuple[str, int]:
-    if value.exp == HALF:
-        return f"{language.call['sqrt']}({_within(value.base, OR, language)})", ATOM
-    if value.exp.could_extract_minus_sign():
-        one = language.number(1.0)
-        return f"{one} / {_within(value.base**-value.exp, UNARY, language)}", PRODUCT
-    if isinstance(value.exp, Integer):
-        base = _within(value.base, UNARY, language)
-        return " * ".join([base] * int(value.exp)), PRODUCT
-    if isinstance(value.exp, Rational) and value.exp.q == 2:  # noqa: PLR2004 (a root of a power)
-        return f"{language.call['sqrt']}({_within(value.base**value.exp.p, OR, language)})", ATOM
-    msg = f"expected whole and half powers, got {value}"
-    raise TypeError(msg)
-
-
-def _relation(value: Relational, language: Language) -> tuple[str, int]:
-    left, right = (_within(side, SUM, language) for side in (value.lhs, value.rhs))
-    return f"{left} {value.rel_op} {right}", COMPARE
-
-
-def _both(value: And, language: Language) -> tuple[str, int]:
-    return f" {language.both} ".join(_ordered(value, AND, language)), AND
-
-
-def _either(value: Or, language: Language) -> tuple[str, int]:
-    return f" {language.either} ".join(_ordered(value, OR, language)), OR
-
-
-def _negation(value: Not, language: Language) -> tuple[str, int]:
-    return f"{language.negation}{_within(value.args[0], ATOM, language)}", UNARY
-
-
-def _remainder(value: Remainder, language: Language) -> tuple[str, int]:
-    parts = [_within(argument, UNARY, language) for argument in value.args]
-    return language.remainder.format(*parts), PRODUCT
-
-
-def _floor(value: floor, language: Language) -> tuple[str, int]:
-    if "floor" in language.call:
-        return _call(value, language)
-    # Python's own floor is an integer, so it refuses NaN.
-    return f"{_within(value.args[0], UNARY, language)} // 1.0", PRODUCT
-
-
-def _call(value: Expr, language: Language) -> tuple[str, int]:
-    inner = ", ".join(_within(argument, OR, language) for argument in value.args)
-    return f"{language.call[type(value).__name__]}({inner})", ATOM
-
-
-PRINTERS: dict[type | tuple[type, ...], Callable[..., tuple[str, int]]] = {
-    Add: _sum,
-    Mul: _product,
-    Pow: _power,
-    Relational: _relation,
-    And: _both,
-    Or: _either,
-    Not: _negation,
-    Remainder: _remainder,
-    floor: _floor,
-    FUNCTIONS: _call,
-}
+def camel(name: str) -> str:
+    """Turn a name with underscores into JavaScript's way of writing names."""
+    first, *rest = name.split("_")
+    return first + "".join(word.capitalize() for word in rest)

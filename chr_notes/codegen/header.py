@@ -4,8 +4,10 @@ from textwrap import wrap
 
 import sympy
 
+from chr_notes.codegen.expressions import Spelling
 from chr_notes.codegen.lowering import Program
 from chr_notes.codegen.target import Target
+from chr_notes.derivations.computation import Choice
 
 COMMAND = "python -m chr_notes.codegen"
 WIDTH = 100
@@ -42,6 +44,15 @@ def ledger(target: Target) -> list[str]:
     return [f"Ledger: {', '.join(target.entries)}."] if target.entries else []
 
 
+def is_short(choice: Choice, language: Spelling) -> bool:
+    """Say whether a choice is one of two values for one name, and fits into half a line."""
+    return (
+        len(choice.names) == 1
+        and len(choice.branches) == 2  # noqa: PLR2004 (this way or that)
+        and len(language.conditional(choice, choice.names[0])) <= WIDTH // 2
+    )
+
+
 def in_lines(start: str, parts: list[str], end: str, indent: str = "    ") -> list[str]:
     """Put parts between brackets: on one line if they fit, else on one more, else one a line."""
     whole = f"{start}{', '.join(parts)}{end}"
@@ -55,21 +66,17 @@ def in_lines(start: str, parts: list[str], end: str, indent: str = "    ") -> li
     return [start, *rows, f"{depth}{end}"]
 
 
-def folded(line: str, width: int = WIDTH) -> list[str]:
-    """Break a statement that is too long at a plus or minus, within as few brackets as can be."""
-    if len(line) <= width:
-        return [line]
-    depth_there = 0
-    places = []
-    for place, letter in enumerate(line[:width]):
-        depth_there += (letter in "([{") - (letter in ")]}")
-        if line[place : place + 3] in (" + ", " - "):
-            places.append((-depth_there, place))
-    if not places:
-        return [line]
-    _, place = max(places)
+def folded(line: str) -> list[str]:
+    """Break a statement that is too long between words."""
     indent = line[: len(line) - len(line.lstrip())]
-    return [line[:place], *folded(f"{indent}    {line[place + 1 :]}", width)]
+    return wrap(
+        line.lstrip(),
+        WIDTH,
+        initial_indent=indent,
+        subsequent_indent=f"{indent}    ",
+        break_long_words=False,
+        break_on_hyphens=False,
+    )
 
 
 def in_brackets(start: str, value: str) -> list[str]:

@@ -1,14 +1,23 @@
 """From a formula to a list of assignments, the same for every language."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass
 
-from sympy import Basic, Expr, I, Integer, MatrixBase, Symbol, cse, im, numbered_symbols, re
+from sympy import Basic, Expr, MatrixBase, Symbol, cse, numbered_symbols
 
 from chr_notes.codegen.names import name_of
 from chr_notes.codegen.rewriting import Rewriting
 from chr_notes.codegen.target import Target
-from chr_notes.derivations.computation import EPSILON, Choice, Computation, Let
+from chr_notes.derivations.computation import (
+    EPSILON,
+    LARGEST,
+    NOTHING,
+    Choice,
+    Computation,
+    Let,
+    map_step,
+    step_names,
+)
 
 
 @dataclass(frozen=True)
@@ -29,6 +38,8 @@ class Program:
         The local that says whether the attitude is at gimbal lock.
     guard
         The local that must be neither too small nor too large for the results to be right.
+    valid
+        The local that says whether the arguments are what the formula is made for.
     """
 
     target: Target
@@ -37,9 +48,10 @@ class Program:
     shape: tuple[int, ...]
     flag: Symbol | None
     guard: Symbol | None
+    valid: Symbol | None
 
 
-def lower(target: Target, rewriting: Rewriting, *, guarded: bool = False) -> Program:
+def lower(target: Target, rewriting: Rewriting, *, checked: bool = False) -> Program:
     """Lower a target to assignments.
 
     The arguments take their names, functions of an angle become locals that say what they are
@@ -51,16 +63,13 @@ def lower(target: Target, rewriting: Rewriting, *, guarded: bool = False) -> Pro
         Row of the table of targets.
     rewriting
         How functions of an angle are computed.
-    guarded
-        Whether the function returns the guard.
+    checked
+        Whether guard and validity are computed too.
     """
     formula = target.formula()
     computation = formula if isinstance(formula, Computation) else Computation((), formula)
     _check_symbols(target, computation)
-    names = {
-        argument.symbol: Symbol(argument.name, real=argument.symbol.is_real)
-        for argument in target.arguments
-    }
+    names = {argument.symbol: Symbol(argument.name, real=True) for argument in target.arguments}
     is_matrix = isinstance(computation.results, MatrixBase)
     results = tuple(
         element.xreplace(names)
@@ -72,7 +81,8 @@ def lower(target: Target, rewriting: Rewriting, *, guarded: bool = False) -> Pro
     results = tuple(result.xreplace(replaced) for result in results)
     known = set(names.values())
     steps, results = _schedule(known, angles, steps, results)
-    reports = {computation.flag} | ({computation.guard} if guarded else set())
+    reports = {computation.flag}
+    reports |= {computation.guard, computation.valid} if checked else set()
     steps = _needed(steps, results, reports - {None})
     size = computation.results.shape if is_matrix else ()
     return Program(
@@ -82,19 +92,7 @@ def lower(target: Target, rewriting: Rewriting, *, guarded: bool = False) -> Pro
         shape=size[: 1 if size and size[1] == 1 else 2],
         flag=computation.flag,
         guard=computation.guard,
-    )
-
-
-def map_step(step: Let | Choice, change: Callable[[Basic], Basic]) -> Let | Choice:
-    """Change the values of a step and keep its names."""
-    if isinstance(step, Let):
-        return Let(step.name, change(step.value))
-    return Choice(
-        step.names,
-        tuple(
-            (change(condition), tuple(change(value) for value in values))
-            for condition, values in step.branches
-        ),
+        valid=computation.valid,
     )
 
 
@@ -112,7 +110,7 @@ def expressions(steps: Iterable[Let | Choice], results: Iterable[Expr]) -> tuple
 
 def _check_symbols(target: Target, computation: Computation) -> None:
     """Refuse a formula that needs what is neither an argument nor a step before."""
-    known = {argument.symbol for argument in target.arguments} | {EPSILON}
+    known = {argument.symbol for argument in target.arguments} | {EPSILON, LARGEST, NOTHING}
     for step in computation.steps:
         needed = {s for value in expressions([step], ()) for s in value.free_symbols}
         _refuse(target, needed - known)
@@ -145,9 +143,8 @@ def _schedule(
             known = known | {let.name}
         else:
             waiting[let.name] = let.value
-    # The parts of a complex number are looked at one by one.
-    lets = [parts(step.value) for step in steps if isinstance(step, Let)]
-    common, found = _common((*(part for each in lets for part in each), *results))
+    lets = [step.value for step in steps if isinstance(step, Let)]
+    common, found = _common((*lets, *results))
     waiting |= common
     taken = known | {name for step in steps for name in step_names(step)}
     renamed: dict[Symbol, Symbol] = {let.name: let.name for let in angles}
@@ -156,7 +153,7 @@ def _schedule(
         for local in sorted(value.free_symbols & waiting.keys(), key=list(waiting).index):
             needed = ready(waiting.pop(local))
             if local not in renamed:
-                name = Symbol(name_of(needed) or f"common_{len(renamed)}", real=needed.is_real)
+                name = Symbol(name_of(needed) or f"common_{len(renamed)}", real=True)
                 renamed[local] = local if name in taken else name
                 taken.add(renamed[local])
             ordered.append(Let(renamed[local], needed))
@@ -166,21 +163,12 @@ def _schedule(
     for step in steps:
         # What a step needs is put in order while its values are read, hence before it.
         if isinstance(step, Let):
-            real, imaginary = ready(next(values)), ready(next(values))
-            value = real if imaginary == 0 else real + I * imaginary
+            value = ready(next(values))
             ordered.append(Let(step.name, value))
         else:
             ordered.append(map_step(step, ready))
     finished = tuple(ready(value) for value in values)
     return tuple(ordered), finished
-
-
-def parts(value: Basic) -> tuple[Basic, Basic]:
-    """Take `x + i y` apart into x and y; what has no i is all x."""
-    if not value.has(I):
-        return value, Integer(0)
-    real, rest = value.as_independent(I, as_Add=True)
-    return real, rest / I
 
 
 def _common(values: tuple[Basic, ...]) -> tuple[dict[Symbol, Expr], list[Basic]]:
@@ -209,7 +197,7 @@ def _common(values: tuple[Basic, ...]) -> tuple[dict[Symbol, Expr], list[Basic]]
 
 def _is_cheap(value: Basic) -> bool:
     """Say whether to compute something again costs as little as to look it up."""
-    if value.is_Boolean or value.is_number or isinstance(value, (re, im)):
+    if value.is_Boolean or value.is_number:
         return True
     coefficient, rest = value.as_coeff_Mul()
     return bool(rest.is_Symbol and coefficient != 1)
@@ -226,8 +214,3 @@ def _needed(
             kept.insert(0, step)
             needed |= {s for value in expressions([step], ()) for s in value.free_symbols}
     return tuple(kept)
-
-
-def step_names(step: Let | Choice) -> tuple[Symbol, ...]:
-    """Names that a step gives a value."""
-    return (step.name,) if isinstance(step, Let) else step.names

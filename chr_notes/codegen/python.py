@@ -2,12 +2,12 @@
 
 import re
 
-from chr_notes.codegen.expressions import Language, conditional, infix
+from chr_notes.codegen.expressions import Python
 from chr_notes.codegen.header import (
     FLAG,
-    WIDTH,
     in_brackets,
     in_lines,
+    is_short,
     ledger,
     made_how,
     needs,
@@ -16,21 +16,8 @@ from chr_notes.codegen.header import (
 from chr_notes.codegen.lowering import Program
 from chr_notes.derivations.computation import Choice, Let
 
-PYTHON = Language(
-    name=str,
-    number=repr,
-    call={
-        "Abs": "abs",
-        **{name: name for name in ("acos", "asin", "atan", "atan2", "cos", "hypot")},
-        **{name: name for name in ("sin", "sqrt", "tan")},
-    },
-    remainder="fmod({0}, {1})",
-    epsilon=2.0**-52,
-    both="and",
-    either="or",
-    negation="not ",
-    conditional="{yes} if {condition} else {no}",
-)
+PYTHON = Python()
+_MATH = ("acos", "asin", "atan", "atan2", "cos", "hypot", "sin", "sqrt", "tan")
 
 
 def module(programs: tuple[Program, ...]) -> str:
@@ -42,8 +29,8 @@ def module(programs: tuple[Program, ...]) -> str:
 
 def imports(body: str) -> str:
     """Import what the functions of a module call."""
-    names = {*PYTHON.call.values(), "fmod"} - {"abs"}
-    used = sorted(name for name in names if re.search(rf"\b{name}\(", body))
+    used = sorted(name for name in _MATH if re.search(rf"\b{name}\(", body))
+    used += [PYTHON.nothing] if re.search(rf"\b{PYTHON.nothing}\b", body) else []
     return f"from math import {', '.join(used)}\n\n" if used else ""
 
 
@@ -57,7 +44,7 @@ def function(program: Program) -> str:
     lines += _docstring(program)
     for step in program.steps:
         lines += step_lines(step)
-    values = [infix(value, PYTHON) for value in program.results]
+    values = [PYTHON.written(value) for value in program.results]
     values += [program.flag.name] if program.flag is not None else []
     if not program.shape:
         return "\n".join([*lines, *in_brackets("    return ", values[0])])
@@ -67,18 +54,17 @@ def function(program: Program) -> str:
 def step_lines(step: Let | Choice) -> list[str]:
     """Print a step of a program, indented once."""
     if isinstance(step, Let):
-        return in_brackets(f"    {step.name} = ", infix(step.value, PYTHON))
-    one = conditional(step, PYTHON)
-    if one is not None and len(line := f"    {step.names[0]} = {one}") <= WIDTH:
-        return [line]
+        return in_brackets(f"    {step.name} = ", PYTHON.written(step.value))
+    if is_short(step, PYTHON):
+        return [f"    {step.names[0]} = {PYTHON.conditional(step, step.names[0])}"]
     lines = []
     for place, (condition, values) in enumerate(step.branches):
         if condition == True:  # noqa: E712 (SymPy's true, not Python's)
             lines.append("    else:")
         else:
-            lines.append(f"    {'elif' if place else 'if'} {infix(condition, PYTHON)}:")
+            lines.append(f"    {'elif' if place else 'if'} {PYTHON.written(condition)}:")
         for name, value in zip(step.names, values, strict=True):
-            lines += in_brackets(f"        {name} = ", infix(value, PYTHON))
+            lines += in_brackets(f"        {name} = ", PYTHON.written(value))
     return lines
 
 

@@ -1,16 +1,11 @@
-"""How functions of an angle are computed: by the library, or through the tangent of its half.
-
-NumPy has vectorised tangents, and sines and cosines that take several times as long. With
-t = tan(x/2) and u = 2 / (1 + t²), which is 1 + cos(x), the sine is t u and the cosine u - 1. The
-secant is 1 + tan(x) t, in which nothing cancels near ±90°. A test has SymPy prove each line.
-"""
+"""How functions of an angle are computed: each once, under a name that says what it is."""
 
 from collections.abc import Callable
 
 from sympy import Abs, Basic, Expr, Pow, Symbol, cos, sin, sqrt, tan
 from sympy.codegen.cfunctions import hypot
 
-from chr_notes.codegen.names import half, name_of
+from chr_notes.codegen.names import name_of
 from chr_notes.derivations.computation import Let
 
 Rewriting = Callable[[tuple[Basic, ...]], tuple[tuple[Let, ...], dict[Basic, Expr]]]
@@ -44,48 +39,24 @@ def by_library(values: tuple[Basic, ...]) -> tuple[tuple[Let, ...], dict[Basic, 
     return tuple(lets), replaced
 
 
-def by_half_tangent(values: tuple[Basic, ...]) -> tuple[tuple[Let, ...], dict[Basic, Expr]]:
-    """Do as `by_library`, with tangents for all functions of an angle and roots for `hypot`."""
-    lets: list[Let] = []
-    replaced = _secants(values)
-    for angle, needed in _angles(values).items():
-        tangent, half_tangent = _local("tan", angle), Symbol(f"tan_{half(_name(angle))}", real=True)
-        if "tan" in needed or "sec" in needed:
-            lets.append(Let(tangent, tan(angle)))
-            replaced[tan(angle)] = tangent
-        if needed != ["tan"]:
-            lets.append(Let(half_tangent, tan(angle / 2)))
-        if "sec" in needed:
-            lets.append(Let(_local("sec", angle), secant(tangent, half_tangent)))
-        if "sin" in needed or "cos" in needed:
-            from_cosine = Symbol(f"one_plus_cos_{_name(angle)}", real=True)
-            lets.append(Let(from_cosine, one_plus_cosine(half_tangent)))
-        if "sin" in needed:
-            replaced[sin(angle)] = _local("sin", angle)
-            lets.append(Let(replaced[sin(angle)], half_tangent * from_cosine))
-        if "cos" in needed:
-            replaced[cos(angle)] = _local("cos", angle)
-            lets.append(Let(replaced[cos(angle)], from_cosine - 1))
+def for_columns(values: tuple[Basic, ...]) -> tuple[tuple[Let, ...], dict[Basic, Expr]]:
+    """Do as `by_library`, with a quotient for the tangent and a root for `hypot`.
+
+    Both take several times as long as what stands for them, and need no care here: a row whose
+    squares would overflow or vanish is scaled first, by the guard.
+    """
+    tangents = {
+        call: sin(call.args[0]) / cos(call.args[0]) for value in values for call in value.atoms(tan)
+    }
+    lets, replaced = by_library(tuple(value.xreplace(tangents) for value in values))
+    replaced |= {call: value.xreplace(replaced) for call, value in tangents.items()}
     for value in values:
         replaced |= {call: root_of_squares(*call.args) for call in value.atoms(hypot)}
-    return tuple(lets), replaced
-
-
-def one_plus_cosine(half_tangent: Expr) -> Expr:
-    """1 + cos(x) from tan(x/2); times the tangent it is the sine."""
-    return 2 / (1 + half_tangent**2)
-
-
-def secant(tangent: Expr, half_tangent: Expr) -> Expr:
-    """1 / cos(x) from tan(x) and tan(x/2)."""
-    return 1 + tangent * half_tangent
+    return lets, replaced
 
 
 def root_of_squares(x: Expr, y: Expr) -> Expr:
-    """Write `hypot` as a root: NumPy's own takes forty times as long, and no care is needed here.
-
-    A row whose squares would overflow or vanish is scaled first, by the guard.
-    """
+    """Write `hypot` as a root."""
     return sqrt(x**2 + y**2)
 
 

@@ -8,6 +8,7 @@ from chr_notes.codegen.target import Target
 from chr_notes.derivations import calibration, dead_reckoning, estimation
 from chr_notes.derivations.forms import dead_reckoning as reckoning_forms
 from chr_notes.derivations.forms import estimation as filter_forms
+from chr_notes.derivations.forms import filters
 from chr_notes.derivations.forms import sensors as sensor_forms
 
 TARGETS = (
@@ -18,6 +19,7 @@ TARGETS = (
         (given.ROLL, given.PITCH, given.GRAVITY),
         estimation.accelerometer_at_rest,
         ("estimation.2.4", "sensors.2.2", "sensors.2.c"),
+        arrays=(("euler", given.ANGLES), ("gravity", (given.GRAVITY,))),
     ),
     Target(
         "sensor_measures",
@@ -26,6 +28,12 @@ TARGETS = (
         (*given.MISALIGNMENT, *given.SENSITIVITY, *given.BIAS, *given.ACTUAL),
         sensor_forms.measured,
         ("sensors.2.3", "sensors.2.4"),
+        arrays=(
+            ("misalignment", given.MISALIGNMENT),
+            ("sensitivity", given.SENSITIVITY),
+            ("bias", given.BIAS),
+            ("actual", given.ACTUAL),
+        ),
     ),
     Target(
         "sensor_corrected",
@@ -34,6 +42,12 @@ TARGETS = (
         (*given.REALIGNMENT, *given.SENSITIVITY, *given.BIAS, *given.READING),
         calibration.corrected,
         ("sensors.2.5", "sensors.2.e", "sensors.4.1"),
+        arrays=(
+            ("misalignment", given.REALIGNMENT),
+            ("sensitivity", given.SENSITIVITY),
+            ("bias", given.BIAS),
+            ("measured", given.READING),
+        ),
     ),
     Target(
         "gyro_measures",
@@ -49,6 +63,14 @@ TARGETS = (
         ),
         lambda: sensor_forms.measured(calibration.coupled()),
         ("sensors.3.2",),
+        arrays=(
+            ("misalignment", given.MISALIGNMENT),
+            ("sensitivity", given.SENSITIVITY),
+            ("bias", given.BIAS),
+            ("coupling", given.COUPLING),
+            ("accel", given.ACCEL),
+            ("actual", given.ACTUAL),
+        ),
     ),
     Target(
         "gyro_corrected",
@@ -64,6 +86,14 @@ TARGETS = (
         ),
         lambda: calibration.corrected(calibration.coupled()),
         ("sensors.3.2",),
+        arrays=(
+            ("misalignment", given.REALIGNMENT),
+            ("sensitivity", given.SENSITIVITY),
+            ("bias", given.BIAS),
+            ("coupling", given.COUPLING),
+            ("accel", given.ACCEL),
+            ("measured", given.READING),
+        ),
     ),
     Target(
         "iron_removed",
@@ -72,6 +102,11 @@ TARGETS = (
         (*given.SOFT_IRON, *given.HARD_IRON, *given.READING),
         calibration.without_iron,
         ("sensors.4.2",),
+        arrays=(
+            ("soft_iron", given.SOFT_IRON),
+            ("hard_iron", given.HARD_IRON),
+            ("field", given.READING),
+        ),
     ),
     Target(
         "iron_added",
@@ -80,6 +115,11 @@ TARGETS = (
         (*given.DISTORTION, *given.HARD_IRON, *given.ACTUAL),
         calibration.with_iron,
         ("sensors.4.2",),
+        arrays=(
+            ("soft_iron", given.DISTORTION),
+            ("hard_iron", given.HARD_IRON),
+            ("actual", given.ACTUAL),
+        ),
     ),
     Target(
         "tilt_from_accelerometer",
@@ -88,37 +128,68 @@ TARGETS = (
         given.ACCEL,
         filter_forms.tilt,
         ("estimation.2.5", "estimation.2.6"),
+        arrays=(("accel", given.ACCEL),),
     ),
     Target(
         "gyro_step",
         "estimation",
         "Roll, pitch and yaw one period later by Euler integration, radians",
         (*given.ANGLES, *given.RATES, given.PERIOD),
-        filter_forms.gyro_step,
+        filters.gyro_step,
         ("estimation.3.1", "estimation.3.2", "estimation.3.3"),
+        arrays=(("euler", given.ANGLES), ("body_rates", given.RATES), ("dt", (given.PERIOD,))),
+        over_samples=True,
+    ),
+    Target(
+        "gyro_turn",
+        "estimation",
+        "Attitude quaternion one period later, by a turn at constant rates",
+        (*given.QUATERNION_ARGUMENTS, *given.RATES, given.PERIOD),
+        filters.gyro_turn,
+        arrays=(
+            ("q", given.QUATERNION_ARGUMENTS),
+            ("body_rates", given.RATES),
+            ("dt", (given.PERIOD,)),
+        ),
+        over_samples=True,
+    ),
+    Target(
+        "observer_turn",
+        "estimation",
+        "Attitude quaternion one period later, the accelerometer heard with a fixed gain",
+        (*given.QUATERNION_ARGUMENTS, *given.RATES, *given.ACCEL, given.PERIOD, given.GAIN),
+        filters.observer_turn,
+        arrays=(
+            ("q", given.QUATERNION_ARGUMENTS),
+            ("body_rates", given.RATES),
+            ("accel", given.ACCEL),
+            ("dt", (given.PERIOD,)),
+            ("gain", (given.GAIN,)),
+        ),
+        over_samples=True,
     ),
     Target(
         "observer_step",
         "estimation",
-        "Roll, pitch and yaw one period later, yaw from the gyros alone, radians",
+        "Roll, pitch and yaw one period later, the accelerometer heard with a fixed gain, radians",
         (*given.ANGLES, *given.RATES, *given.ACCEL, given.PERIOD, given.GAIN),
-        filter_forms.observer_step,
+        filters.observer_step,
+    ),
+    Target(
+        "euler_observer_step",
+        "estimation",
+        "Roll, pitch and yaw one period later by the notes' step, angle by angle, radians",
+        (*given.ANGLES, *given.RATES, *given.ACCEL, given.PERIOD, given.GAIN),
+        filters.euler_observer_step,
         ("estimation.4.1", "estimation.4.2", "estimation.4.3", "estimation.4.4"),
-    ),
-    Target(
-        "correct_tilt",
-        "estimation",
-        "Roll and pitch, radians, moved by the gain towards those that the accelerometer shows",
-        (given.ROLL, given.PITCH, given.ROLL_ACCEL, given.PITCH_ACCEL, given.GAIN),
-        filter_forms.correct_tilt,
-        ("estimation.4.3", "estimation.4.4"),
-    ),
-    Target(
-        "correct_steep_tilt",
-        "estimation",
-        "Roll and pitch, radians, so moved, and yaw, changed so that the heading stays",
-        (*given.ANGLES, given.ROLL_ACCEL, given.PITCH_ACCEL, given.GAIN),
-        filter_forms.correct_steep_tilt,
+        arrays=(
+            ("euler", given.ANGLES),
+            ("body_rates", given.RATES),
+            ("accel", given.ACCEL),
+            ("dt", (given.PERIOD,)),
+            ("gain", (given.GAIN,)),
+        ),
+        over_samples=True,
     ),
     Target(
         "heading_from_magnetometer",
@@ -127,6 +198,11 @@ TARGETS = (
         (*given.MAG, given.ROLL, given.PITCH, given.NORTH, given.EAST),
         filter_forms.heading,
         ("validation.12", "validation.16"),
+        arrays=(
+            ("mag", given.MAG),
+            ("tilt", given.ANGLES[:2]),
+            ("reference", (given.NORTH, given.EAST)),
+        ),
     ),
     Target(
         "validation_factor",
@@ -135,6 +211,7 @@ TARGETS = (
         (*given.MAG, given.ROLL, given.PITCH, given.DOWN),
         filter_forms.factor,
         ("validation.17",),
+        arrays=(("mag", given.MAG), ("tilt", given.ANGLES[:2]), ("reference_down", (given.DOWN,))),
     ),
     Target(
         "inertial_acceleration",
@@ -143,6 +220,7 @@ TARGETS = (
         (*given.ACCEL, *given.ANGLES, given.GRAVITY),
         dead_reckoning.inertial_acceleration,
         ("dead_reckoning.2.3",),
+        arrays=(("accel", given.ACCEL), ("euler", given.ANGLES), ("gravity", (given.GRAVITY,))),
     ),
     Target(
         "accelerometer_from_acceleration",
@@ -151,22 +229,25 @@ TARGETS = (
         (*given.ACCELERATION, *given.ANGLES, given.GRAVITY),
         dead_reckoning.accelerometer_reading,
         ("dead_reckoning.2.1",),
+        arrays=(
+            ("acceleration", given.ACCELERATION),
+            ("euler", given.ANGLES),
+            ("gravity", (given.GRAVITY,)),
+        ),
     ),
     Target(
-        "velocity_step",
+        "dead_reckoning_held",
         "dead_reckoning",
-        "Velocity north, east, down one period later by the notes' step, m/s",
-        (*given.VELOCITY, *given.ACCELERATION, given.PERIOD),
-        reckoning_forms.velocity_step,
-        ("dead_reckoning.3.3",),
-    ),
-    Target(
-        "position_step",
-        "dead_reckoning",
-        "Position north, east, down one period later by the notes' step, m",
-        (*given.POSITION, *given.VELOCITY, given.PERIOD),
-        reckoning_forms.position_step,
-        ("dead_reckoning.3.4",),
+        "Velocity north, east, down (m/s), then position (m), one period later by the notes' step",
+        (*given.VELOCITY, *given.POSITION, *given.ACCELERATION, given.PERIOD),
+        reckoning_forms.held_step,
+        ("dead_reckoning.3.3", "dead_reckoning.3.4"),
+        arrays=(
+            ("state", (*given.VELOCITY, *given.POSITION)),
+            ("acceleration", given.ACCELERATION),
+            ("dt", (given.PERIOD,)),
+        ),
+        over_samples=True,
     ),
     Target(
         "dead_reckoning_step",
@@ -183,6 +264,11 @@ TARGETS = (
         (given.TILT_ERROR, given.TIME, given.GRAVITY),
         dead_reckoning.drift,
         ("dead_reckoning.4.g",),
+        arrays=(
+            ("angle_error", (given.TILT_ERROR,)),
+            ("time", (given.TIME,)),
+            ("gravity", (given.GRAVITY,)),
+        ),
     ),
     Target(
         "position_at_last_velocity",

@@ -46,6 +46,13 @@ class Target:
         of these.
     entries
         Ids of the ledger entries that state it; empty where the documents do not have it.
+    arrays
+        Names and elements of the arrays that a function of arrays takes, which NumPy and the
+        kernels have then: one element, a vector, or a matrix row by row. Empty where nobody needs
+        it for arrays.
+    over_samples
+        Whether the first of them is a state and the others samples that change it one by one:
+        the step of a filter.
     """
 
     name: str
@@ -54,8 +61,5 @@ class Target:
     arguments: tuple[Argument, ...]
     formula: Callable[[], Expr | ImmutableMatrix | Computation]
     entries: tuple[str, ...] = ()
-
-    @property
-    def complex(self) -> bool:
-        """Whether it takes pairs of numbers as complex ones; it is made for NumPy alone then."""
-        return not all(argument.symbol.is_real for argument in self.arguments)
+    arrays: tuple[tuple[str, tuple[Argument, ...]], ...] = ()
+    over_samples: bool = False

@@ -1,29 +1,21 @@
 """A formula in the form in which a computer should evaluate it: named steps, then results."""
 
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-from sympy import Expr, ImmutableMatrix, Mod, Piecewise, Symbol, sign, true
-from sympy.core.function import DefinedFunction
+from sympy import Basic, Expr, ImmutableMatrix, Piecewise, Symbol, true
 from sympy.logic.boolalg import Boolean
 
 # Two units in the last place of pi, four of pi/2: the pitch of a quaternion or matrix that was
 # meant to be at the pole is off by as much once its elements are rounded.
 EPSILON = Symbol("epsilon", positive=True)
 """Distance from 1 to the next number of the type that computes: 2.2e-16 in double precision."""
+LARGEST = Symbol("largest", positive=True)
+"""Largest number of the type that computes: 1.8e308 in double precision."""
+NOTHING = Symbol("nothing", real=True)
+"""What is returned where there is no answer: not a number."""
 LOCK_MARGIN = 8 * EPSILON
 """Gimbal lock is where pitch is closer to ±90° than this, in radians."""
-
-
-class Remainder(DefinedFunction):
-    """What is left of x after whole multiples of m are taken away towards zero: C's fmod."""
-
-    nargs = (2,)
-
-    def _eval_rewrite_as_Mod(self, x: Expr, m: Expr, **_: object) -> Expr:  # noqa: N802 (SymPy's name)
-        return sign(x) * Mod(abs(x), m)
-
-    def _eval_evalf(self, prec: int) -> Expr:
-        return self.rewrite(Mod)._eval_evalf(prec)  # noqa: SLF001 (SymPy's protocol)
 
 
 @dataclass(frozen=True)
@@ -58,6 +50,24 @@ class Choice:
     branches: tuple[tuple[Boolean, tuple[Expr, ...]], ...]
 
 
+def step_names(step: Let | Choice) -> tuple[Symbol, ...]:
+    """Names that a step gives a value."""
+    return (step.name,) if isinstance(step, Let) else step.names
+
+
+def map_step(step: Let | Choice, change: Callable[[Basic], Basic]) -> Let | Choice:
+    """Change the values of a step and keep its names."""
+    if isinstance(step, Let):
+        return Let(step.name, change(step.value))
+    return Choice(
+        step.names,
+        tuple(
+            (change(condition), tuple(change(value) for value in values))
+            for condition, values in step.branches
+        ),
+    )
+
+
 @dataclass(frozen=True)
 class Computation:
     """Named steps in order, and the results in terms of them.
@@ -74,12 +84,36 @@ class Computation:
     guard
         Name of a squared length: where it is zero there is no result, and where it overflows or
         vanishes by rounding the result is wrong, so that the arguments must be scaled.
+    valid
+        Name of the step that says whether the arguments are what the formula is made for.
     """
 
     steps: tuple[Let | Choice, ...]
     results: Expr | ImmutableMatrix
     flag: Symbol | None = None
     guard: Symbol | None = None
+    valid: Symbol | None = None
+
+    def of(self, values: Mapping[Symbol, Expr], prefix: str = "") -> "Computation":
+        """Put values in for its arguments, so that it can be a part of another computation.
+
+        Parameters
+        ----------
+        values
+            From its arguments to what stands for them.
+        prefix
+            What its own names begin with then.
+        """
+        names = [name for step in self.steps for name in step_names(step)]
+        known = {name: Symbol(f"{prefix}{name.name}", real=True) for name in names} | dict(values)
+        steps = tuple(map_step(step, lambda value: value.xreplace(known)) for step in self.steps)
+        renamed = [
+            Let(known[step.name], step.value)
+            if isinstance(step, Let)
+            else Choice(tuple(known[name] for name in step.names), step.branches)
+            for step in steps
+        ]
+        return Computation(tuple(renamed), self.results.xreplace(known))
 
     def inlined(self, *branches: int) -> Expr | ImmutableMatrix:
         """Write the results in the arguments alone, for a proof.

@@ -29,11 +29,13 @@ from sympy import (
     sin,
     solve,
     sqrt,
+    symbols,
 )
 
-from chr_notes.derivations.euler import X, Z, rotation
+from chr_notes.derivations.euler import Z, rotation
+from chr_notes.derivations.quaternions import from_axis_angle, rotate_to_body
 from chr_notes.derivations.sensors import specific_force
-from chr_notes.symbols import ACCELEROMETER, Angle, AngularRate, T, g, m
+from chr_notes.symbols import ACCELEROMETER, VECTOR, Angle, AngularRate, T, g, m
 
 # Gain of the observer; number of steps; error at the start.
 L = Symbol("L", real=True)
@@ -46,6 +48,8 @@ accel_noise = Angle(r"\sigma_{\text{accel}}", positive=True)
 # Angular frequency of a vibration, rad/s.
 omega = Symbol("omega", real=True)
 
+# What an accelerometer would read at rest, along the body axes, in any unit.
+EXPECTED = symbols("e_x e_y e_z", real=True)
 # An angle and its rate before the step, the predicted and the measured angle after it.
 angle, predicted, measured = (
     Angle(f"{name}", real=True) for name in (r"\alpha", r"\alpha^{+}", r"\alpha_{\text{accel}}")
@@ -106,14 +110,25 @@ def update_on_circle(prediction: Expr = predicted, measurement: Expr = measured)
     return prediction + update(Rational(0), shortest_turn(measurement - prediction))
 
 
-def yaw_for_roll(change: Expr) -> Expr:
-    """Change of yaw that undoes what a small change of roll turns the body about the vertical.
+@cache
+def gravity_seen() -> ImmutableMatrix:
+    """Direction of the reading at rest, along the body axes: up, by an attitude quaternion."""
+    up = dict(zip(VECTOR, -Z, strict=True))
+    return ImmutableMatrix(rotate_to_body().xreplace(up))
 
-    Roll turns the body about its own x-axis, yaw about the vertical. The part of the x-axis that
-    points down says how much of the one is also the other; straight up or down it is all of it.
+
+@cache
+def turn_towards() -> ImmutableMatrix:
+    """Turn of the body after which `EXPECTED` lies nearer the accelerometer's reading.
+
+    Seen from the body, what stands still turns the other way: so the body turns from the reading
+    to what was expected, about the axis that is at right angles to both, by the share L of the
+    angle between them. It is multiplied to the attitude from the right.
     """
-    down = (rotation("B", "I") * X).dot(Z)
-    return -down * change
+    across = ImmutableMatrix(ACCELEROMETER).cross(ImmutableMatrix(EXPECTED))
+    length = sqrt(across.dot(across))
+    angle = atan2(length, ImmutableMatrix(ACCELEROMETER).dot(ImmutableMatrix(EXPECTED)))
+    return ImmutableMatrix(from_axis_angle(ImmutableMatrix(across / length), L * angle))
 
 
 @cache

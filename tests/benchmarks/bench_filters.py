@@ -3,7 +3,6 @@
 Run together with `bench_attitudes.py`, so that one stored run holds all times.
 """
 
-import sys
 from collections.abc import Callable
 from functools import cache, partial
 from typing import Any, NamedTuple
@@ -13,13 +12,13 @@ import pytest
 from numpy.typing import NDArray
 from vqf import BasicVQF
 
-from chr_notes import _loops, fixed_gain_observer, integrate_gyro, matrix_from_euler
+from chr_notes import _recordings, fixed_gain_observer, integrate_gyro, matrix_from_euler
 from chr_notes.simulated_sensors import SensorErrors, spoil
 from chr_notes.simulation import at_rest, ideal_readings, swing, trajectory
 
 Floats = NDArray[np.float64]
 SIZE, PERIOD, GAIN = 1_000_000, 0.01, 0.02
-OURS, PLAIN, VQF = "chr_notes", "chr_notes without numba", "VQF, in C++"
+OURS, PLAIN, VQF = "chr_notes", "chr_notes without kernels", "VQF, in C++"
 
 
 class Recording(NamedTuple):
@@ -94,7 +93,7 @@ CASES = [
 def test_speed(benchmark: Any, monkeypatch: pytest.MonkeyPatch, case: Case) -> None:  # noqa: ANN401 (pytest-benchmark has no types)
     given = recording()
     if case.library == PLAIN:
-        monkeypatch.setattr(_loops, "LONG", sys.maxsize)
+        monkeypatch.setattr(_recordings, "kernel", lambda _: None)
     # The first call also compiles.
     down = case.down(case.run(given))
     off = np.degrees(np.arccos(np.clip(np.sum(down * given.down, axis=1), -1, 1)))

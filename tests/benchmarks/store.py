@@ -19,7 +19,6 @@ LIBRARIES = (
     "pytransform3d",
     "transforms3d",
     "symforce",
-    "numba",
     "vqf",
 )
 

@@ -2,7 +2,7 @@
 
 import inspect
 import json
-import re
+from textwrap import indent
 from types import ModuleType
 
 import numpy as np
@@ -30,7 +30,6 @@ def code(part: str) -> str:
     [
         ("python", scalar, code_pages.NAME),
         ("numpy", arrays, code_pages.NAME),
-        ("pairs", arrays, code_pages.PAIRS),
     ],
 )
 def test_the_python_functions_are_those_of_the_modules(
@@ -38,15 +37,6 @@ def test_the_python_functions_are_those_of_the_modules(
 ) -> None:
     shown = inspect.getsource(getattr(module, name)).rstrip()
     assert code(parts[f"code/{part}.md"]) == shown
-
-
-def test_a_product_of_pairs_takes_one_pass_where_real_numbers_take_six() -> None:
-    pairs = inspect.getsource(getattr(arrays, code_pages.PAIRS))
-    real = inspect.getsource(getattr(arrays, code_pages.NAME))
-    turning = re.split(r"# (?:rate_across|out\[1\]) = ", real)[1:]
-    passes = [re.findall(r"(?:multiply|add|subtract)\((?!.*pitch|p,)", part) for part in turning]
-    assert [len(found) for found in passes] == [3, 3]
-    assert pairs.count("multiply(qr, turn,") == 1
 
 
 @pytest.mark.parametrize(
@@ -69,23 +59,20 @@ def test_the_other_functions_are_shown_whole(
 def test_the_steps_shown_compute_the_rates(parts: dict[str, str]) -> None:
     given = {"roll": 0.3, "pitch": -0.8, "p": 0.1, "q": -0.2, "r": 0.4}
     expected = code_pages.euler_rates_from_body_rates(*given.values())
-    for name in ("library", "half_tangent"):
-        known = {"sin": np.sin, "cos": np.cos, "tan": np.tan, **given}
-        for line in parts[f"code/{name}.md"].splitlines()[1:-1]:
-            local, formula = line.split(" = ")
-            known[local] = eval(formula, {}, known)  # noqa: S307 (our own arithmetic)
-        found = [known[rate] for rate in ("roll_rate", "pitch_rate", "yaw_rate")]
-        np.testing.assert_allclose(found, expected, rtol=1e-14)
+    known = {"sin": np.sin, "cos": np.cos, "tan": np.tan, **given}
+    for line in parts["code/library.md"].splitlines()[1:-1]:
+        local, formula = line.split(" = ")
+        known[local] = eval(formula, {}, known)  # noqa: S307 (our own arithmetic)
+    found = [known[rate] for rate in ("roll_rate", "pitch_rate", "yaw_rate")]
+    np.testing.assert_allclose(found, expected, rtol=1e-14)
 
 
-def test_near_the_pole_one_way_loses_digits_and_the_other_does_not(parts: dict[str, str]) -> None:
-    rows = [
-        [float(cell) for cell in line.strip("|").split("|")]
-        for line in parts["code/near_the_pole.md"].splitlines()[2:]
-    ]
-    for _, right, _, from_tangents in rows:
-        assert from_tangents == pytest.approx(right, rel=1e-9)
-    assert abs(rows[-1][2] / rows[-1][1] - 1) > 1e-6
+def test_the_loop_shown_is_that_of_the_kernel(parts: dict[str, str]) -> None:
+    shown = code(parts["code/kernel.md"])
+    text = (code_pages.GENERATED / "c" / "kernels.c").read_text(encoding="utf-8")
+    assert indent(shown, " " * 8) in text
+    assert "sin_roll" in shown
+    assert shown.count("{") == shown.count("}") == 1
 
 
 def test_each_time_of_the_stored_run_is_on_the_page(parts: dict[str, str]) -> None:

@@ -8,17 +8,19 @@ from pathlib import Path
 
 import numpy as np
 
-from chr_notes._arrays import evaluate
+from chr_notes._kernels import kernel
 from chr_notes.codegen.__main__ import FOLDER
 from chr_notes.codegen.javascript import camel
 from chr_notes.codegen.lowering import Program, lower
 from chr_notes.codegen.rewriting import by_library
+from chr_notes.codegen.targets import TARGETS
+from chr_notes.generated.arrays.shapes import SHAPES
 
-from .vectors import REAL, Vector
+from .vectors import Vector
 
 Results = list[list[float]]
 GCC = ("gcc", "-std=c99", "-O2", "-Wall", "-Wextra", "-Wconversion", "-Werror")
-PROGRAMS = {target.name: lower(target, by_library) for target in REAL}
+PROGRAMS = {target.name: lower(target, by_library) for target in TARGETS}
 
 
 def python(vectors: list[Vector]) -> Results:
@@ -38,21 +40,61 @@ def _python(vector: Vector) -> list[float]:
     return [float(result) for result in (results if isinstance(results, tuple) else [results])]
 
 
+def _arrays(name: str, vectors: list[Vector]) -> list[np.ndarray]:
+    """The arguments of all vectors of a function as its arrays, a row each."""
+    own = [v for v in vectors if v.target.name == name]
+    given = []
+    for (_, elements), shape in zip(
+        PROGRAMS[name].target.arrays, SHAPES[name][0].values(), strict=True
+    ):
+        # An array may have elements that the function does not need.
+        names = [argument.name for argument in PROGRAMS[name].target.arguments]
+        columns = [
+            [v.arguments[names.index(e.name)] if e.name in names else 0.0 for v in own]
+            for e in elements
+        ]
+        given.append(np.ascontiguousarray(np.transpose(columns)).reshape(len(own), *shape))
+    return given
+
+
 def numpy(vectors: list[Vector]) -> Results:
     """Call the functions of arrays, each once with all its vectors as rows."""
-    results: dict[str, list[list[float]]] = {}
+    results = {}
     for name, program in PROGRAMS.items():
-        target = program.target
-        rows = np.array([v.arguments for v in vectors if v.target.name == name])
-        out = np.empty((len(rows), len(program.results)))
-        function = getattr(import_module(f"chr_notes.generated.arrays.{target.topic}"), name)
-        locked = evaluate(function, list(rows.T), list(out.T), every_place=True)
-        flag = np.zeros(len(rows))
-        flag[locked.places] = 1
-        columns = [out] if program.flag is None else [out, flag[:, np.newaxis]]
-        results[name] = np.hstack(columns).tolist()
+        if name not in SHAPES or program.target.over_samples:
+            continue
+        given = _arrays(name, vectors)
+        out = np.empty((len(given[0]), *SHAPES[name][1]))
+        function = getattr(
+            import_module(f"chr_notes.generated.arrays.{program.target.topic}"), name
+        )
+        with np.errstate(all="ignore"):
+            flag = function(*given, out)
+        rows = out.reshape(len(out), -1)
+        results[name] = (rows if flag is None else np.column_stack([rows, flag])).tolist()
+    return _in_order(vectors, results)
+
+
+def kernels(vectors: list[Vector]) -> Results:
+    """Call the kernels; of a row that one leaves to the general way nothing is returned."""
+    results = {}
+    for name, program in PROGRAMS.items():
+        if name not in SHAPES or program.target.over_samples:
+            continue
+        given = _arrays(name, vectors)
+        function = kernel(name)
+        assert function is not None
+        done = function(*given, None)
+        out, left = done if isinstance(done, tuple) else (done, bytes(len(given[0])))
+        flag = [0.0] * (program.flag is not None)
+        rows = out.reshape(len(out), -1).tolist()
+        results[name] = [[] if odd else row + flag for row, odd in zip(rows, left, strict=True)]
+    return _in_order(vectors, results)
+
+
+def _in_order(vectors: list[Vector], results: dict[str, Results]) -> Results:
     remaining = {name: iter(rows) for name, rows in results.items()}
-    return [next(remaining[vector.target.name]) for vector in vectors]
+    return [next(remaining.get(vector.target.name, iter([[]]))) for vector in vectors]
 
 
 def node(file: Path, folder: Path) -> Results:

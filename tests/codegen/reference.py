@@ -5,6 +5,7 @@ only constants are rounded to the type that computes, as they are in any languag
 """
 
 import struct
+import sys
 from collections.abc import Callable
 from functools import cache
 from typing import Any
@@ -15,7 +16,7 @@ from sympy.core.relational import Relational
 from sympy.logic.boolalg import And, BooleanTrue, Not, Or
 
 from chr_notes.codegen.target import Target
-from chr_notes.derivations.computation import EPSILON, Choice, Computation, Let
+from chr_notes.derivations.computation import EPSILON, LARGEST, NOTHING, Choice, Computation, Let
 
 MP = mpmath.mp.clone()
 MP.dps = 50
@@ -37,11 +38,14 @@ class Reference:
         Rounds a constant to the type that computes.
     epsilon
         Distance from 1 to the next number of that type.
+    largest
+        Its largest number.
     """
 
-    def __init__(self, rounded: Callable[[float], float], epsilon: float) -> None:
+    def __init__(self, rounded: Callable[[float], float], epsilon: float, largest: float) -> None:
         self.rounded = rounded
         self.epsilon = epsilon
+        self.largest = largest
 
     def results(self, target: Target, values: tuple[float, ...]) -> list[Number]:
         """Compute the elements of the result, and after them the flag if there is one."""
@@ -50,6 +54,7 @@ class Reference:
             argument.symbol: MP.mpf(value)
             for argument, value in zip(target.arguments, values, strict=True)
         }
+        known |= {LARGEST: MP.mpf(self.largest), NOTHING: NAN}
         for step in computation.steps:
             if isinstance(step, Let):
                 known[step.name] = self.value(step.value, known)
@@ -129,13 +134,6 @@ def _atan2(_: Basic, parts: list[Number]) -> Number:
     return MP.atan2(y, x)
 
 
-def _remainder(_: Basic, parts: list[Number]) -> Number:
-    value, whole = parts
-    if not MP.isfinite(value):
-        return NAN
-    return MP.sign(value) * (abs(value) - whole * MP.floor(abs(value) / whole))
-
-
 def _relation(expression: Basic, parts: list[Number]) -> bool:
     left, right = parts
     if MP.isnan(left) or MP.isnan(right):
@@ -168,8 +166,7 @@ OPERATIONS: dict[str, Callable[..., Number]] = {
     "Abs": lambda _, parts: abs(parts[0]),
     "hypot": lambda _, parts: MP.hypot(*parts),
     "atan2": _atan2,
-    "Remainder": _remainder,
 }
 
-DOUBLE = Reference(float, 2.0**-52)
-SINGLE = Reference(single, 2.0**-23)
+DOUBLE = Reference(float, 2.0**-52, sys.float_info.max)
+SINGLE = Reference(single, 2.0**-23, (2 - 2.0**-23) * 2.0**127)

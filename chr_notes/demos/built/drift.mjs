@@ -8,11 +8,7 @@ var define_TABLE_1_default = { "0.1": ["0.017", "0.17", "1.7", "61.2", "6120", "
 function driftFromTiltError(angleError, time, gravity) {
   const sinAngleError = Math.sin(angleError);
   const gravitySinAngleError = gravity * sinAngleError;
-  return [
-    gravitySinAngleError,
-    gravitySinAngleError * time,
-    0.5 * gravitySinAngleError * (time * time)
-  ];
+  return [gravitySinAngleError, gravitySinAngleError * time, 0.5 * gravitySinAngleError * (time * time)];
 }
 function positionAtLastVelocity(angleError, time, gravity) {
   const sinAngleError = Math.sin(angleError);

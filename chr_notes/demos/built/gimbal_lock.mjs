@@ -17,7 +17,7 @@ function matrixFromEuler(roll, pitch, yaw) {
     cosPitch * cosYaw,
     cosPitch * sinYaw,
     -sinPitch,
-    cosYawSinRoll * sinPitch - cosRollSinYaw,
+    -cosRollSinYaw + cosYawSinRoll * sinPitch,
     cosRollCosYaw + sinPitch * sinRollSinYaw,
     cosPitch * sinRoll,
     cosRollCosYaw * sinPitch + sinRollSinYaw,

@@ -20,7 +20,7 @@
       cosPitch * cosYaw,
       cosPitch * sinYaw,
       -sinPitch,
-      cosYawSinRoll * sinPitch - cosRollSinYaw,
+      -cosRollSinYaw + cosYawSinRoll * sinPitch,
       cosRollCosYaw + sinPitch * sinRollSinYaw,
       cosPitch * sinRoll,
       cosRollCosYaw * sinPitch + sinRollSinYaw,
@@ -58,14 +58,16 @@
     return (Math.abs(sinPitch) + 1) * Math.abs(secPitch);
   }
   function wrapAngle(angle) {
-    const rest = angle % 6.283185307179586;
+    const sinAngle = Math.sin(angle);
+    const cosAngle = Math.cos(angle);
+    const principal = Math.atan2(sinAngle, cosAngle);
     let wrapped;
-    if (rest >= 3.141592653589793) {
-      wrapped = rest - 6.283185307179586;
-    } else if (rest < -3.141592653589793) {
-      wrapped = rest + 6.283185307179586;
+    if (angle >= -3.141592653589793 && angle < 3.141592653589793) {
+      wrapped = angle;
+    } else if (principal >= 3.141592653589793) {
+      wrapped = -3.141592653589793;
     } else {
-      wrapped = rest;
+      wrapped = principal;
     }
     return wrapped;
   }
@@ -96,7 +98,22 @@
     return [gravity * sinPitch, -cosPitchGravity * sinRoll, -cosPitchGravity * cosRoll];
   }
   function tiltFromAccelerometer(accelX, accelY, accelZ) {
-    return [Math.atan2(-accelY, -accelZ), Math.atan2(accelX, Math.hypot(accelY, accelZ))];
+    const size = Math.abs(accelX) + Math.abs(accelY) + Math.abs(accelZ);
+    const hasDirection = size <= 17976931348623157e292 && size > 0;
+    const across = Math.hypot(accelY, accelZ);
+    const rollSeen = Math.atan2(-accelY, -accelZ);
+    let roll;
+    if (!hasDirection) {
+      roll = NaN;
+    } else if (across <= 0) {
+      roll = 0;
+    } else if (rollSeen <= -3.141592653589793) {
+      roll = 3.141592653589793;
+    } else {
+      roll = rollSeen;
+    }
+    const pitch = hasDirection ? Math.atan2(accelX, across) : NaN;
+    return [roll, pitch];
   }
   function accelerometerFromAcceleration(accelNorth, accelEast, accelDown, roll, pitch, yaw, gravity) {
     const sinPitch = Math.sin(pitch);
@@ -114,7 +131,7 @@
     const cosPitchCosRoll = cosPitch * cosRoll;
     const cosRollSinPitch = cosRoll * sinPitch;
     return [
-      accelEastSinYaw * cosPitch - accelDown * sinPitch + accelNorthCosYaw * cosPitch + gravity * sinPitch,
+      -accelDown * sinPitch + accelEastSinYaw * cosPitch + accelNorthCosYaw * cosPitch + gravity * sinPitch,
       accelDown * cosPitchSinRoll + accelEastCosYaw * cosRoll + accelEastSinYaw * sinPitchSinRoll + accelNorthCosYaw * sinPitchSinRoll - accelNorthSinYaw * cosRoll - cosPitchSinRoll * gravity,
       accelDown * cosPitchCosRoll - accelEastCosYaw * sinRoll + accelEastSinYaw * cosRollSinPitch + accelNorthCosYaw * cosRollSinPitch + accelNorthSinYaw * sinRoll - cosPitchCosRoll * gravity
     ];
@@ -122,11 +139,7 @@
   function driftFromTiltError(angleError, time, gravity) {
     const sinAngleError = Math.sin(angleError);
     const gravitySinAngleError = gravity * sinAngleError;
-    return [
-      gravitySinAngleError,
-      gravitySinAngleError * time,
-      0.5 * gravitySinAngleError * (time * time)
-    ];
+    return [gravitySinAngleError, gravitySinAngleError * time, 0.5 * gravitySinAngleError * (time * time)];
   }
   function positionAtLastVelocity(angleError, time, gravity) {
     const sinAngleError = Math.sin(angleError);

@@ -2,9 +2,10 @@
 
 from functools import cache
 
-from sympy import ImmutableMatrix, symbols
+from sympy import Abs, And, ImmutableMatrix, Symbol, symbols
 
 from chr_notes.derivations import dead_reckoning
+from chr_notes.derivations.computation import LARGEST, Choice, Computation, Let, otherwise
 from chr_notes.derivations.estimation import euler_step
 from chr_notes.symbols import T
 
@@ -29,13 +30,22 @@ def step() -> ImmutableMatrix:
     ).applyfunc(lambda value: value.expand().collect(T))
 
 
-def velocity_step() -> ImmutableMatrix:
-    """Velocity after a period through which the acceleration is held: the step of the notes."""
-    pairs = zip(dead_reckoning.VELOCITY, dead_reckoning.ACCELERATION, strict=True)
-    return ImmutableMatrix([euler_step(*pair) for pair in pairs])
+@cache
+def held_step() -> Computation:
+    """Velocity and position after the step of the notes.
 
-
-def position_step() -> ImmutableMatrix:
-    """Position after a period through which the velocity is held: the step of the notes."""
+    The position goes on by the velocity before the period, the velocity by the acceleration held
+    through it. An acceleration that is NaN is held out: the velocity stays.
+    """
+    known = Symbol("known", real=True)
+    held = symbols("held_north held_east held_down", real=True)
+    numbers = [Abs(element) <= LARGEST for element in dead_reckoning.ACCELERATION]
+    none = (0 * element for element in dead_reckoning.ACCELERATION)
+    values = tuple(dead_reckoning.ACCELERATION)
+    velocity = [euler_step(*pair) for pair in zip(dead_reckoning.VELOCITY, held, strict=True)]
     pairs = zip(dead_reckoning.POSITION, dead_reckoning.VELOCITY, strict=True)
-    return ImmutableMatrix([euler_step(*pair) for pair in pairs])
+    position = [euler_step(*pair) for pair in pairs]
+    return Computation(
+        (Let(known, And(*numbers)), Choice(held, ((known, values), otherwise(*none)))),
+        ImmutableMatrix([*velocity, *position]),
+    )

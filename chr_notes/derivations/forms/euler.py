@@ -1,10 +1,13 @@
 """Forms of the Euler-angle formulas."""
 
+from dataclasses import replace
 from functools import cache
 
 from sympy import (
     Abs,
+    And,
     Expr,
+    Float,
     ImmutableMatrix,
     Not,
     Symbol,
@@ -12,7 +15,11 @@ from sympy import (
     collect,
     cos,
     expand,
+    eye,
     pi,
+    sin,
+    sqrt,
+    symbols,
     tan,
 )
 from sympy.codegen.cfunctions import hypot
@@ -23,13 +30,18 @@ from chr_notes.derivations.computation import (
     Choice,
     Computation,
     Let,
-    Remainder,
     otherwise,
 )
 from chr_notes.symbols import theta
 
 ROLL, PITCH, YAW, LOCKED = (Symbol(name, real=True) for name in ("roll", "pitch", "yaw", "locked"))
 ANGLE = Symbol("angle", real=True)
+ROTATION = Symbol("rotation", real=True)
+ROTATION_TOLERANCE = Float("1e-4")
+"""How far `R Rᵀ` may be off the identity, as the root mean square over its elements.
+
+Matrices that are printed with four digits still pass.
+"""
 
 
 @cache
@@ -75,6 +87,34 @@ def with_lock(steps: tuple[Let, ...], angles: ImmutableMatrix, yaw_at_lock: Expr
     )
 
 
+def _defect() -> tuple[tuple[Let, ...], Expr, Expr]:
+    """Elements of `R Rᵀ - 1`, their mean square, and the determinant of R."""
+    matrix = quaternions.MATRIX
+    off = matrix * matrix.T - eye(3)
+    # The matrix is symmetric: each element off its diagonal counts twice.
+    places = [(row, column) for row in range(3) for column in range(row + 1)]
+    lets = [Let(Symbol(f"off_{i + 1}{j + 1}", real=True), off[i, j]) for i, j in places]
+    squares = [(1 + (i != j)) * let.name**2 for (i, j), let in zip(places, lets, strict=True)]
+    first, second, third = (matrix.row(row) for row in range(3))
+    return tuple(lets), sum(squares) / 9, third.dot(first.cross(second))
+
+
+@cache
+def rotation_defect() -> Computation:
+    """By how much a matrix is not a rotation: root mean square of `R Rᵀ - 1`, and determinant."""
+    lets, square, determinant = _defect()
+    return Computation(lets, ImmutableMatrix([sqrt(square), determinant]))
+
+
+def of_a_rotation(computation: Computation) -> Computation:
+    """Add to a computation from a matrix whether that is a rotation."""
+    square, determinant = symbols("squared_defect determinant", real=True)
+    lets, *values = _defect()
+    close = And(square <= ROTATION_TOLERANCE**2, determinant >= 0)
+    told = (*map(Let, (square, determinant), values), Let(ROTATION, close))
+    return replace(computation, steps=(*computation.steps, *lets, *told), valid=ROTATION)
+
+
 @cache
 def euler_from_matrix() -> Computation:
     """Euler angles of a matrix `R_I^B`, at gimbal lock too.
@@ -92,25 +132,23 @@ def euler_from_matrix() -> Computation:
         east * matrix[2, 0] - north * matrix[2, 1], north * matrix[1, 1] - east * matrix[1, 0]
     )
     angles = ImmutableMatrix([roll, atan2(pitch.args[0], hypot(north, east)), yaw])
-    return with_lock((), angles, quaternions.yaw_without_roll(matrix))
+    return of_a_rotation(with_lock((), angles, quaternions.yaw_without_roll(matrix)))
 
 
 @cache
 def wrap_angle() -> Computation:
-    """Angle less whole turns, in [-pi, pi); one that is there already stays as it is."""
-    rest = Symbol("rest", real=True)
-    wrapped = Symbol("wrapped", real=True)
+    """Angle less whole turns, in [-pi, pi); one that is there already stays as it is.
+
+    The angle whose sine and cosine are these is right at every size, where taking multiples of a
+    rounded 2 pi away is not.
+    """
+    there, wrapped = symbols("principal wrapped", real=True)
+    within = And(ANGLE >= -pi, ANGLE < pi)  # noqa: SIM300 (an angle, no constant)
     return Computation(
         (
-            Let(rest, Remainder(ANGLE, 2 * pi)),
-            Choice(
-                (wrapped,),
-                (
-                    (rest >= pi, (rest - 2 * pi,)),
-                    (rest < -pi, (rest + 2 * pi,)),
-                    otherwise(rest),
-                ),
-            ),
+            Let(there, atan2(sin(ANGLE), cos(ANGLE))),
+            # Rounded, pi is less than it is.
+            Choice((wrapped,), ((within, (ANGLE,)), (there >= pi, (-pi,)), otherwise(there))),
         ),
         wrapped,
     )

@@ -20,7 +20,7 @@ from sympy import (
 
 from chr_notes.derivations import hamilton, quaternions
 from chr_notes.derivations.computation import Choice, Computation, Let, otherwise
-from chr_notes.derivations.forms.euler import with_lock
+from chr_notes.derivations.forms.euler import of_a_rotation, with_lock
 from chr_notes.symbols import AXIS, QUATERNION, VECTOR, a, alpha, b, c, d
 
 NORM_SQUARED = Symbol("norm_squared", real=True)
@@ -121,13 +121,15 @@ def quaternion_from_matrix() -> Computation:
     conditions = {1: And(r_33 < 0, r_11 > r_22), 2: r_33 < 0, 3: r_11 < -r_22}
     branches = [(conditions[row], tuple(products.row(row))) for row in conditions]
     square = sum(name**2 for name in names)
-    return Computation(
-        (
-            Choice(names, (*branches, otherwise(*products.row(0)))),
-            Let(NORM_SQUARED, square),
-            _positive(names[0]),
-        ),
-        ImmutableMatrix(names) * (SIGN / sqrt(NORM_SQUARED)),
+    return of_a_rotation(
+        Computation(
+            (
+                Choice(names, (*branches, otherwise(*products.row(0)))),
+                Let(NORM_SQUARED, square),
+                _positive(names[0]),
+            ),
+            ImmutableMatrix(names) * (SIGN / sqrt(NORM_SQUARED)),
+        )
     )
 
 

@@ -4,998 +4,324 @@ quaternions.3.2, quaternions.3.3, quaternions.3.4, quaternions.3.a, quaternions.
 quaternions.4.1, quaternions.4.2, quaternions.4.3, quaternions.4.b.
 """
 
-from collections.abc import Sequence
-
-from numpy import (
-    absolute,
-    add,
-    arctan2,
-    bool_,
-    complex128,
-    conjugate,
-    copyto,
-    divide,
-    float64,
-    greater,
-    greater_equal,
-    less,
-    less_equal,
-    logical_and,
-    logical_not,
-    multiply,
-    sqrt,
-    square,
-    subtract,
-    tan,
-)
+from numpy import arctan2, asarray, bool_, cos, float64, sin, sqrt, where
 from numpy.typing import NDArray
 
-Block = NDArray[float64]
-Pairs = NDArray[complex128]
+Floats = NDArray[float64]
 
 
-def matrix_from_quaternion(
-    a: Block, b: Block, c: Block, d: Block, out: Sequence[Block], work: Sequence[Block]
-) -> tuple[Block, None]:
+def matrix_from_quaternion(q: Floats, out: Floats) -> None:
     """Matrix from the inertial to the body frame, row by row (3 by 3).
 
-    a: scalar part of the attitude quaternion
-    b: factor of i of the attitude quaternion
-    c: factor of j of the attitude quaternion
-    d: factor of k of the attitude quaternion
-    out: 9 arrays for the elements
-    work: 16 arrays for what is computed on the way
+    q: a, b, c, d, shape (..., 4)
+    out: for the result, shape (..., 3, 3)
 
-    Returns the norm squared.
+    Right as long as the norm squared neither overflows nor vanishes.
+    Ledger: quaternions.3.3.
+    """
+    a = q[..., 0]
+    b = q[..., 1]
+    c = q[..., 2]
+    d = q[..., 3]
+    norm_squared = a*a + b*b + c*c + d*d
+    factor = 2.0/norm_squared
+    scaled_b = b*factor
+    scaled_c = c*factor
+    scaled_d = d*factor
+    c_scaled_c = c*scaled_c
+    d_scaled_d = d*scaled_d
+    one_minus_r11 = c_scaled_c + d_scaled_d
+    b_scaled_b = b*scaled_b
+    one_minus_r22 = b_scaled_b + d_scaled_d
+    one_minus_r33 = b_scaled_b + c_scaled_c
+    c_scaled_b = c*scaled_b
+    a_scaled_d = a*scaled_d
+    d_scaled_b = d*scaled_b
+    a_scaled_c = a*scaled_c
+    d_scaled_c = d*scaled_c
+    a_scaled_b = a*scaled_b
+    out[..., 0, 0] = 1.0 - one_minus_r11
+    out[..., 0, 1] = a_scaled_d + c_scaled_b
+    out[..., 0, 2] = -a_scaled_c + d_scaled_b
+    out[..., 1, 0] = -a_scaled_d + c_scaled_b
+    out[..., 1, 1] = 1.0 - one_minus_r22
+    out[..., 1, 2] = a_scaled_b + d_scaled_c
+    out[..., 2, 0] = a_scaled_c + d_scaled_b
+    out[..., 2, 1] = -a_scaled_b + d_scaled_c
+    out[..., 2, 2] = 1.0 - one_minus_r33
+
+
+def quaternion_from_matrix(matrix: Floats, out: Floats) -> None:
+    """Unit quaternion with a >= 0 (4).
+
+    matrix: r11, r12, r13, r21, r22, r23, r31, r32, r33, shape (..., 3, 3)
+    out: for the result, shape (..., 4)
 
     Ledger: quaternions.3.3.
     """
-    # norm_squared = a * a + b * b + c * c + d * d
-    square(a, out=work[0])
-    square(b, out=work[1])
-    add(work[0], work[1], out=work[0])
-    square(c, out=work[1])
-    add(work[0], work[1], out=work[0])
-    square(d, out=work[1])
-    norm_squared = add(work[0], work[1], out=work[0])
-    factor = divide(2.0, norm_squared, out=work[1])
-    scaled_b = multiply(b, factor, out=work[2])
-    scaled_c = multiply(c, factor, out=work[3])
-    scaled_d = multiply(d, factor, out=work[1])
-    c_scaled_c = multiply(c, scaled_c, out=work[4])
-    d_scaled_d = multiply(d, scaled_d, out=work[5])
-    one_minus_r11 = add(c_scaled_c, d_scaled_d, out=work[6])
-    b_scaled_b = multiply(b, scaled_b, out=work[7])
-    one_minus_r22 = add(b_scaled_b, d_scaled_d, out=work[5])
-    one_minus_r33 = add(b_scaled_b, c_scaled_c, out=work[4])
-    c_scaled_b = multiply(c, scaled_b, out=work[7])
-    a_scaled_d = multiply(a, scaled_d, out=work[1])
-    d_scaled_b = multiply(d, scaled_b, out=work[8])
-    a_scaled_c = multiply(a, scaled_c, out=work[9])
-    d_scaled_c = multiply(d, scaled_c, out=work[3])
-    a_scaled_b = multiply(a, scaled_b, out=work[2])
-    subtract(1.0, one_minus_r11, out=out[0])
-    add(a_scaled_d, c_scaled_b, out=out[1])
-    subtract(d_scaled_b, a_scaled_c, out=out[2])
-    subtract(c_scaled_b, a_scaled_d, out=out[3])
-    subtract(1.0, one_minus_r22, out=out[4])
-    add(a_scaled_b, d_scaled_c, out=out[5])
-    add(a_scaled_c, d_scaled_b, out=out[6])
-    subtract(d_scaled_c, a_scaled_b, out=out[7])
-    subtract(1.0, one_minus_r33, out=out[8])
-    return norm_squared, None
+    r11 = matrix[..., 0, 0]
+    r12 = matrix[..., 0, 1]
+    r13 = matrix[..., 0, 2]
+    r21 = matrix[..., 1, 0]
+    r22 = matrix[..., 1, 1]
+    r23 = matrix[..., 1, 2]
+    r31 = matrix[..., 2, 0]
+    r32 = matrix[..., 2, 1]
+    r33 = matrix[..., 2, 2]
+    a = (
+        where((r11 > r22) & (r33 < 0.0), r23 - r32, where(r33 < 0.0, -r13 + r31, where(r11 < -r22,
+            r12 - r21, r11 + r22 + r33 + 1.0)))
+    )
+    b = (
+        where((r11 > r22) & (r33 < 0.0), r11 - r22 - r33 + 1.0, where(r33 < 0.0, r12 + r21,
+            where(r11 < -r22, r13 + r31, r23 - r32)))
+    )
+    c = (
+        where((r11 > r22) & (r33 < 0.0), r12 + r21, where(r33 < 0.0, -r11 + r22 - r33 + 1.0,
+            where(r11 < -r22, r23 + r32, -r13 + r31)))
+    )
+    d = (
+        where((r11 > r22) & (r33 < 0.0), r13 + r31, where(r33 < 0.0, r23 + r32, where(r11 < -r22,
+            -r11 - r22 + r33 + 1.0, r12 - r21)))
+    )
+    norm_squared = a*a + b*b + c*c + d*d
+    sign = where(a >= 0.0, 1.0, -1.0)
+    common_0 = sign/sqrt(norm_squared)
+    out[..., 0] = a*common_0
+    out[..., 1] = b*common_0
+    out[..., 2] = c*common_0
+    out[..., 3] = common_0*d
 
 
-def quaternion_from_matrix(
-    r11: Block,
-    r12: Block,
-    r13: Block,
-    r21: Block,
-    r22: Block,
-    r23: Block,
-    r31: Block,
-    r32: Block,
-    r33: Block,
-    out: Sequence[Block],
-    work: Sequence[Block],
-) -> None:
+def quaternion_from_euler(euler: Floats, out: Floats) -> None:
     """Unit quaternion with a >= 0 (4).
 
-    r11: row 1, column 1 of the matrix from the inertial to the body frame
-    r12: row 1, column 2 of the matrix from the inertial to the body frame
-    r13: row 1, column 3 of the matrix from the inertial to the body frame
-    r21: row 2, column 1 of the matrix from the inertial to the body frame
-    r22: row 2, column 2 of the matrix from the inertial to the body frame
-    r23: row 2, column 3 of the matrix from the inertial to the body frame
-    r31: row 3, column 1 of the matrix from the inertial to the body frame
-    r32: row 3, column 2 of the matrix from the inertial to the body frame
-    r33: row 3, column 3 of the matrix from the inertial to the body frame
-    out: 4 arrays for the elements
-    work: 16 arrays for what is computed on the way
-
-    Ledger: quaternions.3.3.
+    euler: roll, pitch, yaw, shape (..., 3)
+    out: for the result, shape (..., 4)
     """
-    a = subtract(r23, r32, out=work[0])
-    subtract(r11, r22, out=work[1])
-    subtract(work[1], r33, out=work[1])
-    b = add(work[1], 1.0, out=work[1])
-    c = add(r12, r21, out=work[2])
-    d = add(r13, r31, out=work[3])
-    condition_2 = greater(r11, r22)
-    condition_3 = less(r33, 0.0)
-    condition_4 = logical_and(condition_2, condition_3)
-    condition_5 = logical_not(condition_4)
-    if condition_5.any():
-        add(r11, r22, out=work[4])
-        add(work[4], r33, out=work[4])
-        add(work[4], 1.0, out=work[4])
-        copyto(a, work[4], where=condition_5)
-        subtract(r23, r32, out=work[4])
-        copyto(b, work[4], where=condition_5)
-        subtract(r31, r13, out=work[4])
-        copyto(c, work[4], where=condition_5)
-        subtract(r12, r21, out=work[4])
-        copyto(d, work[4], where=condition_5)
-        multiply(r22, -1.0, out=work[4])
-        condition_13 = less(r11, work[4])
-        condition_14 = logical_and(condition_5, condition_13)
-        subtract(r12, r21, out=work[4])
-        copyto(a, work[4], where=condition_14)
-        add(r13, r31, out=work[4])
-        copyto(b, work[4], where=condition_14)
-        add(r23, r32, out=work[4])
-        copyto(c, work[4], where=condition_14)
-        subtract(r33, r11, out=work[4])
-        subtract(work[4], r22, out=work[4])
-        add(work[4], 1.0, out=work[4])
-        copyto(d, work[4], where=condition_14)
-        condition_21 = less(r33, 0.0)
-        condition_22 = logical_and(condition_5, condition_21)
-        subtract(r31, r13, out=work[4])
-        copyto(a, work[4], where=condition_22)
-        add(r12, r21, out=work[4])
-        copyto(b, work[4], where=condition_22)
-        subtract(r22, r11, out=work[4])
-        subtract(work[4], r33, out=work[4])
-        add(work[4], 1.0, out=work[4])
-        copyto(c, work[4], where=condition_22)
-        add(r23, r32, out=work[4])
-        copyto(d, work[4], where=condition_22)
-    # norm_squared = a * a + b * b + c * c + d * d
-    square(a, out=work[4])
-    square(b, out=work[5])
-    add(work[4], work[5], out=work[4])
-    square(c, out=work[5])
-    add(work[4], work[5], out=work[4])
-    square(d, out=work[5])
-    norm_squared = add(work[4], work[5], out=work[4])
-    sign = work[5]
-    copyto(sign, 1.0)
-    condition_35 = greater_equal(a, 0.0)
-    condition_36 = logical_not(condition_35)
-    if condition_36.any():
-        copyto(sign, -1.0, where=condition_36)
-    # common_0 = sign / sqrt(norm_squared)
-    sqrt(norm_squared, out=work[4])
-    common_0 = divide(sign, work[4], out=work[4])
-    multiply(a, common_0, out=out[0])
-    multiply(b, common_0, out=out[1])
-    multiply(c, common_0, out=out[2])
-    multiply(common_0, d, out=out[3])
+    roll = euler[..., 0]
+    pitch = euler[..., 1]
+    yaw = euler[..., 2]
+    sin_half_pitch = sin(0.5*pitch)
+    cos_half_pitch = cos(0.5*pitch)
+    sin_half_roll = sin(0.5*roll)
+    cos_half_roll = cos(0.5*roll)
+    sin_half_yaw = sin(0.5*yaw)
+    cos_half_yaw = cos(0.5*yaw)
+    cos_half_pitch_cos_half_yaw = cos_half_pitch*cos_half_yaw
+    sin_half_pitch_sin_half_yaw = sin_half_pitch*sin_half_yaw
+    a = cos_half_pitch_cos_half_yaw*cos_half_roll + sin_half_pitch_sin_half_yaw*sin_half_roll
+    b = cos_half_pitch_cos_half_yaw*sin_half_roll - cos_half_roll*sin_half_pitch_sin_half_yaw
+    cos_half_pitch_sin_half_yaw = cos_half_pitch*sin_half_yaw
+    cos_half_yaw_sin_half_pitch = cos_half_yaw*sin_half_pitch
+    c = cos_half_pitch_sin_half_yaw*sin_half_roll + cos_half_roll*cos_half_yaw_sin_half_pitch
+    d = cos_half_pitch_sin_half_yaw*cos_half_roll - cos_half_yaw_sin_half_pitch*sin_half_roll
+    sign = where(a >= 0.0, 1.0, -1.0)
+    out[..., 0] = a*sign
+    out[..., 1] = b*sign
+    out[..., 2] = c*sign
+    out[..., 3] = d*sign
 
 
-def quaternion_from_euler(
-    roll: Block, pitch: Block, yaw: Block, out: Sequence[Block], work: Sequence[Block]
-) -> None:
-    """Unit quaternion with a >= 0 (4).
-
-    roll: roll about the body x-axis, radians
-    pitch: pitch about the vehicle-1 y-axis, radians
-    yaw: yaw about the inertial z-axis, radians
-    out: 4 arrays for the elements
-    work: 16 arrays for what is computed on the way
-    """
-    # tan_quarter_pitch = tan(pitch / 4.0)
-    multiply(pitch, 0.25, out=work[0])
-    tan_quarter_pitch = tan(work[0], out=work[0])
-    # one_plus_cos_half_pitch = 2.0 / (tan_quarter_pitch * tan_quarter_pitch + 1.0)
-    square(tan_quarter_pitch, out=work[1])
-    add(work[1], 1.0, out=work[1])
-    one_plus_cos_half_pitch = divide(2.0, work[1], out=work[1])
-    sin_half_pitch = multiply(one_plus_cos_half_pitch, tan_quarter_pitch, out=work[0])
-    cos_half_pitch = subtract(one_plus_cos_half_pitch, 1.0, out=work[1])
-    # tan_quarter_roll = tan(roll / 4.0)
-    multiply(roll, 0.25, out=work[2])
-    tan_quarter_roll = tan(work[2], out=work[2])
-    # one_plus_cos_half_roll = 2.0 / (tan_quarter_roll * tan_quarter_roll + 1.0)
-    square(tan_quarter_roll, out=work[3])
-    add(work[3], 1.0, out=work[3])
-    one_plus_cos_half_roll = divide(2.0, work[3], out=work[3])
-    sin_half_roll = multiply(one_plus_cos_half_roll, tan_quarter_roll, out=work[2])
-    cos_half_roll = subtract(one_plus_cos_half_roll, 1.0, out=work[3])
-    # tan_quarter_yaw = tan(yaw / 4.0)
-    multiply(yaw, 0.25, out=work[4])
-    tan_quarter_yaw = tan(work[4], out=work[4])
-    # one_plus_cos_half_yaw = 2.0 / (tan_quarter_yaw * tan_quarter_yaw + 1.0)
-    square(tan_quarter_yaw, out=work[5])
-    add(work[5], 1.0, out=work[5])
-    one_plus_cos_half_yaw = divide(2.0, work[5], out=work[5])
-    sin_half_yaw = multiply(one_plus_cos_half_yaw, tan_quarter_yaw, out=work[4])
-    cos_half_yaw = subtract(one_plus_cos_half_yaw, 1.0, out=work[5])
-    cos_half_pitch_cos_half_yaw = multiply(cos_half_pitch, cos_half_yaw, out=work[6])
-    sin_half_pitch_sin_half_yaw = multiply(sin_half_pitch, sin_half_yaw, out=work[7])
-    # a = cos_half_pitch_cos_half_yaw * cos_half_roll
-    #     + sin_half_pitch_sin_half_yaw * sin_half_roll
-    multiply(cos_half_pitch_cos_half_yaw, cos_half_roll, out=work[8])
-    multiply(sin_half_pitch_sin_half_yaw, sin_half_roll, out=work[9])
-    a = add(work[8], work[9], out=work[8])
-    # b = cos_half_pitch_cos_half_yaw * sin_half_roll
-    #     - cos_half_roll * sin_half_pitch_sin_half_yaw
-    multiply(cos_half_pitch_cos_half_yaw, sin_half_roll, out=work[6])
-    multiply(cos_half_roll, sin_half_pitch_sin_half_yaw, out=work[7])
-    b = subtract(work[6], work[7], out=work[6])
-    cos_half_pitch_sin_half_yaw = multiply(cos_half_pitch, sin_half_yaw, out=work[1])
-    cos_half_yaw_sin_half_pitch = multiply(cos_half_yaw, sin_half_pitch, out=work[0])
-    # c = cos_half_pitch_sin_half_yaw * sin_half_roll
-    #     + cos_half_roll * cos_half_yaw_sin_half_pitch
-    multiply(cos_half_pitch_sin_half_yaw, sin_half_roll, out=work[4])
-    multiply(cos_half_roll, cos_half_yaw_sin_half_pitch, out=work[5])
-    c = add(work[4], work[5], out=work[4])
-    # d = cos_half_pitch_sin_half_yaw * cos_half_roll
-    #     - cos_half_yaw_sin_half_pitch * sin_half_roll
-    multiply(cos_half_pitch_sin_half_yaw, cos_half_roll, out=work[1])
-    multiply(cos_half_yaw_sin_half_pitch, sin_half_roll, out=work[0])
-    d = subtract(work[1], work[0], out=work[0])
-    sign = work[1]
-    copyto(sign, 1.0)
-    condition_17 = greater_equal(a, 0.0)
-    condition_18 = logical_not(condition_17)
-    if condition_18.any():
-        copyto(sign, -1.0, where=condition_18)
-    multiply(a, sign, out=out[0])
-    multiply(b, sign, out=out[1])
-    multiply(c, sign, out=out[2])
-    multiply(d, sign, out=out[3])
-
-
-def euler_from_quaternion(
-    a: Block, b: Block, c: Block, d: Block, out: Sequence[Block], work: Sequence[Block]
-) -> tuple[Block, NDArray[bool_]]:
+def euler_from_quaternion(q: Floats, out: Floats) -> NDArray[bool_]:
     """Roll, pitch and yaw, radians (3).
 
-    a: scalar part of the attitude quaternion
-    b: factor of i of the attitude quaternion
-    c: factor of j of the attitude quaternion
-    d: factor of k of the attitude quaternion
-    out: 3 arrays for the elements
-    work: 16 arrays for what is computed on the way
+    q: a, b, c, d, shape (..., 4)
+    out: for the result, shape (..., 3)
 
-    Returns the sum of squares, and whether at gimbal lock, where roll is set to 0.
+    Returns whether at gimbal lock, where roll is set to 0.
 
+    Right as long as the sum of squares neither overflows nor vanishes.
     Ledger: quaternions.4.1, quaternions.4.2, quaternions.4.3, quaternions.4.b.
     """
-    a_minus_c = subtract(a, c, out=work[0])
-    b_plus_d = add(b, d, out=work[1])
-    a_plus_c = add(a, c, out=work[2])
-    d_minus_b = subtract(d, b, out=work[3])
-    # below = a_minus_c * a_minus_c + b_plus_d * b_plus_d
-    square(a_minus_c, out=work[4])
-    square(b_plus_d, out=work[5])
-    below = add(work[4], work[5], out=work[4])
-    # above = a_plus_c * a_plus_c + d_minus_b * d_minus_b
-    square(a_plus_c, out=work[5])
-    square(d_minus_b, out=work[6])
-    above = add(work[5], work[6], out=work[5])
-    product_1 = multiply(a_plus_c, b_plus_d, out=work[6])
-    product_2 = multiply(a_minus_c, d_minus_b, out=work[7])
-    product_3 = multiply(a_minus_c, a_plus_c, out=work[0])
-    product_4 = multiply(b_plus_d, d_minus_b, out=work[1])
-    # half_sine = a * c - b * d
-    multiply(a, c, out=work[2])
-    multiply(b, d, out=work[3])
-    half_sine = subtract(work[2], work[3], out=work[2])
-    sum_of_squares = add(above, below, out=work[3])
-    # pitch = atan2(2.0 * half_sine, sqrt(above) * sqrt(below))
-    multiply(half_sine, 2.0, out=work[2])
-    sqrt(above, out=work[5])
-    sqrt(below, out=work[4])
-    multiply(work[5], work[4], out=work[4])
-    pitch = arctan2(work[2], work[4], out=out[1])
-    # locked = abs(pitch) > 1.5707963267948948
-    absolute(pitch, out=work[2])
-    locked = greater(work[2], 1.5707963267948948)
-    subtract(product_1, product_2, out=work[2])
-    add(product_3, product_4, out=work[4])
-    roll = arctan2(work[2], work[4], out=out[0])
-    add(product_1, product_2, out=work[2])
-    subtract(product_3, product_4, out=work[0])
-    yaw = arctan2(work[2], work[0], out=out[2])
-    if locked.any():
-        copyto(roll, 0.0, where=locked)
-        multiply(a, d, out=work[0])
-        multiply(work[0], 2.0, out=work[0])
-        multiply(b, c, out=work[1])
-        multiply(work[1], 2.0, out=work[1])
-        subtract(work[0], work[1], out=work[0])
-        square(a, out=work[1])
-        square(b, out=work[2])
-        subtract(work[1], work[2], out=work[1])
-        square(c, out=work[2])
-        add(work[1], work[2], out=work[1])
-        square(d, out=work[2])
-        subtract(work[1], work[2], out=work[1])
-        arctan2(work[0], work[1], out=work[0])
-        copyto(yaw, work[0], where=locked)
-    return sum_of_squares, locked
+    a = q[..., 0]
+    b = q[..., 1]
+    c = q[..., 2]
+    d = q[..., 3]
+    a_minus_c = a - c
+    b_plus_d = b + d
+    a_plus_c = a + c
+    d_minus_b = -b + d
+    below = a_minus_c*a_minus_c + b_plus_d*b_plus_d
+    above = a_plus_c*a_plus_c + d_minus_b*d_minus_b
+    product_1 = a_plus_c*b_plus_d
+    product_2 = a_minus_c*d_minus_b
+    product_3 = a_minus_c*a_plus_c
+    product_4 = b_plus_d*d_minus_b
+    half_sine = a*c - b*d
+    pitch = arctan2(2.0*half_sine, sqrt(above)*sqrt(below))
+    locked = abs(pitch) > 1.5707963267948948
+    roll = where(~locked, arctan2(product_1 - product_2, product_3 + product_4), 0.0)
+    yaw = (
+        where(~locked, arctan2(product_1 + product_2, product_3 - product_4), arctan2(2.0*a*d -
+            2.0*b*c, a*a - (b*b) + c*c - (d*d)))
+    )
+    out[..., 0] = roll
+    out[..., 1] = pitch
+    out[..., 2] = yaw
+    return asarray(locked)
 
 
-def quaternion_from_axis_angle(
-    x: Block, y: Block, z: Block, angle: Block, out: Sequence[Block], work: Sequence[Block]
-) -> tuple[Block, None]:
+def quaternion_from_axis_angle(axis: Floats, angle: Floats, out: Floats) -> None:
     """Unit quaternion with a >= 0 (4).
 
-    x: x of the axis, any length
-    y: y of the axis, any length
-    z: z of the axis, any length
-    angle: angle of the turn about the axis, radians
-    out: 4 arrays for the elements
-    work: 16 arrays for what is computed on the way
+    axis: x, y, z, shape (..., 3)
+    angle: angle of the turn about the axis, radians, shape (...)
+    out: for the result, shape (..., 4)
 
-    Returns the length squared.
-
+    Right as long as the length squared neither overflows nor vanishes.
     Ledger: quaternions.2.2.
     """
-    # tan_quarter_angle = tan(angle / 4.0)
-    multiply(angle, 0.25, out=work[0])
-    tan_quarter_angle = tan(work[0], out=work[0])
-    # one_plus_cos_half_angle = 2.0 / (tan_quarter_angle * tan_quarter_angle + 1.0)
-    square(tan_quarter_angle, out=work[1])
-    add(work[1], 1.0, out=work[1])
-    one_plus_cos_half_angle = divide(2.0, work[1], out=work[1])
-    sin_half_angle = multiply(one_plus_cos_half_angle, tan_quarter_angle, out=work[0])
-    cos_half_angle = subtract(one_plus_cos_half_angle, 1.0, out=work[1])
-    # length_squared = x * x + y * y + z * z
-    square(x, out=work[2])
-    square(y, out=work[3])
-    add(work[2], work[3], out=work[2])
-    square(z, out=work[3])
-    length_squared = add(work[2], work[3], out=work[2])
-    sign = work[3]
-    copyto(sign, 1.0)
-    condition_7 = greater_equal(cos_half_angle, 0.0)
-    condition_8 = logical_not(condition_7)
-    if condition_8.any():
-        copyto(sign, -1.0, where=condition_8)
-    # common_4 = sign * sin_half_angle / sqrt(length_squared)
-    multiply(sign, sin_half_angle, out=work[0])
-    sqrt(length_squared, out=work[4])
-    common_4 = divide(work[0], work[4], out=work[0])
-    multiply(cos_half_angle, sign, out=out[0])
-    multiply(common_4, x, out=out[1])
-    multiply(common_4, y, out=out[2])
-    multiply(common_4, z, out=out[3])
-    return length_squared, None
+    x = axis[..., 0]
+    y = axis[..., 1]
+    z = axis[..., 2]
+    sin_half_angle = sin(0.5*angle)
+    cos_half_angle = cos(0.5*angle)
+    length_squared = x*x + y*y + z*z
+    sign = where(cos_half_angle >= 0.0, 1.0, -1.0)
+    common_2 = sign*sin_half_angle/sqrt(length_squared)
+    out[..., 0] = cos_half_angle*sign
+    out[..., 1] = common_2*x
+    out[..., 2] = common_2*y
+    out[..., 3] = common_2*z
 
 
-def axis_angle_from_quaternion(
-    a: Block, b: Block, c: Block, d: Block, out: Sequence[Block], work: Sequence[Block]
-) -> tuple[Block, None]:
+def axis_angle_from_quaternion(q: Floats, out: Floats) -> None:
     """Unit axis x, y, z and the angle in [0, pi] of the turn about it, radians (4).
 
-    a: scalar part of the attitude quaternion
-    b: factor of i of the attitude quaternion
-    c: factor of j of the attitude quaternion
-    d: factor of k of the attitude quaternion
-    out: 4 arrays for the elements
-    work: 16 arrays for what is computed on the way
+    q: a, b, c, d, shape (..., 4)
+    out: for the result, shape (..., 4)
 
-    Returns the norm squared.
-
+    Right as long as the norm squared neither overflows nor vanishes.
     Ledger: quaternions.2.2.
     """
-    # length_squared = b * b + c * c + d * d
-    square(b, out=work[0])
-    square(c, out=work[1])
-    add(work[0], work[1], out=work[0])
-    square(d, out=work[1])
-    length_squared = add(work[0], work[1], out=work[0])
-    # norm_squared = a * a + length_squared
-    square(a, out=work[1])
-    norm_squared = add(work[1], length_squared, out=work[1])
-    # length = sqrt(length_squared)
-    length = sqrt(length_squared, out=work[0])
-    sign = work[2]
-    copyto(sign, 1.0)
-    condition_5 = greater_equal(a, 0.0)
-    condition_6 = logical_not(condition_5)
-    if condition_6.any():
-        copyto(sign, -1.0, where=condition_6)
-    x = out[0]
-    copyto(x, 1.0)
-    y = out[1]
-    copyto(y, 0.0)
-    z = out[2]
-    copyto(z, 0.0)
-    condition_7 = less_equal(length, 0.0)
-    condition_8 = logical_not(condition_7)
-    if condition_8.any():
-        multiply(b, sign, out=work[3])
-        divide(work[3], length, out=work[3])
-        copyto(x, work[3], where=condition_8)
-        multiply(c, sign, out=work[3])
-        divide(work[3], length, out=work[3])
-        copyto(y, work[3], where=condition_8)
-        multiply(d, sign, out=work[2])
-        divide(work[2], length, out=work[2])
-        copyto(z, work[2], where=condition_8)
-    # out[3] = 2.0 * atan2(length, abs(a))
-    absolute(a, out=work[2])
-    arctan2(length, work[2], out=work[0])
-    multiply(work[0], 2.0, out=out[3])
-    return norm_squared, None
+    a = q[..., 0]
+    b = q[..., 1]
+    c = q[..., 2]
+    d = q[..., 3]
+    length_squared = b*b + c*c + d*d
+    length = sqrt(length_squared)
+    sign = where(a >= 0.0, 1.0, -1.0)
+    x = where(length <= 0.0, 1.0, b*sign/length)
+    y = where(length <= 0.0, 0.0, c*sign/length)
+    z = where(length <= 0.0, 0.0, d*sign/length)
+    out[..., 0] = x
+    out[..., 1] = y
+    out[..., 2] = z
+    out[..., 3] = 2.0*arctan2(length, abs(a))
 
 
-def quaternion_multiply(
-    a1: Block,
-    b1: Block,
-    c1: Block,
-    d1: Block,
-    a2: Block,
-    b2: Block,
-    c2: Block,
-    d2: Block,
-    out: Sequence[Block],
-    work: Sequence[Block],
-) -> None:
+def quaternion_multiply(p: Floats, q: Floats, out: Floats) -> None:
     """Product of two quaternions (4).
 
-    a1: scalar part of the first factor
-    b1: factor of i of the first factor
-    c1: factor of j of the first factor
-    d1: factor of k of the first factor
-    a2: scalar part of the second factor
-    b2: factor of i of the second factor
-    c2: factor of j of the second factor
-    d2: factor of k of the second factor
-    out: 4 arrays for the elements
-    work: 16 arrays for what is computed on the way
+    p: a1, b1, c1, d1, shape (..., 4)
+    q: a2, b2, c2, d2, shape (..., 4)
+    out: for the result, shape (..., 4)
 
     Ledger: quaternions.3.2.
     """
-    # out[0] = a1 * a2 - b1 * b2 - c1 * c2 - d1 * d2
-    multiply(a1, a2, out=work[0])
-    multiply(b1, b2, out=work[1])
-    subtract(work[0], work[1], out=work[0])
-    multiply(c1, c2, out=work[1])
-    subtract(work[0], work[1], out=work[0])
-    multiply(d1, d2, out=work[1])
-    subtract(work[0], work[1], out=out[0])
-    # out[1] = a1 * b2 + a2 * b1 + c1 * d2 - c2 * d1
-    multiply(a1, b2, out=work[0])
-    multiply(a2, b1, out=work[1])
-    add(work[0], work[1], out=work[0])
-    multiply(c1, d2, out=work[1])
-    add(work[0], work[1], out=work[0])
-    multiply(c2, d1, out=work[1])
-    subtract(work[0], work[1], out=out[1])
-    # out[2] = a1 * c2 + a2 * c1 - b1 * d2 + b2 * d1
-    multiply(a1, c2, out=work[0])
-    multiply(a2, c1, out=work[1])
-    add(work[0], work[1], out=work[0])
-    multiply(b1, d2, out=work[1])
-    subtract(work[0], work[1], out=work[0])
-    multiply(b2, d1, out=work[1])
-    add(work[0], work[1], out=out[2])
-    # out[3] = a1 * d2 + a2 * d1 + b1 * c2 - b2 * c1
-    multiply(a1, d2, out=work[0])
-    multiply(a2, d1, out=work[1])
-    add(work[0], work[1], out=work[0])
-    multiply(b1, c2, out=work[1])
-    add(work[0], work[1], out=work[0])
-    multiply(b2, c1, out=work[1])
-    subtract(work[0], work[1], out=out[3])
+    a1 = p[..., 0]
+    b1 = p[..., 1]
+    c1 = p[..., 2]
+    d1 = p[..., 3]
+    a2 = q[..., 0]
+    b2 = q[..., 1]
+    c2 = q[..., 2]
+    d2 = q[..., 3]
+    out[..., 0] = a1*a2 - b1*b2 - c1*c2 - d1*d2
+    out[..., 1] = a1*b2 + a2*b1 + c1*d2 - c2*d1
+    out[..., 2] = a1*c2 + a2*c1 - b1*d2 + b2*d1
+    out[..., 3] = a1*d2 + a2*d1 + b1*c2 - b2*c1
 
 
-def quaternion_multiply_pairs(
-    ab1: Pairs,
-    cd1: Pairs,
-    ab2: Pairs,
-    cd2: Pairs,
-    out: Sequence[Pairs],
-    work: Sequence[Block],
-    pairs: Sequence[Pairs],
-) -> None:
-    """Product of two quaternions as pairs of complex numbers (2).
-
-    ab1: a + i b of the first factor as one complex number
-    cd1: c + i d of the first factor as one complex number
-    ab2: a + i b of the second factor as one complex number
-    cd2: c + i d of the second factor as one complex number
-    out: 2 arrays for the elements
-    work: 16 arrays for what is computed on the way
-    pairs: 8 arrays of complex numbers for the same
-
-    Ledger: quaternions.3.2.
-    """
-    # out[0] = ab1 * ab2 - cd1 * conjugate(cd2)
-    multiply(ab1, ab2, out=pairs[0])
-    conjugate(cd2, out=pairs[1])
-    multiply(cd1, pairs[1], out=pairs[1])
-    subtract(pairs[0], pairs[1], out=out[0])
-    # out[1] = ab1 * cd2 + cd1 * conjugate(ab2)
-    multiply(ab1, cd2, out=pairs[0])
-    conjugate(ab2, out=pairs[1])
-    multiply(cd1, pairs[1], out=pairs[1])
-    add(pairs[0], pairs[1], out=out[1])
-
-
-def quaternion_conjugate(
-    a: Block, b: Block, c: Block, d: Block, out: Sequence[Block], work: Sequence[Block]
-) -> None:
+def quaternion_conjugate(q: Floats, out: Floats) -> None:
     """Conjugate of the quaternion (4).
 
-    a: scalar part of the attitude quaternion
-    b: factor of i of the attitude quaternion
-    c: factor of j of the attitude quaternion
-    d: factor of k of the attitude quaternion
-    out: 4 arrays for the elements
-    work: 16 arrays for what is computed on the way
+    q: a, b, c, d, shape (..., 4)
+    out: for the result, shape (..., 4)
 
     Ledger: quaternions.3.c.
     """
-    copyto(out[0], a)
-    multiply(b, -1.0, out=out[1])
-    multiply(c, -1.0, out=out[2])
-    multiply(d, -1.0, out=out[3])
+    a = q[..., 0]
+    b = q[..., 1]
+    c = q[..., 2]
+    d = q[..., 3]
+    out[..., 0] = a
+    out[..., 1] = -b
+    out[..., 2] = -c
+    out[..., 3] = -d
 
 
-def quaternion_inverse(
-    a: Block, b: Block, c: Block, d: Block, out: Sequence[Block], work: Sequence[Block]
-) -> tuple[Block, None]:
+def quaternion_inverse(q: Floats, out: Floats) -> None:
     """Inverse of the quaternion (4).
 
-    a: scalar part of the attitude quaternion
-    b: factor of i of the attitude quaternion
-    c: factor of j of the attitude quaternion
-    d: factor of k of the attitude quaternion
-    out: 4 arrays for the elements
-    work: 16 arrays for what is computed on the way
+    q: a, b, c, d, shape (..., 4)
+    out: for the result, shape (..., 4)
 
-    Returns the norm squared.
-
+    Right as long as the norm squared neither overflows nor vanishes.
     Ledger: quaternions.3.a.
     """
-    # norm_squared = a * a + b * b + c * c + d * d
-    square(a, out=work[0])
-    square(b, out=work[1])
-    add(work[0], work[1], out=work[0])
-    square(c, out=work[1])
-    add(work[0], work[1], out=work[0])
-    square(d, out=work[1])
-    norm_squared = add(work[0], work[1], out=work[0])
-    inverse_norm_squared = divide(1.0, norm_squared, out=work[1])
-    multiply(a, inverse_norm_squared, out=out[0])
-    # out[1] = -b * inverse_norm_squared
-    multiply(b, inverse_norm_squared, out=work[2])
-    multiply(work[2], -1.0, out=out[1])
-    # out[2] = -c * inverse_norm_squared
-    multiply(c, inverse_norm_squared, out=work[2])
-    multiply(work[2], -1.0, out=out[2])
-    # out[3] = -d * inverse_norm_squared
-    multiply(d, inverse_norm_squared, out=work[1])
-    multiply(work[1], -1.0, out=out[3])
-    return norm_squared, None
+    a = q[..., 0]
+    b = q[..., 1]
+    c = q[..., 2]
+    d = q[..., 3]
+    norm_squared = a*a + b*b + c*c + d*d
+    inverse_norm_squared = 1.0/norm_squared
+    out[..., 0] = a*inverse_norm_squared
+    out[..., 1] = -b*inverse_norm_squared
+    out[..., 2] = -c*inverse_norm_squared
+    out[..., 3] = -d*inverse_norm_squared
 
 
-def rotate_to_inertial(
-    a: Block,
-    b: Block,
-    c: Block,
-    d: Block,
-    x: Block,
-    y: Block,
-    z: Block,
-    out: Sequence[Block],
-    work: Sequence[Block],
-) -> tuple[Block, None]:
+def rotate_to_inertial(q: Floats, v_body: Floats, out: Floats) -> None:
     """The vector in the inertial frame (3).
 
-    a: scalar part of the attitude quaternion
-    b: factor of i of the attitude quaternion
-    c: factor of j of the attitude quaternion
-    d: factor of k of the attitude quaternion
-    x: x of a vector in the body frame
-    y: y of a vector in the body frame
-    z: z of a vector in the body frame
-    out: 3 arrays for the elements
-    work: 16 arrays for what is computed on the way
+    q: a, b, c, d, shape (..., 4)
+    v_body: x, y, z, shape (..., 3)
+    out: for the result, shape (..., 3)
 
-    Returns the norm squared.
-
+    Right as long as the norm squared neither overflows nor vanishes.
     Ledger: quaternions.3.1.
     """
-    # norm_squared = a * a + b * b + c * c + d * d
-    square(a, out=work[0])
-    square(b, out=work[1])
-    add(work[0], work[1], out=work[0])
-    square(c, out=work[1])
-    add(work[0], work[1], out=work[0])
-    square(d, out=work[1])
-    norm_squared = add(work[0], work[1], out=work[0])
-    factor = divide(2.0, norm_squared, out=work[1])
-    # across_x = c * z - d * y
-    multiply(c, z, out=work[2])
-    multiply(d, y, out=work[3])
-    across_x = subtract(work[2], work[3], out=work[2])
-    # across_y = d * x - b * z
-    multiply(d, x, out=work[3])
-    multiply(b, z, out=work[4])
-    across_y = subtract(work[3], work[4], out=work[3])
-    # across_z = b * y - c * x
-    multiply(b, y, out=work[4])
-    multiply(c, x, out=work[5])
-    across_z = subtract(work[4], work[5], out=work[4])
-    # out[0] = factor * (a * across_x - across_y * d + across_z * c) + x
-    multiply(a, across_x, out=work[5])
-    multiply(across_y, d, out=work[6])
-    subtract(work[5], work[6], out=work[5])
-    multiply(across_z, c, out=work[6])
-    add(work[5], work[6], out=work[5])
-    multiply(factor, work[5], out=work[5])
-    add(work[5], x, out=out[0])
-    # out[1] = factor * (a * across_y + across_x * d - across_z * b) + y
-    multiply(a, across_y, out=work[5])
-    multiply(across_x, d, out=work[6])
-    add(work[5], work[6], out=work[5])
-    multiply(across_z, b, out=work[6])
-    subtract(work[5], work[6], out=work[5])
-    multiply(factor, work[5], out=work[5])
-    add(work[5], y, out=out[1])
-    # out[2] = factor * (a * across_z - across_x * c + across_y * b) + z
-    multiply(a, across_z, out=work[4])
-    multiply(across_x, c, out=work[2])
-    subtract(work[4], work[2], out=work[2])
-    multiply(across_y, b, out=work[3])
-    add(work[2], work[3], out=work[2])
-    multiply(factor, work[2], out=work[1])
-    add(work[1], z, out=out[2])
-    return norm_squared, None
+    a = q[..., 0]
+    b = q[..., 1]
+    c = q[..., 2]
+    d = q[..., 3]
+    x = v_body[..., 0]
+    y = v_body[..., 1]
+    z = v_body[..., 2]
+    norm_squared = a*a + b*b + c*c + d*d
+    factor = 2.0/norm_squared
+    across_x = c*z - d*y
+    across_y = -b*z + d*x
+    across_z = b*y - c*x
+    out[..., 0] = factor*(a*across_x - across_y*d + across_z*c) + x
+    out[..., 1] = factor*(a*across_y + across_x*d - across_z*b) + y
+    out[..., 2] = factor*(a*across_z - across_x*c + across_y*b) + z
 
 
-def rotate_to_body(
-    a: Block,
-    b: Block,
-    c: Block,
-    d: Block,
-    x: Block,
-    y: Block,
-    z: Block,
-    out: Sequence[Block],
-    work: Sequence[Block],
-) -> tuple[Block, None]:
+def rotate_to_body(q: Floats, v_inertial: Floats, out: Floats) -> None:
     """The vector in the body frame (3).
 
-    a: scalar part of the attitude quaternion
-    b: factor of i of the attitude quaternion
-    c: factor of j of the attitude quaternion
-    d: factor of k of the attitude quaternion
-    x: x of a vector in the inertial frame
-    y: y of a vector in the inertial frame
-    z: z of a vector in the inertial frame
-    out: 3 arrays for the elements
-    work: 16 arrays for what is computed on the way
+    q: a, b, c, d, shape (..., 4)
+    v_inertial: x, y, z, shape (..., 3)
+    out: for the result, shape (..., 3)
 
-    Returns the norm squared.
-
+    Right as long as the norm squared neither overflows nor vanishes.
     Ledger: quaternions.3.1, quaternions.3.4.
     """
-    # norm_squared = a * a + b * b + c * c + d * d
-    square(a, out=work[0])
-    square(b, out=work[1])
-    add(work[0], work[1], out=work[0])
-    square(c, out=work[1])
-    add(work[0], work[1], out=work[0])
-    square(d, out=work[1])
-    norm_squared = add(work[0], work[1], out=work[0])
-    factor = divide(2.0, norm_squared, out=work[1])
-    # across_x = d * y - c * z
-    multiply(d, y, out=work[2])
-    multiply(c, z, out=work[3])
-    across_x = subtract(work[2], work[3], out=work[2])
-    # across_y = b * z - d * x
-    multiply(b, z, out=work[3])
-    multiply(d, x, out=work[4])
-    across_y = subtract(work[3], work[4], out=work[3])
-    # across_z = c * x - b * y
-    multiply(c, x, out=work[4])
-    multiply(b, y, out=work[5])
-    across_z = subtract(work[4], work[5], out=work[4])
-    # out[0] = factor * (a * across_x + across_y * d - across_z * c) + x
-    multiply(a, across_x, out=work[5])
-    multiply(across_y, d, out=work[6])
-    add(work[5], work[6], out=work[5])
-    multiply(across_z, c, out=work[6])
-    subtract(work[5], work[6], out=work[5])
-    multiply(factor, work[5], out=work[5])
-    add(work[5], x, out=out[0])
-    # out[1] = factor * (a * across_y - across_x * d + across_z * b) + y
-    multiply(a, across_y, out=work[5])
-    multiply(across_x, d, out=work[6])
-    subtract(work[5], work[6], out=work[5])
-    multiply(across_z, b, out=work[6])
-    add(work[5], work[6], out=work[5])
-    multiply(factor, work[5], out=work[5])
-    add(work[5], y, out=out[1])
-    # out[2] = factor * (a * across_z + across_x * c - across_y * b) + z
-    multiply(a, across_z, out=work[4])
-    multiply(across_x, c, out=work[2])
-    add(work[4], work[2], out=work[2])
-    multiply(across_y, b, out=work[3])
-    subtract(work[2], work[3], out=work[2])
-    multiply(factor, work[2], out=work[1])
-    add(work[1], z, out=out[2])
-    return norm_squared, None
-
-
-def rotate_to_inertial_pairs(
-    ab: Pairs,
-    cd: Pairs,
-    x: Block,
-    yz: Pairs,
-    out: Sequence[Block | Pairs],
-    work: Sequence[Block],
-    pairs: Sequence[Pairs],
-) -> tuple[Block, None]:
-    """The vector in the inertial frame: x, and y + i z (2).
-
-    ab: a + i b of the attitude quaternion as one complex number
-    cd: c + i d of the attitude quaternion as one complex number
-    x: x of a vector in the body frame
-    yz: y + i z of the vector as one complex number
-    out: 2 arrays for the elements
-    work: 16 arrays for what is computed on the way
-    pairs: 8 arrays of complex numbers for the same
-
-    Returns the norm squared.
-
-    Ledger: quaternions.3.1.
-    """
-    conjugate_ab = conjugate(ab, out=pairs[0])
-    square_of_z = multiply(ab, conjugate_ab, out=pairs[1])
-    conjugate_cd = conjugate(cd, out=pairs[2])
-    square_of_w = multiply(cd, conjugate_cd, out=pairs[3])
-    norm_squared = add(square_of_w.real, square_of_z.real, out=work[0])
-    inverse_norm_squared = divide(1.0, norm_squared, out=work[1])
-    along = pairs[1]
-    # along = 1j * inverse_norm_squared * x
-    copyto(along.real, 0.0)
-    multiply(inverse_norm_squared, x, out=along.imag)
-    across = pairs[3]
-    # across = inverse_norm_squared * real(yz) + 1j * inverse_norm_squared * imag(yz)
-    multiply(inverse_norm_squared, yz.real, out=across.real)
-    multiply(inverse_norm_squared, yz.imag, out=across.imag)
-    # half_way_z = ab * along - cd * conjugate(across)
-    multiply(ab, along, out=pairs[4])
-    conjugate(across, out=pairs[5])
-    multiply(cd, pairs[5], out=pairs[5])
-    half_way_z = subtract(pairs[4], pairs[5], out=pairs[4])
-    # half_way_w = ab * across - along * cd
-    multiply(ab, across, out=pairs[3])
-    multiply(along, cd, out=pairs[1])
-    half_way_w = subtract(pairs[3], pairs[1], out=pairs[1])
-    back_1 = multiply(conjugate_ab, half_way_z, out=pairs[0])
-    back_2 = multiply(conjugate_cd, half_way_w, out=pairs[2])
-    add(back_1.imag, back_2.imag, out=out[0])
-    # out[1] = ab * half_way_w - cd * half_way_z
-    multiply(ab, half_way_w, out=pairs[0])
-    multiply(cd, half_way_z, out=pairs[1])
-    subtract(pairs[0], pairs[1], out=out[1])
-    return norm_squared, None
-
-
-def rotate_to_body_pairs(
-    ab: Pairs,
-    cd: Pairs,
-    x: Block,
-    yz: Pairs,
-    out: Sequence[Block | Pairs],
-    work: Sequence[Block],
-    pairs: Sequence[Pairs],
-) -> tuple[Block, None]:
-    """The vector in the body frame: x, and y + i z (2).
-
-    ab: a + i b of the attitude quaternion as one complex number
-    cd: c + i d of the attitude quaternion as one complex number
-    x: x of a vector in the inertial frame
-    yz: y + i z of the vector as one complex number
-    out: 2 arrays for the elements
-    work: 16 arrays for what is computed on the way
-    pairs: 8 arrays of complex numbers for the same
-
-    Returns the norm squared.
-
-    Ledger: quaternions.3.1, quaternions.3.4.
-    """
-    conjugate_ab = conjugate(ab, out=pairs[0])
-    square_of_z = multiply(ab, conjugate_ab, out=pairs[1])
-    conjugate_cd = conjugate(cd, out=pairs[2])
-    square_of_w = multiply(cd, conjugate_cd, out=pairs[3])
-    norm_squared = add(square_of_w.real, square_of_z.real, out=work[0])
-    inverse_norm_squared = divide(1.0, norm_squared, out=work[1])
-    along = pairs[1]
-    # along = 1j * inverse_norm_squared * x
-    copyto(along.real, 0.0)
-    multiply(inverse_norm_squared, x, out=along.imag)
-    across = pairs[3]
-    # across = inverse_norm_squared * real(yz) + 1j * inverse_norm_squared * imag(yz)
-    multiply(inverse_norm_squared, yz.real, out=across.real)
-    multiply(inverse_norm_squared, yz.imag, out=across.imag)
-    # half_way_z = along * conjugate_ab + cd * conjugate(across)
-    multiply(along, conjugate_ab, out=pairs[4])
-    conjugate(across, out=pairs[5])
-    multiply(cd, pairs[5], out=pairs[5])
-    half_way_z = add(pairs[4], pairs[5], out=pairs[4])
-    # half_way_w = across * conjugate_ab + along * cd
-    multiply(across, conjugate_ab, out=pairs[3])
-    multiply(along, cd, out=pairs[1])
-    half_way_w = add(pairs[3], pairs[1], out=pairs[1])
-    back_1 = multiply(ab, half_way_z, out=pairs[3])
-    back_2 = multiply(conjugate_cd, half_way_w, out=pairs[2])
-    subtract(back_1.imag, back_2.imag, out=out[0])
-    # out[1] = cd * half_way_z + conjugate_ab * half_way_w
-    multiply(cd, half_way_z, out=pairs[2])
-    multiply(conjugate_ab, half_way_w, out=pairs[0])
-    add(pairs[2], pairs[0], out=out[1])
-    return norm_squared, None
-
-
-def quaternion_after_constant_rates(
-    a: Block,
-    b: Block,
-    c: Block,
-    d: Block,
-    p: Block,
-    q: Block,
-    r: Block,
-    dt: Block,
-    out: Sequence[Block],
-    work: Sequence[Block],
-) -> None:
-    """Attitude quaternion after a time during which the body rates do not change (4).
-
-    a: scalar part of the attitude quaternion
-    b: factor of i of the attitude quaternion
-    c: factor of j of the attitude quaternion
-    d: factor of k of the attitude quaternion
-    p: body rate about x, rad/s
-    q: body rate about y, rad/s
-    r: body rate about z, rad/s
-    dt: time that passes, s
-    out: 4 arrays for the elements
-    work: 16 arrays for what is computed on the way
-    """
-    # half_turn = 0.5 * dt * sqrt(p * p + q * q + r * r)
-    square(p, out=work[0])
-    square(q, out=work[1])
-    add(work[0], work[1], out=work[0])
-    square(r, out=work[1])
-    add(work[0], work[1], out=work[0])
-    sqrt(work[0], out=work[0])
-    multiply(dt, work[0], out=work[0])
-    half_turn = multiply(work[0], 0.5, out=work[0])
-    # tan_quarter_turn = tan(0.5 * half_turn)
-    multiply(half_turn, 0.5, out=work[1])
-    tan_quarter_turn = tan(work[1], out=work[1])
-    # one_plus_cos_half_turn = 2.0 / (tan_quarter_turn * tan_quarter_turn + 1.0)
-    square(tan_quarter_turn, out=work[2])
-    add(work[2], 1.0, out=work[2])
-    one_plus_cos_half_turn = divide(2.0, work[2], out=work[2])
-    # sin_half_turn = one_plus_cos_half_turn * tan_quarter_turn
-    sin_half_turn = multiply(one_plus_cos_half_turn, tan_quarter_turn, out=work[1])
-    ratio = divide(sin_half_turn, half_turn, out=work[1])
-    condition_10 = greater(half_turn, 0.0)
-    condition_11 = logical_not(condition_10)
-    if condition_11.any():
-        copyto(ratio, 1.0, where=condition_11)
-    cos_half_turn = subtract(one_plus_cos_half_turn, 1.0, out=work[0])
-    turn_a = work[0]
-    copyto(turn_a, cos_half_turn)
-    # common_4 = 0.5 * dt * ratio
-    multiply(dt, ratio, out=work[1])
-    common_4 = multiply(work[1], 0.5, out=work[1])
-    turn_b = multiply(common_4, p, out=work[2])
-    turn_c = multiply(common_4, q, out=work[3])
-    turn_d = multiply(common_4, r, out=work[1])
-    # out[0] = a * turn_a - b * turn_b - c * turn_c - d * turn_d
-    multiply(a, turn_a, out=work[4])
-    multiply(b, turn_b, out=work[5])
-    subtract(work[4], work[5], out=work[4])
-    multiply(c, turn_c, out=work[5])
-    subtract(work[4], work[5], out=work[4])
-    multiply(d, turn_d, out=work[5])
-    subtract(work[4], work[5], out=out[0])
-    # out[1] = a * turn_b + b * turn_a + c * turn_d - d * turn_c
-    multiply(a, turn_b, out=work[4])
-    multiply(b, turn_a, out=work[5])
-    add(work[4], work[5], out=work[4])
-    multiply(c, turn_d, out=work[5])
-    add(work[4], work[5], out=work[4])
-    multiply(d, turn_c, out=work[5])
-    subtract(work[4], work[5], out=out[1])
-    # out[2] = a * turn_c - b * turn_d + c * turn_a + d * turn_b
-    multiply(a, turn_c, out=work[4])
-    multiply(b, turn_d, out=work[5])
-    subtract(work[4], work[5], out=work[4])
-    multiply(c, turn_a, out=work[5])
-    add(work[4], work[5], out=work[4])
-    multiply(d, turn_b, out=work[5])
-    add(work[4], work[5], out=out[2])
-    # out[3] = a * turn_d + b * turn_c - c * turn_b + d * turn_a
-    multiply(a, turn_d, out=work[1])
-    multiply(b, turn_c, out=work[3])
-    add(work[1], work[3], out=work[1])
-    multiply(c, turn_b, out=work[2])
-    subtract(work[1], work[2], out=work[1])
-    multiply(d, turn_a, out=work[0])
-    add(work[1], work[0], out=out[3])
-
-
-def quaternion_rates(
-    a: Block,
-    b: Block,
-    c: Block,
-    d: Block,
-    p: Block,
-    q: Block,
-    r: Block,
-    out: Sequence[Block],
-    work: Sequence[Block],
-) -> None:
-    """Derivatives of a, b, c and d, 1/s (4).
-
-    a: scalar part of the attitude quaternion
-    b: factor of i of the attitude quaternion
-    c: factor of j of the attitude quaternion
-    d: factor of k of the attitude quaternion
-    p: body rate about x, rad/s
-    q: body rate about y, rad/s
-    r: body rate about z, rad/s
-    out: 4 arrays for the elements
-    work: 16 arrays for what is computed on the way
-    """
-    # out[0] = -(0.5 * b * p) - 0.5 * c * q - 0.5 * d * r
-    multiply(b, p, out=work[0])
-    multiply(work[0], -0.5, out=work[0])
-    multiply(c, q, out=work[1])
-    multiply(work[1], 0.5, out=work[1])
-    subtract(work[0], work[1], out=work[0])
-    multiply(d, r, out=work[1])
-    multiply(work[1], 0.5, out=work[1])
-    subtract(work[0], work[1], out=out[0])
-    # out[1] = 0.5 * a * p + 0.5 * c * r - 0.5 * d * q
-    multiply(a, p, out=work[0])
-    multiply(work[0], 0.5, out=work[0])
-    multiply(c, r, out=work[1])
-    multiply(work[1], 0.5, out=work[1])
-    add(work[0], work[1], out=work[0])
-    multiply(d, q, out=work[1])
-    multiply(work[1], 0.5, out=work[1])
-    subtract(work[0], work[1], out=out[1])
-    # out[2] = 0.5 * a * q - 0.5 * b * r + 0.5 * d * p
-    multiply(a, q, out=work[0])
-    multiply(work[0], 0.5, out=work[0])
-    multiply(b, r, out=work[1])
-    multiply(work[1], 0.5, out=work[1])
-    subtract(work[0], work[1], out=work[0])
-    multiply(d, p, out=work[1])
-    multiply(work[1], 0.5, out=work[1])
-    add(work[0], work[1], out=out[2])
-    # out[3] = 0.5 * a * r + 0.5 * b * q - 0.5 * c * p
-    multiply(a, r, out=work[0])
-    multiply(work[0], 0.5, out=work[0])
-    multiply(b, q, out=work[1])
-    multiply(work[1], 0.5, out=work[1])
-    add(work[0], work[1], out=work[0])
-    multiply(c, p, out=work[1])
-    multiply(work[1], 0.5, out=work[1])
-    subtract(work[0], work[1], out=out[3])
+    a = q[..., 0]
+    b = q[..., 1]
+    c = q[..., 2]
+    d = q[..., 3]
+    x = v_inertial[..., 0]
+    y = v_inertial[..., 1]
+    z = v_inertial[..., 2]
+    norm_squared = a*a + b*b + c*c + d*d
+    factor = 2.0/norm_squared
+    across_x = -c*z + d*y
+    across_y = b*z - d*x
+    across_z = -b*y + c*x
+    out[..., 0] = factor*(a*across_x + across_y*d - across_z*c) + x
+    out[..., 1] = factor*(a*across_y - across_x*d + across_z*b) + y
+    out[..., 2] = factor*(a*across_z + across_x*c - across_y*b) + z

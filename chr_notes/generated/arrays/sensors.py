@@ -3,578 +3,284 @@ From the derivations behind the ledger entries estimation.2.4, sensors.2.2, sens
 sensors.2.4, sensors.2.5, sensors.2.c, sensors.2.e, sensors.3.2, sensors.4.1, sensors.4.2.
 """
 
-from collections.abc import Sequence
-
-from numpy import (add, divide, float64, multiply, square, subtract, tan)
+from numpy import bool_, cos, float64, sin
 from numpy.typing import NDArray
 
-Block = NDArray[float64]
+Floats = NDArray[float64]
 
 
-def accelerometer_at_rest(
-    roll: Block, pitch: Block, gravity: Block, out: Sequence[Block], work: Sequence[Block]
-) -> None:
+def accelerometer_at_rest(euler: Floats, gravity: Floats, out: Floats) -> None:
     """Reading of an accelerometer at rest, m/s² (3).
 
-    roll: roll about the body x-axis, radians
-    pitch: pitch about the vehicle-1 y-axis, radians
-    gravity: magnitude of gravity, m/s²
-    out: 3 arrays for the elements
-    work: 16 arrays for what is computed on the way
+    euler: roll, pitch, yaw, shape (..., 3)
+    gravity: magnitude of gravity, m/s², shape (...)
+    out: for the result, shape (..., 3)
 
     Ledger: estimation.2.4, sensors.2.2, sensors.2.c.
     """
-    # tan_half_pitch = tan(0.5 * pitch)
-    multiply(pitch, 0.5, out=work[0])
-    tan_half_pitch = tan(work[0], out=work[0])
-    # one_plus_cos_pitch = 2.0 / (tan_half_pitch * tan_half_pitch + 1.0)
-    square(tan_half_pitch, out=work[1])
-    add(work[1], 1.0, out=work[1])
-    one_plus_cos_pitch = divide(2.0, work[1], out=work[1])
-    sin_pitch = multiply(one_plus_cos_pitch, tan_half_pitch, out=work[0])
-    cos_pitch = subtract(one_plus_cos_pitch, 1.0, out=work[1])
-    # tan_half_roll = tan(0.5 * roll)
-    multiply(roll, 0.5, out=work[2])
-    tan_half_roll = tan(work[2], out=work[2])
-    # one_plus_cos_roll = 2.0 / (tan_half_roll * tan_half_roll + 1.0)
-    square(tan_half_roll, out=work[3])
-    add(work[3], 1.0, out=work[3])
-    one_plus_cos_roll = divide(2.0, work[3], out=work[3])
-    sin_roll = multiply(one_plus_cos_roll, tan_half_roll, out=work[2])
-    cos_roll = subtract(one_plus_cos_roll, 1.0, out=work[3])
-    cos_pitch_gravity = multiply(cos_pitch, gravity, out=work[1])
-    multiply(gravity, sin_pitch, out=out[0])
-    # out[1] = -cos_pitch_gravity * sin_roll
-    multiply(cos_pitch_gravity, sin_roll, out=work[0])
-    multiply(work[0], -1.0, out=out[1])
-    # out[2] = -cos_pitch_gravity * cos_roll
-    multiply(cos_pitch_gravity, cos_roll, out=work[0])
-    multiply(work[0], -1.0, out=out[2])
+    roll = euler[..., 0]
+    pitch = euler[..., 1]
+    sin_pitch = sin(pitch)
+    cos_pitch = cos(pitch)
+    sin_roll = sin(roll)
+    cos_roll = cos(roll)
+    cos_pitch_gravity = cos_pitch*gravity
+    out[..., 0] = gravity*sin_pitch
+    out[..., 1] = -cos_pitch_gravity*sin_roll
+    out[..., 2] = -cos_pitch_gravity*cos_roll
 
 
 def sensor_measures(
-    m11: Block,
-    m12: Block,
-    m13: Block,
-    m21: Block,
-    m22: Block,
-    m23: Block,
-    m31: Block,
-    m32: Block,
-    m33: Block,
-    sensitivity_x: Block,
-    sensitivity_y: Block,
-    sensitivity_z: Block,
-    bias_x: Block,
-    bias_y: Block,
-    bias_z: Block,
-    x: Block,
-    y: Block,
-    z: Block,
-    out: Sequence[Block],
-    work: Sequence[Block],
+    misalignment: Floats, sensitivity: Floats, bias: Floats, actual: Floats, out: Floats
 ) -> None:
     """Reading of a three-axis sensor, by its model (3).
 
-    m11: row 1, column 1 of the misalignment
-    m12: row 1, column 2 of the misalignment
-    m13: row 1, column 3 of the misalignment
-    m21: row 2, column 1 of the misalignment
-    m22: row 2, column 2 of the misalignment
-    m23: row 2, column 3 of the misalignment
-    m31: row 3, column 1 of the misalignment
-    m32: row 3, column 2 of the misalignment
-    m33: row 3, column 3 of the misalignment
-    sensitivity_x: sensitivity along x
-    sensitivity_y: sensitivity along y
-    sensitivity_z: sensitivity along z
-    bias_x: bias along x
-    bias_y: bias along y
-    bias_z: bias along z
-    x: what is there along x
-    y: what is there along y
-    z: what is there along z
-    out: 3 arrays for the elements
-    work: 16 arrays for what is computed on the way
+    misalignment: m11, m12, m13, m21, m22, m23, m31, m32, m33, shape (..., 3, 3)
+    sensitivity: sensitivity_x, sensitivity_y, sensitivity_z, shape (..., 3)
+    bias: bias_x, bias_y, bias_z, shape (..., 3)
+    actual: x, y, z, shape (..., 3)
+    out: for the result, shape (..., 3)
 
     Ledger: sensors.2.3, sensors.2.4.
     """
-    # own_x = sensitivity_x * x - bias_x
-    multiply(sensitivity_x, x, out=work[0])
-    own_x = subtract(work[0], bias_x, out=work[0])
-    # own_y = sensitivity_y * y - bias_y
-    multiply(sensitivity_y, y, out=work[1])
-    own_y = subtract(work[1], bias_y, out=work[1])
-    # own_z = sensitivity_z * z - bias_z
-    multiply(sensitivity_z, z, out=work[2])
-    own_z = subtract(work[2], bias_z, out=work[2])
-    # out[0] = m11 * own_x + m12 * own_y + m13 * own_z
-    multiply(m11, own_x, out=work[3])
-    multiply(m12, own_y, out=work[4])
-    add(work[3], work[4], out=work[3])
-    multiply(m13, own_z, out=work[4])
-    add(work[3], work[4], out=out[0])
-    # out[1] = m21 * own_x + m22 * own_y + m23 * own_z
-    multiply(m21, own_x, out=work[3])
-    multiply(m22, own_y, out=work[4])
-    add(work[3], work[4], out=work[3])
-    multiply(m23, own_z, out=work[4])
-    add(work[3], work[4], out=out[1])
-    # out[2] = m31 * own_x + m32 * own_y + m33 * own_z
-    multiply(m31, own_x, out=work[0])
-    multiply(m32, own_y, out=work[1])
-    add(work[0], work[1], out=work[0])
-    multiply(m33, own_z, out=work[1])
-    add(work[0], work[1], out=out[2])
+    m11 = misalignment[..., 0, 0]
+    m12 = misalignment[..., 0, 1]
+    m13 = misalignment[..., 0, 2]
+    m21 = misalignment[..., 1, 0]
+    m22 = misalignment[..., 1, 1]
+    m23 = misalignment[..., 1, 2]
+    m31 = misalignment[..., 2, 0]
+    m32 = misalignment[..., 2, 1]
+    m33 = misalignment[..., 2, 2]
+    sensitivity_x = sensitivity[..., 0]
+    sensitivity_y = sensitivity[..., 1]
+    sensitivity_z = sensitivity[..., 2]
+    bias_x = bias[..., 0]
+    bias_y = bias[..., 1]
+    bias_z = bias[..., 2]
+    x = actual[..., 0]
+    y = actual[..., 1]
+    z = actual[..., 2]
+    own_x = -bias_x + sensitivity_x*x
+    own_y = -bias_y + sensitivity_y*y
+    own_z = -bias_z + sensitivity_z*z
+    out[..., 0] = m11*own_x + m12*own_y + m13*own_z
+    out[..., 1] = m21*own_x + m22*own_y + m23*own_z
+    out[..., 2] = m31*own_x + m32*own_y + m33*own_z
 
 
 def sensor_corrected(
-    n11: Block,
-    n12: Block,
-    n13: Block,
-    n21: Block,
-    n22: Block,
-    n23: Block,
-    n31: Block,
-    n32: Block,
-    n33: Block,
-    sensitivity_x: Block,
-    sensitivity_y: Block,
-    sensitivity_z: Block,
-    bias_x: Block,
-    bias_y: Block,
-    bias_z: Block,
-    x: Block,
-    y: Block,
-    z: Block,
-    out: Sequence[Block],
-    work: Sequence[Block],
+    misalignment: Floats, sensitivity: Floats, bias: Floats, measured: Floats, out: Floats
 ) -> None:
     """What is there, from the reading of a three-axis sensor (3).
 
-    n11: row 1, column 1 of the inverse of the misalignment
-    n12: row 1, column 2 of the inverse of the misalignment
-    n13: row 1, column 3 of the inverse of the misalignment
-    n21: row 2, column 1 of the inverse of the misalignment
-    n22: row 2, column 2 of the inverse of the misalignment
-    n23: row 2, column 3 of the inverse of the misalignment
-    n31: row 3, column 1 of the inverse of the misalignment
-    n32: row 3, column 2 of the inverse of the misalignment
-    n33: row 3, column 3 of the inverse of the misalignment
-    sensitivity_x: sensitivity along x
-    sensitivity_y: sensitivity along y
-    sensitivity_z: sensitivity along z
-    bias_x: bias along x
-    bias_y: bias along y
-    bias_z: bias along z
-    x: what the sensor reads along x
-    y: what the sensor reads along y
-    z: what the sensor reads along z
-    out: 3 arrays for the elements
-    work: 16 arrays for what is computed on the way
+    misalignment: n11, n12, n13, n21, n22, n23, n31, n32, n33, shape (..., 3, 3)
+    sensitivity: sensitivity_x, sensitivity_y, sensitivity_z, shape (..., 3)
+    bias: bias_x, bias_y, bias_z, shape (..., 3)
+    measured: x, y, z, shape (..., 3)
+    out: for the result, shape (..., 3)
 
     Ledger: sensors.2.5, sensors.2.e, sensors.4.1.
     """
-    # out[0] = (bias_x + n11 * x + n12 * y + n13 * z) / sensitivity_x
-    multiply(n11, x, out=work[0])
-    add(bias_x, work[0], out=work[0])
-    multiply(n12, y, out=work[1])
-    add(work[0], work[1], out=work[0])
-    multiply(n13, z, out=work[1])
-    add(work[0], work[1], out=work[0])
-    divide(work[0], sensitivity_x, out=out[0])
-    # out[1] = (bias_y + n21 * x + n22 * y + n23 * z) / sensitivity_y
-    multiply(n21, x, out=work[0])
-    add(bias_y, work[0], out=work[0])
-    multiply(n22, y, out=work[1])
-    add(work[0], work[1], out=work[0])
-    multiply(n23, z, out=work[1])
-    add(work[0], work[1], out=work[0])
-    divide(work[0], sensitivity_y, out=out[1])
-    # out[2] = (bias_z + n31 * x + n32 * y + n33 * z) / sensitivity_z
-    multiply(n31, x, out=work[0])
-    add(bias_z, work[0], out=work[0])
-    multiply(n32, y, out=work[1])
-    add(work[0], work[1], out=work[0])
-    multiply(n33, z, out=work[1])
-    add(work[0], work[1], out=work[0])
-    divide(work[0], sensitivity_z, out=out[2])
+    n11 = misalignment[..., 0, 0]
+    n12 = misalignment[..., 0, 1]
+    n13 = misalignment[..., 0, 2]
+    n21 = misalignment[..., 1, 0]
+    n22 = misalignment[..., 1, 1]
+    n23 = misalignment[..., 1, 2]
+    n31 = misalignment[..., 2, 0]
+    n32 = misalignment[..., 2, 1]
+    n33 = misalignment[..., 2, 2]
+    sensitivity_x = sensitivity[..., 0]
+    sensitivity_y = sensitivity[..., 1]
+    sensitivity_z = sensitivity[..., 2]
+    bias_x = bias[..., 0]
+    bias_y = bias[..., 1]
+    bias_z = bias[..., 2]
+    x = measured[..., 0]
+    y = measured[..., 1]
+    z = measured[..., 2]
+    out[..., 0] = (bias_x + n11*x + n12*y + n13*z)/sensitivity_x
+    out[..., 1] = (bias_y + n21*x + n22*y + n23*z)/sensitivity_y
+    out[..., 2] = (bias_z + n31*x + n32*y + n33*z)/sensitivity_z
 
 
 def gyro_measures(
-    m11: Block,
-    m12: Block,
-    m13: Block,
-    m21: Block,
-    m22: Block,
-    m23: Block,
-    m31: Block,
-    m32: Block,
-    m33: Block,
-    sensitivity_x: Block,
-    sensitivity_y: Block,
-    sensitivity_z: Block,
-    bias_x: Block,
-    bias_y: Block,
-    bias_z: Block,
-    c11: Block,
-    c12: Block,
-    c13: Block,
-    c21: Block,
-    c22: Block,
-    c23: Block,
-    c31: Block,
-    c32: Block,
-    c33: Block,
-    accel_x: Block,
-    accel_y: Block,
-    accel_z: Block,
-    x: Block,
-    y: Block,
-    z: Block,
-    out: Sequence[Block],
-    work: Sequence[Block],
+    misalignment: Floats,
+    sensitivity: Floats,
+    bias: Floats,
+    coupling: Floats,
+    accel: Floats,
+    actual: Floats,
+    out: Floats,
 ) -> None:
     """Reading of a rate gyro on which acceleration acts, by its model (3).
 
-    m11: row 1, column 1 of the misalignment
-    m12: row 1, column 2 of the misalignment
-    m13: row 1, column 3 of the misalignment
-    m21: row 2, column 1 of the misalignment
-    m22: row 2, column 2 of the misalignment
-    m23: row 2, column 3 of the misalignment
-    m31: row 3, column 1 of the misalignment
-    m32: row 3, column 2 of the misalignment
-    m33: row 3, column 3 of the misalignment
-    sensitivity_x: sensitivity along x
-    sensitivity_y: sensitivity along y
-    sensitivity_z: sensitivity along z
-    bias_x: bias along x
-    bias_y: bias along y
-    bias_z: bias along z
-    c11: row 1, column 1 of the coupling of acceleration into the reading
-    c12: row 1, column 2 of the coupling of acceleration into the reading
-    c13: row 1, column 3 of the coupling of acceleration into the reading
-    c21: row 2, column 1 of the coupling of acceleration into the reading
-    c22: row 2, column 2 of the coupling of acceleration into the reading
-    c23: row 2, column 3 of the coupling of acceleration into the reading
-    c31: row 3, column 1 of the coupling of acceleration into the reading
-    c32: row 3, column 2 of the coupling of acceleration into the reading
-    c33: row 3, column 3 of the coupling of acceleration into the reading
-    accel_x: reading of the accelerometer along x, m/s²
-    accel_y: reading of the accelerometer along y, m/s²
-    accel_z: reading of the accelerometer along z, m/s²
-    x: what is there along x
-    y: what is there along y
-    z: what is there along z
-    out: 3 arrays for the elements
-    work: 16 arrays for what is computed on the way
+    misalignment: m11, m12, m13, m21, m22, m23, m31, m32, m33, shape (..., 3, 3)
+    sensitivity: sensitivity_x, sensitivity_y, sensitivity_z, shape (..., 3)
+    bias: bias_x, bias_y, bias_z, shape (..., 3)
+    coupling: c11, c12, c13, c21, c22, c23, c31, c32, c33, shape (..., 3, 3)
+    accel: accel_x, accel_y, accel_z, shape (..., 3)
+    actual: x, y, z, shape (..., 3)
+    out: for the result, shape (..., 3)
 
     Ledger: sensors.3.2.
     """
-    # own_x = accel_x * c11 + accel_y * c12 + accel_z * c13 - bias_x + sensitivity_x * x
-    multiply(accel_x, c11, out=work[0])
-    multiply(accel_y, c12, out=work[1])
-    add(work[0], work[1], out=work[0])
-    multiply(accel_z, c13, out=work[1])
-    add(work[0], work[1], out=work[0])
-    subtract(work[0], bias_x, out=work[0])
-    multiply(sensitivity_x, x, out=work[1])
-    own_x = add(work[0], work[1], out=work[0])
-    # own_y = accel_x * c21 + accel_y * c22 + accel_z * c23 - bias_y + sensitivity_y * y
-    multiply(accel_x, c21, out=work[1])
-    multiply(accel_y, c22, out=work[2])
-    add(work[1], work[2], out=work[1])
-    multiply(accel_z, c23, out=work[2])
-    add(work[1], work[2], out=work[1])
-    subtract(work[1], bias_y, out=work[1])
-    multiply(sensitivity_y, y, out=work[2])
-    own_y = add(work[1], work[2], out=work[1])
-    # own_z = accel_x * c31 + accel_y * c32 + accel_z * c33 - bias_z + sensitivity_z * z
-    multiply(accel_x, c31, out=work[2])
-    multiply(accel_y, c32, out=work[3])
-    add(work[2], work[3], out=work[2])
-    multiply(accel_z, c33, out=work[3])
-    add(work[2], work[3], out=work[2])
-    subtract(work[2], bias_z, out=work[2])
-    multiply(sensitivity_z, z, out=work[3])
-    own_z = add(work[2], work[3], out=work[2])
-    # out[0] = m11 * own_x + m12 * own_y + m13 * own_z
-    multiply(m11, own_x, out=work[3])
-    multiply(m12, own_y, out=work[4])
-    add(work[3], work[4], out=work[3])
-    multiply(m13, own_z, out=work[4])
-    add(work[3], work[4], out=out[0])
-    # out[1] = m21 * own_x + m22 * own_y + m23 * own_z
-    multiply(m21, own_x, out=work[3])
-    multiply(m22, own_y, out=work[4])
-    add(work[3], work[4], out=work[3])
-    multiply(m23, own_z, out=work[4])
-    add(work[3], work[4], out=out[1])
-    # out[2] = m31 * own_x + m32 * own_y + m33 * own_z
-    multiply(m31, own_x, out=work[0])
-    multiply(m32, own_y, out=work[1])
-    add(work[0], work[1], out=work[0])
-    multiply(m33, own_z, out=work[1])
-    add(work[0], work[1], out=out[2])
+    m11 = misalignment[..., 0, 0]
+    m12 = misalignment[..., 0, 1]
+    m13 = misalignment[..., 0, 2]
+    m21 = misalignment[..., 1, 0]
+    m22 = misalignment[..., 1, 1]
+    m23 = misalignment[..., 1, 2]
+    m31 = misalignment[..., 2, 0]
+    m32 = misalignment[..., 2, 1]
+    m33 = misalignment[..., 2, 2]
+    sensitivity_x = sensitivity[..., 0]
+    sensitivity_y = sensitivity[..., 1]
+    sensitivity_z = sensitivity[..., 2]
+    bias_x = bias[..., 0]
+    bias_y = bias[..., 1]
+    bias_z = bias[..., 2]
+    c11 = coupling[..., 0, 0]
+    c12 = coupling[..., 0, 1]
+    c13 = coupling[..., 0, 2]
+    c21 = coupling[..., 1, 0]
+    c22 = coupling[..., 1, 1]
+    c23 = coupling[..., 1, 2]
+    c31 = coupling[..., 2, 0]
+    c32 = coupling[..., 2, 1]
+    c33 = coupling[..., 2, 2]
+    accel_x = accel[..., 0]
+    accel_y = accel[..., 1]
+    accel_z = accel[..., 2]
+    x = actual[..., 0]
+    y = actual[..., 1]
+    z = actual[..., 2]
+    own_x = accel_x*c11 + accel_y*c12 + accel_z*c13 - bias_x + sensitivity_x*x
+    own_y = accel_x*c21 + accel_y*c22 + accel_z*c23 - bias_y + sensitivity_y*y
+    own_z = accel_x*c31 + accel_y*c32 + accel_z*c33 - bias_z + sensitivity_z*z
+    out[..., 0] = m11*own_x + m12*own_y + m13*own_z
+    out[..., 1] = m21*own_x + m22*own_y + m23*own_z
+    out[..., 2] = m31*own_x + m32*own_y + m33*own_z
 
 
 def gyro_corrected(
-    n11: Block,
-    n12: Block,
-    n13: Block,
-    n21: Block,
-    n22: Block,
-    n23: Block,
-    n31: Block,
-    n32: Block,
-    n33: Block,
-    sensitivity_x: Block,
-    sensitivity_y: Block,
-    sensitivity_z: Block,
-    bias_x: Block,
-    bias_y: Block,
-    bias_z: Block,
-    c11: Block,
-    c12: Block,
-    c13: Block,
-    c21: Block,
-    c22: Block,
-    c23: Block,
-    c31: Block,
-    c32: Block,
-    c33: Block,
-    accel_x: Block,
-    accel_y: Block,
-    accel_z: Block,
-    x: Block,
-    y: Block,
-    z: Block,
-    out: Sequence[Block],
-    work: Sequence[Block],
+    misalignment: Floats,
+    sensitivity: Floats,
+    bias: Floats,
+    coupling: Floats,
+    accel: Floats,
+    measured: Floats,
+    out: Floats,
 ) -> None:
     """Body rates, from the reading of a rate gyro on which acceleration acts (3).
 
-    n11: row 1, column 1 of the inverse of the misalignment
-    n12: row 1, column 2 of the inverse of the misalignment
-    n13: row 1, column 3 of the inverse of the misalignment
-    n21: row 2, column 1 of the inverse of the misalignment
-    n22: row 2, column 2 of the inverse of the misalignment
-    n23: row 2, column 3 of the inverse of the misalignment
-    n31: row 3, column 1 of the inverse of the misalignment
-    n32: row 3, column 2 of the inverse of the misalignment
-    n33: row 3, column 3 of the inverse of the misalignment
-    sensitivity_x: sensitivity along x
-    sensitivity_y: sensitivity along y
-    sensitivity_z: sensitivity along z
-    bias_x: bias along x
-    bias_y: bias along y
-    bias_z: bias along z
-    c11: row 1, column 1 of the coupling of acceleration into the reading
-    c12: row 1, column 2 of the coupling of acceleration into the reading
-    c13: row 1, column 3 of the coupling of acceleration into the reading
-    c21: row 2, column 1 of the coupling of acceleration into the reading
-    c22: row 2, column 2 of the coupling of acceleration into the reading
-    c23: row 2, column 3 of the coupling of acceleration into the reading
-    c31: row 3, column 1 of the coupling of acceleration into the reading
-    c32: row 3, column 2 of the coupling of acceleration into the reading
-    c33: row 3, column 3 of the coupling of acceleration into the reading
-    accel_x: reading of the accelerometer along x, m/s²
-    accel_y: reading of the accelerometer along y, m/s²
-    accel_z: reading of the accelerometer along z, m/s²
-    x: what the sensor reads along x
-    y: what the sensor reads along y
-    z: what the sensor reads along z
-    out: 3 arrays for the elements
-    work: 16 arrays for what is computed on the way
+    misalignment: n11, n12, n13, n21, n22, n23, n31, n32, n33, shape (..., 3, 3)
+    sensitivity: sensitivity_x, sensitivity_y, sensitivity_z, shape (..., 3)
+    bias: bias_x, bias_y, bias_z, shape (..., 3)
+    coupling: c11, c12, c13, c21, c22, c23, c31, c32, c33, shape (..., 3, 3)
+    accel: accel_x, accel_y, accel_z, shape (..., 3)
+    measured: x, y, z, shape (..., 3)
+    out: for the result, shape (..., 3)
 
     Ledger: sensors.3.2.
     """
-    # out[0] = (bias_x - accel_x * c11 - accel_y * c12 - accel_z * c13 + n11 * x + n12 * y
-    #     + n13 * z) / sensitivity_x
-    multiply(accel_x, c11, out=work[0])
-    subtract(bias_x, work[0], out=work[0])
-    multiply(accel_y, c12, out=work[1])
-    subtract(work[0], work[1], out=work[0])
-    multiply(accel_z, c13, out=work[1])
-    subtract(work[0], work[1], out=work[0])
-    multiply(n11, x, out=work[1])
-    add(work[0], work[1], out=work[0])
-    multiply(n12, y, out=work[1])
-    add(work[0], work[1], out=work[0])
-    multiply(n13, z, out=work[1])
-    add(work[0], work[1], out=work[0])
-    divide(work[0], sensitivity_x, out=out[0])
-    # out[1] = (bias_y - accel_x * c21 - accel_y * c22 - accel_z * c23 + n21 * x + n22 * y
-    #     + n23 * z) / sensitivity_y
-    multiply(accel_x, c21, out=work[0])
-    subtract(bias_y, work[0], out=work[0])
-    multiply(accel_y, c22, out=work[1])
-    subtract(work[0], work[1], out=work[0])
-    multiply(accel_z, c23, out=work[1])
-    subtract(work[0], work[1], out=work[0])
-    multiply(n21, x, out=work[1])
-    add(work[0], work[1], out=work[0])
-    multiply(n22, y, out=work[1])
-    add(work[0], work[1], out=work[0])
-    multiply(n23, z, out=work[1])
-    add(work[0], work[1], out=work[0])
-    divide(work[0], sensitivity_y, out=out[1])
-    # out[2] = (bias_z - accel_x * c31 - accel_y * c32 - accel_z * c33 + n31 * x + n32 * y
-    #     + n33 * z) / sensitivity_z
-    multiply(accel_x, c31, out=work[0])
-    subtract(bias_z, work[0], out=work[0])
-    multiply(accel_y, c32, out=work[1])
-    subtract(work[0], work[1], out=work[0])
-    multiply(accel_z, c33, out=work[1])
-    subtract(work[0], work[1], out=work[0])
-    multiply(n31, x, out=work[1])
-    add(work[0], work[1], out=work[0])
-    multiply(n32, y, out=work[1])
-    add(work[0], work[1], out=work[0])
-    multiply(n33, z, out=work[1])
-    add(work[0], work[1], out=work[0])
-    divide(work[0], sensitivity_z, out=out[2])
+    n11 = misalignment[..., 0, 0]
+    n12 = misalignment[..., 0, 1]
+    n13 = misalignment[..., 0, 2]
+    n21 = misalignment[..., 1, 0]
+    n22 = misalignment[..., 1, 1]
+    n23 = misalignment[..., 1, 2]
+    n31 = misalignment[..., 2, 0]
+    n32 = misalignment[..., 2, 1]
+    n33 = misalignment[..., 2, 2]
+    sensitivity_x = sensitivity[..., 0]
+    sensitivity_y = sensitivity[..., 1]
+    sensitivity_z = sensitivity[..., 2]
+    bias_x = bias[..., 0]
+    bias_y = bias[..., 1]
+    bias_z = bias[..., 2]
+    c11 = coupling[..., 0, 0]
+    c12 = coupling[..., 0, 1]
+    c13 = coupling[..., 0, 2]
+    c21 = coupling[..., 1, 0]
+    c22 = coupling[..., 1, 1]
+    c23 = coupling[..., 1, 2]
+    c31 = coupling[..., 2, 0]
+    c32 = coupling[..., 2, 1]
+    c33 = coupling[..., 2, 2]
+    accel_x = accel[..., 0]
+    accel_y = accel[..., 1]
+    accel_z = accel[..., 2]
+    x = measured[..., 0]
+    y = measured[..., 1]
+    z = measured[..., 2]
+    out[..., 0] = (
+        (-accel_x*c11 - accel_y*c12 - accel_z*c13 + bias_x + n11*x + n12*y + n13*z)/sensitivity_x
+    )
+    out[..., 1] = (
+        (-accel_x*c21 - accel_y*c22 - accel_z*c23 + bias_y + n21*x + n22*y + n23*z)/sensitivity_y
+    )
+    out[..., 2] = (
+        (-accel_x*c31 - accel_y*c32 - accel_z*c33 + bias_z + n31*x + n32*y + n33*z)/sensitivity_z
+    )
 
 
-def iron_removed(
-    d11: Block,
-    d12: Block,
-    d13: Block,
-    d21: Block,
-    d22: Block,
-    d23: Block,
-    d31: Block,
-    d32: Block,
-    d33: Block,
-    hard_x: Block,
-    hard_y: Block,
-    hard_z: Block,
-    x: Block,
-    y: Block,
-    z: Block,
-    out: Sequence[Block],
-    work: Sequence[Block],
-) -> None:
+def iron_removed(soft_iron: Floats, hard_iron: Floats, field: Floats, out: Floats) -> None:
     """The magnetic field without what soft and hard iron do to it (3).
 
-    d11: row 1, column 1 of the soft-iron matrix
-    d12: row 1, column 2 of the soft-iron matrix
-    d13: row 1, column 3 of the soft-iron matrix
-    d21: row 2, column 1 of the soft-iron matrix
-    d22: row 2, column 2 of the soft-iron matrix
-    d23: row 2, column 3 of the soft-iron matrix
-    d31: row 3, column 1 of the soft-iron matrix
-    d32: row 3, column 2 of the soft-iron matrix
-    d33: row 3, column 3 of the soft-iron matrix
-    hard_x: hard-iron bias along x
-    hard_y: hard-iron bias along y
-    hard_z: hard-iron bias along z
-    x: what the sensor reads along x
-    y: what the sensor reads along y
-    z: what the sensor reads along z
-    out: 3 arrays for the elements
-    work: 16 arrays for what is computed on the way
+    soft_iron: d11, d12, d13, d21, d22, d23, d31, d32, d33, shape (..., 3, 3)
+    hard_iron: hard_x, hard_y, hard_z, shape (..., 3)
+    field: x, y, z, shape (..., 3)
+    out: for the result, shape (..., 3)
 
     Ledger: sensors.4.2.
     """
-    # out[0] = d11 * x + d12 * y + d13 * z - hard_x
-    multiply(d11, x, out=work[0])
-    multiply(d12, y, out=work[1])
-    add(work[0], work[1], out=work[0])
-    multiply(d13, z, out=work[1])
-    add(work[0], work[1], out=work[0])
-    subtract(work[0], hard_x, out=out[0])
-    # out[1] = d21 * x + d22 * y + d23 * z - hard_y
-    multiply(d21, x, out=work[0])
-    multiply(d22, y, out=work[1])
-    add(work[0], work[1], out=work[0])
-    multiply(d23, z, out=work[1])
-    add(work[0], work[1], out=work[0])
-    subtract(work[0], hard_y, out=out[1])
-    # out[2] = d31 * x + d32 * y + d33 * z - hard_z
-    multiply(d31, x, out=work[0])
-    multiply(d32, y, out=work[1])
-    add(work[0], work[1], out=work[0])
-    multiply(d33, z, out=work[1])
-    add(work[0], work[1], out=work[0])
-    subtract(work[0], hard_z, out=out[2])
+    d11 = soft_iron[..., 0, 0]
+    d12 = soft_iron[..., 0, 1]
+    d13 = soft_iron[..., 0, 2]
+    d21 = soft_iron[..., 1, 0]
+    d22 = soft_iron[..., 1, 1]
+    d23 = soft_iron[..., 1, 2]
+    d31 = soft_iron[..., 2, 0]
+    d32 = soft_iron[..., 2, 1]
+    d33 = soft_iron[..., 2, 2]
+    hard_x = hard_iron[..., 0]
+    hard_y = hard_iron[..., 1]
+    hard_z = hard_iron[..., 2]
+    x = field[..., 0]
+    y = field[..., 1]
+    z = field[..., 2]
+    out[..., 0] = d11*x + d12*y + d13*z - hard_x
+    out[..., 1] = d21*x + d22*y + d23*z - hard_y
+    out[..., 2] = d31*x + d32*y + d33*z - hard_z
 
 
-def iron_added(
-    n11: Block,
-    n12: Block,
-    n13: Block,
-    n21: Block,
-    n22: Block,
-    n23: Block,
-    n31: Block,
-    n32: Block,
-    n33: Block,
-    hard_x: Block,
-    hard_y: Block,
-    hard_z: Block,
-    x: Block,
-    y: Block,
-    z: Block,
-    out: Sequence[Block],
-    work: Sequence[Block],
-) -> None:
+def iron_added(soft_iron: Floats, hard_iron: Floats, actual: Floats, out: Floats) -> None:
     """The magnetic field as soft and hard iron distort it (3).
 
-    n11: row 1, column 1 of the inverse of the soft-iron matrix
-    n12: row 1, column 2 of the inverse of the soft-iron matrix
-    n13: row 1, column 3 of the inverse of the soft-iron matrix
-    n21: row 2, column 1 of the inverse of the soft-iron matrix
-    n22: row 2, column 2 of the inverse of the soft-iron matrix
-    n23: row 2, column 3 of the inverse of the soft-iron matrix
-    n31: row 3, column 1 of the inverse of the soft-iron matrix
-    n32: row 3, column 2 of the inverse of the soft-iron matrix
-    n33: row 3, column 3 of the inverse of the soft-iron matrix
-    hard_x: hard-iron bias along x
-    hard_y: hard-iron bias along y
-    hard_z: hard-iron bias along z
-    x: what is there along x
-    y: what is there along y
-    z: what is there along z
-    out: 3 arrays for the elements
-    work: 16 arrays for what is computed on the way
+    soft_iron: n11, n12, n13, n21, n22, n23, n31, n32, n33, shape (..., 3, 3)
+    hard_iron: hard_x, hard_y, hard_z, shape (..., 3)
+    actual: x, y, z, shape (..., 3)
+    out: for the result, shape (..., 3)
 
     Ledger: sensors.4.2.
     """
-    # out[0] = hard_x * n11 + hard_y * n12 + hard_z * n13 + n11 * x + n12 * y + n13 * z
-    multiply(hard_x, n11, out=work[0])
-    multiply(hard_y, n12, out=work[1])
-    add(work[0], work[1], out=work[0])
-    multiply(hard_z, n13, out=work[1])
-    add(work[0], work[1], out=work[0])
-    multiply(n11, x, out=work[1])
-    add(work[0], work[1], out=work[0])
-    multiply(n12, y, out=work[1])
-    add(work[0], work[1], out=work[0])
-    multiply(n13, z, out=work[1])
-    add(work[0], work[1], out=out[0])
-    # out[1] = hard_x * n21 + hard_y * n22 + hard_z * n23 + n21 * x + n22 * y + n23 * z
-    multiply(hard_x, n21, out=work[0])
-    multiply(hard_y, n22, out=work[1])
-    add(work[0], work[1], out=work[0])
-    multiply(hard_z, n23, out=work[1])
-    add(work[0], work[1], out=work[0])
-    multiply(n21, x, out=work[1])
-    add(work[0], work[1], out=work[0])
-    multiply(n22, y, out=work[1])
-    add(work[0], work[1], out=work[0])
-    multiply(n23, z, out=work[1])
-    add(work[0], work[1], out=out[1])
-    # out[2] = hard_x * n31 + hard_y * n32 + hard_z * n33 + n31 * x + n32 * y + n33 * z
-    multiply(hard_x, n31, out=work[0])
-    multiply(hard_y, n32, out=work[1])
-    add(work[0], work[1], out=work[0])
-    multiply(hard_z, n33, out=work[1])
-    add(work[0], work[1], out=work[0])
-    multiply(n31, x, out=work[1])
-    add(work[0], work[1], out=work[0])
-    multiply(n32, y, out=work[1])
-    add(work[0], work[1], out=work[0])
-    multiply(n33, z, out=work[1])
-    add(work[0], work[1], out=out[2])
+    n11 = soft_iron[..., 0, 0]
+    n12 = soft_iron[..., 0, 1]
+    n13 = soft_iron[..., 0, 2]
+    n21 = soft_iron[..., 1, 0]
+    n22 = soft_iron[..., 1, 1]
+    n23 = soft_iron[..., 1, 2]
+    n31 = soft_iron[..., 2, 0]
+    n32 = soft_iron[..., 2, 1]
+    n33 = soft_iron[..., 2, 2]
+    hard_x = hard_iron[..., 0]
+    hard_y = hard_iron[..., 1]
+    hard_z = hard_iron[..., 2]
+    x = actual[..., 0]
+    y = actual[..., 1]
+    z = actual[..., 2]
+    out[..., 0] = hard_x*n11 + hard_y*n12 + hard_z*n13 + n11*x + n12*y + n13*z
+    out[..., 1] = hard_x*n21 + hard_y*n22 + hard_z*n23 + n21*x + n22*y + n23*z
+    out[..., 2] = hard_x*n31 + hard_y*n32 + hard_z*n33 + n31*x + n32*y + n33*z

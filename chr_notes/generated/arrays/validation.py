@@ -2,139 +2,70 @@
 From the derivations behind the ledger entries validation.12, validation.16, validation.17.
 """
 
-from collections.abc import Sequence
-
-from numpy import (absolute, add, arctan2, divide, float64, multiply, sqrt, square, subtract, tan)
+from numpy import arctan2, bool_, cos, float64, nan, sin, sqrt, where
 from numpy.typing import NDArray
 
-Block = NDArray[float64]
+Floats = NDArray[float64]
 
 
-def heading_from_magnetometer(
-    mag_x: Block,
-    mag_y: Block,
-    mag_z: Block,
-    roll: Block,
-    pitch: Block,
-    north: Block,
-    east: Block,
-    out: Sequence[Block],
-    work: Sequence[Block],
-) -> None:
+def heading_from_magnetometer(mag: Floats, tilt: Floats, reference: Floats, out: Floats) -> None:
     """Yaw, radians.
 
-    mag_x: reading of the magnetometer along x, any unit
-    mag_y: reading of the magnetometer along y, any unit
-    mag_z: reading of the magnetometer along z, any unit
-    roll: roll about the body x-axis, radians
-    pitch: pitch about the vehicle-1 y-axis, radians
-    north: horizontal field at yaw 0 along x, any unit
-    east: horizontal field at yaw 0 along y, any unit
-    out: an array for the result
-    work: 16 arrays for what is computed on the way
+    mag: mag_x, mag_y, mag_z, shape (..., 3)
+    tilt: roll, pitch, shape (..., 2)
+    reference: north, east, shape (..., 2)
+    out: for the result, shape (...)
 
+    Right as long as the length squared neither overflows nor vanishes.
     Ledger: validation.12, validation.16.
     """
-    # tan_half_pitch = tan(0.5 * pitch)
-    multiply(pitch, 0.5, out=work[0])
-    tan_half_pitch = tan(work[0], out=work[0])
-    # one_plus_cos_pitch = 2.0 / (tan_half_pitch * tan_half_pitch + 1.0)
-    square(tan_half_pitch, out=work[1])
-    add(work[1], 1.0, out=work[1])
-    one_plus_cos_pitch = divide(2.0, work[1], out=work[1])
-    sin_pitch = multiply(one_plus_cos_pitch, tan_half_pitch, out=work[0])
-    cos_pitch = subtract(one_plus_cos_pitch, 1.0, out=work[1])
-    # tan_half_roll = tan(0.5 * roll)
-    multiply(roll, 0.5, out=work[2])
-    tan_half_roll = tan(work[2], out=work[2])
-    # one_plus_cos_roll = 2.0 / (tan_half_roll * tan_half_roll + 1.0)
-    square(tan_half_roll, out=work[3])
-    add(work[3], 1.0, out=work[3])
-    one_plus_cos_roll = divide(2.0, work[3], out=work[3])
-    sin_roll = multiply(one_plus_cos_roll, tan_half_roll, out=work[2])
-    cos_roll = subtract(one_plus_cos_roll, 1.0, out=work[3])
-    # level_x = cos_pitch * mag_x + cos_roll * mag_z * sin_pitch + mag_y * sin_pitch * sin_roll
-    multiply(cos_pitch, mag_x, out=work[1])
-    multiply(cos_roll, mag_z, out=work[4])
-    multiply(work[4], sin_pitch, out=work[4])
-    add(work[1], work[4], out=work[1])
-    multiply(mag_y, sin_pitch, out=work[0])
-    multiply(work[0], sin_roll, out=work[0])
-    level_x = add(work[1], work[0], out=work[0])
-    # level_y = cos_roll * mag_y - mag_z * sin_roll
-    multiply(cos_roll, mag_y, out=work[1])
-    multiply(mag_z, sin_roll, out=work[2])
-    level_y = subtract(work[1], work[2], out=work[1])
-    # out[0] = atan2(east * level_x - level_y * north, east * level_y + level_x * north)
-    multiply(east, level_x, out=work[2])
-    multiply(level_y, north, out=work[3])
-    subtract(work[2], work[3], out=work[2])
-    multiply(east, level_y, out=work[1])
-    multiply(level_x, north, out=work[0])
-    add(work[1], work[0], out=work[0])
-    arctan2(work[2], work[0], out=out[0])
+    mag_x = mag[..., 0]
+    mag_y = mag[..., 1]
+    mag_z = mag[..., 2]
+    roll = tilt[..., 0]
+    pitch = tilt[..., 1]
+    north = reference[..., 0]
+    east = reference[..., 1]
+    sin_pitch = sin(pitch)
+    cos_pitch = cos(pitch)
+    sin_roll = sin(roll)
+    cos_roll = cos(roll)
+    size = abs(mag_x) + abs(mag_y) + abs(mag_z)
+    has_direction = (size <= 1.7976931348623157e+308) & (size > 0.0)
+    level_x = cos_pitch*mag_x + cos_roll*mag_z*sin_pitch + mag_y*sin_pitch*sin_roll
+    level_y = cos_roll*mag_y - mag_z*sin_roll
+    result = (
+        where(has_direction, arctan2(east*level_x - level_y*north, east*level_y + level_x*north),
+            nan)
+    )
+    out[...] = result
 
 
-def validation_factor(
-    mag_x: Block,
-    mag_y: Block,
-    mag_z: Block,
-    roll: Block,
-    pitch: Block,
-    reference_down: Block,
-    out: Sequence[Block],
-    work: Sequence[Block],
-) -> tuple[Block, None]:
+def validation_factor(mag: Floats, tilt: Floats, reference_down: Floats, out: Floats) -> None:
     """The factor E: by how much the field down is off, the whole field being 1.
 
-    mag_x: reading of the magnetometer along x, any unit
-    mag_y: reading of the magnetometer along y, any unit
-    mag_z: reading of the magnetometer along z, any unit
-    roll: roll about the body x-axis, radians
-    pitch: pitch about the vehicle-1 y-axis, radians
-    reference_down: part of the field that points down, the whole field being 1
-    out: an array for the result
-    work: 16 arrays for what is computed on the way
-
-    Returns the field squared.
+    mag: mag_x, mag_y, mag_z, shape (..., 3)
+    tilt: roll, pitch, shape (..., 2)
+    reference_down: part of the field that points down, the whole field being 1, shape (...)
+    out: for the result, shape (...)
 
     Ledger: validation.17.
     """
-    # tan_half_pitch = tan(0.5 * pitch)
-    multiply(pitch, 0.5, out=work[0])
-    tan_half_pitch = tan(work[0], out=work[0])
-    # one_plus_cos_pitch = 2.0 / (tan_half_pitch * tan_half_pitch + 1.0)
-    square(tan_half_pitch, out=work[1])
-    add(work[1], 1.0, out=work[1])
-    one_plus_cos_pitch = divide(2.0, work[1], out=work[1])
-    sin_pitch = multiply(one_plus_cos_pitch, tan_half_pitch, out=work[0])
-    cos_pitch = subtract(one_plus_cos_pitch, 1.0, out=work[1])
-    # tan_half_roll = tan(0.5 * roll)
-    multiply(roll, 0.5, out=work[2])
-    tan_half_roll = tan(work[2], out=work[2])
-    # one_plus_cos_roll = 2.0 / (tan_half_roll * tan_half_roll + 1.0)
-    square(tan_half_roll, out=work[3])
-    add(work[3], 1.0, out=work[3])
-    one_plus_cos_roll = divide(2.0, work[3], out=work[3])
-    sin_roll = multiply(one_plus_cos_roll, tan_half_roll, out=work[2])
-    cos_roll = subtract(one_plus_cos_roll, 1.0, out=work[3])
-    # field_squared = mag_x * mag_x + mag_y * mag_y + mag_z * mag_z
-    square(mag_x, out=work[4])
-    square(mag_y, out=work[5])
-    add(work[4], work[5], out=work[4])
-    square(mag_z, out=work[5])
-    field_squared = add(work[4], work[5], out=work[4])
-    # level_z = cos_pitch * cos_roll * mag_z + cos_pitch * mag_y * sin_roll - mag_x * sin_pitch
-    multiply(cos_pitch, cos_roll, out=work[3])
-    multiply(work[3], mag_z, out=work[3])
-    multiply(cos_pitch, mag_y, out=work[1])
-    multiply(work[1], sin_roll, out=work[1])
-    add(work[3], work[1], out=work[1])
-    multiply(mag_x, sin_pitch, out=work[0])
-    level_z = subtract(work[1], work[0], out=work[0])
-    # out[0] = abs(reference_down - level_z / sqrt(field_squared))
-    sqrt(field_squared, out=work[1])
-    divide(level_z, work[1], out=work[0])
-    subtract(reference_down, work[0], out=work[0])
-    absolute(work[0], out=out[0])
-    return field_squared, None
+    mag_x = mag[..., 0]
+    mag_y = mag[..., 1]
+    mag_z = mag[..., 2]
+    roll = tilt[..., 0]
+    pitch = tilt[..., 1]
+    sin_pitch = sin(pitch)
+    cos_pitch = cos(pitch)
+    sin_roll = sin(roll)
+    cos_roll = cos(roll)
+    size = abs(mag_x) + abs(mag_y) + abs(mag_z)
+    has_direction = (size <= 1.7976931348623157e+308) & (size > 0.0)
+    reading_x = where(has_direction, mag_x/size, 0.0)
+    reading_y = where(has_direction, mag_y/size, 0.0)
+    reading_z = where(has_direction, mag_z/size, 0.0)
+    length_squared = reading_x*reading_x + reading_y*reading_y + reading_z*reading_z
+    level_z = cos_pitch*cos_roll*reading_z + cos_pitch*reading_y*sin_roll - reading_x*sin_pitch
+    result = where(has_direction, abs(reference_down - level_z/sqrt(length_squared)), nan)
+    out[...] = result

@@ -22,19 +22,19 @@ void attitude_matrix_from_euler(double roll, double pitch, double yaw, double ou
     const double cos_roll = cos(roll);
     const double sin_yaw = sin(yaw);
     const double cos_yaw = cos(yaw);
-    const double cos_yaw_sin_roll = cos_yaw * sin_roll;
-    const double cos_roll_sin_yaw = cos_roll * sin_yaw;
-    const double cos_roll_cos_yaw = cos_roll * cos_yaw;
-    const double sin_roll_sin_yaw = sin_roll * sin_yaw;
-    out[0] = cos_pitch * cos_yaw;
-    out[1] = cos_pitch * sin_yaw;
+    const double cos_yaw_sin_roll = cos_yaw*sin_roll;
+    const double cos_roll_sin_yaw = cos_roll*sin_yaw;
+    const double cos_roll_cos_yaw = cos_roll*cos_yaw;
+    const double sin_roll_sin_yaw = sin_roll*sin_yaw;
+    out[0] = cos_pitch*cos_yaw;
+    out[1] = cos_pitch*sin_yaw;
     out[2] = -sin_pitch;
-    out[3] = cos_yaw_sin_roll * sin_pitch - cos_roll_sin_yaw;
-    out[4] = cos_roll_cos_yaw + sin_pitch * sin_roll_sin_yaw;
-    out[5] = cos_pitch * sin_roll;
-    out[6] = cos_roll_cos_yaw * sin_pitch + sin_roll_sin_yaw;
-    out[7] = cos_roll_sin_yaw * sin_pitch - cos_yaw_sin_roll;
-    out[8] = cos_pitch * cos_roll;
+    out[3] = -cos_roll_sin_yaw + cos_yaw_sin_roll*sin_pitch;
+    out[4] = cos_roll_cos_yaw + sin_pitch*sin_roll_sin_yaw;
+    out[5] = cos_pitch*sin_roll;
+    out[6] = cos_roll_cos_yaw*sin_pitch + sin_roll_sin_yaw;
+    out[7] = cos_roll_sin_yaw*sin_pitch - cos_yaw_sin_roll;
+    out[8] = cos_pitch*cos_roll;
 }
 
 void attitude_matrix_from_euler_f(float roll, float pitch, float yaw, float out[9])
@@ -45,19 +45,19 @@ void attitude_matrix_from_euler_f(float roll, float pitch, float yaw, float out[
     const float cos_roll = cosf(roll);
     const float sin_yaw = sinf(yaw);
     const float cos_yaw = cosf(yaw);
-    const float cos_yaw_sin_roll = cos_yaw * sin_roll;
-    const float cos_roll_sin_yaw = cos_roll * sin_yaw;
-    const float cos_roll_cos_yaw = cos_roll * cos_yaw;
-    const float sin_roll_sin_yaw = sin_roll * sin_yaw;
-    out[0] = cos_pitch * cos_yaw;
-    out[1] = cos_pitch * sin_yaw;
+    const float cos_yaw_sin_roll = cos_yaw*sin_roll;
+    const float cos_roll_sin_yaw = cos_roll*sin_yaw;
+    const float cos_roll_cos_yaw = cos_roll*cos_yaw;
+    const float sin_roll_sin_yaw = sin_roll*sin_yaw;
+    out[0] = cos_pitch*cos_yaw;
+    out[1] = cos_pitch*sin_yaw;
     out[2] = -sin_pitch;
-    out[3] = cos_yaw_sin_roll * sin_pitch - cos_roll_sin_yaw;
-    out[4] = cos_roll_cos_yaw + sin_pitch * sin_roll_sin_yaw;
-    out[5] = cos_pitch * sin_roll;
-    out[6] = cos_roll_cos_yaw * sin_pitch + sin_roll_sin_yaw;
-    out[7] = cos_roll_sin_yaw * sin_pitch - cos_yaw_sin_roll;
-    out[8] = cos_pitch * cos_roll;
+    out[3] = -cos_roll_sin_yaw + cos_yaw_sin_roll*sin_pitch;
+    out[4] = cos_roll_cos_yaw + sin_pitch*sin_roll_sin_yaw;
+    out[5] = cos_pitch*sin_roll;
+    out[6] = cos_roll_cos_yaw*sin_pitch + sin_roll_sin_yaw;
+    out[7] = cos_roll_sin_yaw*sin_pitch - cos_yaw_sin_roll;
+    out[8] = cos_pitch*cos_roll;
 }
 
 int attitude_euler_from_matrix(double r11, double r12, double r13, double r21, double r22,
@@ -69,7 +69,7 @@ int attitude_euler_from_matrix(double r11, double r12, double r13, double r21, d
     const int locked = fabs(pitch) > 1.5707963267948948;
     double roll, yaw;
     if (!locked) {
-        roll = atan2(r12 * r31 - r11 * r32, r11 * r22 - r12 * r21);
+        roll = atan2(-r11*r32 + r12*r31, r11*r22 - r12*r21);
         yaw = atan2(r12, r11);
     } else {
         roll = 0.0;
@@ -90,7 +90,7 @@ int attitude_euler_from_matrix_f(float r11, float r12, float r13, float r21, flo
     const int locked = fabsf(pitch) > 1.5707953731205802f;
     float roll, yaw;
     if (!locked) {
-        roll = atan2f(r12 * r31 - r11 * r32, r11 * r22 - r12 * r21);
+        roll = atan2f(-r11*r32 + r12*r31, r11*r22 - r12*r21);
         yaw = atan2f(r12, r11);
     } else {
         roll = 0.0f;
@@ -102,40 +102,70 @@ int attitude_euler_from_matrix_f(float r11, float r12, float r13, float r21, flo
     return locked;
 }
 
+void attitude_rotation_defect(double r11, double r12, double r13, double r21, double r22,
+    double r23, double r31, double r32, double r33, double out[2])
+{
+    const double off_11 = -1.0 + r11*r11 + r12*r12 + r13*r13;
+    const double off_21 = r11*r21 + r12*r22 + r13*r23;
+    const double off_22 = -1.0 + r21*r21 + r22*r22 + r23*r23;
+    const double off_31 = r11*r31 + r12*r32 + r13*r33;
+    const double off_32 = r21*r31 + r22*r32 + r23*r33;
+    const double off_33 = -1.0 + r31*r31 + r32*r32 + r33*r33;
+    out[0] = sqrt(0.1111111111111111*(off_11*off_11) + 0.2222222222222222*(off_21*off_21) +
+        0.1111111111111111*(off_22*off_22) + 0.2222222222222222*(off_31*off_31) +
+        0.2222222222222222*(off_32*off_32) + 0.1111111111111111*(off_33*off_33));
+    out[1] = r31*(r12*r23 - r13*r22) + r32*(-r11*r23 + r13*r21) + r33*(r11*r22 - r12*r21);
+}
+
+void attitude_rotation_defect_f(float r11, float r12, float r13, float r21, float r22, float r23,
+    float r31, float r32, float r33, float out[2])
+{
+    const float off_11 = -1.0f + r11*r11 + r12*r12 + r13*r13;
+    const float off_21 = r11*r21 + r12*r22 + r13*r23;
+    const float off_22 = -1.0f + r21*r21 + r22*r22 + r23*r23;
+    const float off_31 = r11*r31 + r12*r32 + r13*r33;
+    const float off_32 = r21*r31 + r22*r32 + r23*r33;
+    const float off_33 = -1.0f + r31*r31 + r32*r32 + r33*r33;
+    out[0] = sqrtf(0.1111111111111111f*(off_11*off_11) + 0.2222222222222222f*(off_21*off_21) +
+        0.1111111111111111f*(off_22*off_22) + 0.2222222222222222f*(off_31*off_31) +
+        0.2222222222222222f*(off_32*off_32) + 0.1111111111111111f*(off_33*off_33));
+    out[1] = r31*(r12*r23 - r13*r22) + r32*(-r11*r23 + r13*r21) + r33*(r11*r22 - r12*r21);
+}
+
 void attitude_euler_rates_matrix(double roll, double pitch, double out[9])
 {
     const double cos_pitch = cos(pitch);
     const double tan_pitch = tan(pitch);
-    const double sec_pitch = 1.0 / cos_pitch;
+    const double sec_pitch = 1.0/cos_pitch;
     const double sin_roll = sin(roll);
     const double cos_roll = cos(roll);
     out[0] = 1.0;
-    out[1] = sin_roll * tan_pitch;
-    out[2] = cos_roll * tan_pitch;
+    out[1] = sin_roll*tan_pitch;
+    out[2] = cos_roll*tan_pitch;
     out[3] = 0.0;
     out[4] = cos_roll;
     out[5] = -sin_roll;
     out[6] = 0.0;
-    out[7] = sec_pitch * sin_roll;
-    out[8] = cos_roll * sec_pitch;
+    out[7] = sec_pitch*sin_roll;
+    out[8] = cos_roll*sec_pitch;
 }
 
 void attitude_euler_rates_matrix_f(float roll, float pitch, float out[9])
 {
     const float cos_pitch = cosf(pitch);
     const float tan_pitch = tanf(pitch);
-    const float sec_pitch = 1.0f / cos_pitch;
+    const float sec_pitch = 1.0f/cos_pitch;
     const float sin_roll = sinf(roll);
     const float cos_roll = cosf(roll);
     out[0] = 1.0f;
-    out[1] = sin_roll * tan_pitch;
-    out[2] = cos_roll * tan_pitch;
+    out[1] = sin_roll*tan_pitch;
+    out[2] = cos_roll*tan_pitch;
     out[3] = 0.0f;
     out[4] = cos_roll;
     out[5] = -sin_roll;
     out[6] = 0.0f;
-    out[7] = sec_pitch * sin_roll;
-    out[8] = cos_roll * sec_pitch;
+    out[7] = sec_pitch*sin_roll;
+    out[8] = cos_roll*sec_pitch;
 }
 
 void attitude_euler_rates_from_body_rates(double roll, double pitch, double p, double q, double r,
@@ -143,13 +173,13 @@ void attitude_euler_rates_from_body_rates(double roll, double pitch, double p, d
 {
     const double cos_pitch = cos(pitch);
     const double tan_pitch = tan(pitch);
-    const double sec_pitch = 1.0 / cos_pitch;
+    const double sec_pitch = 1.0/cos_pitch;
     const double sin_roll = sin(roll);
     const double cos_roll = cos(roll);
-    const double rate_across = cos_roll * r + q * sin_roll;
-    out[0] = p + rate_across * tan_pitch;
-    out[1] = cos_roll * q - r * sin_roll;
-    out[2] = rate_across * sec_pitch;
+    const double rate_across = cos_roll*r + q*sin_roll;
+    out[0] = p + rate_across*tan_pitch;
+    out[1] = cos_roll*q - r*sin_roll;
+    out[2] = rate_across*sec_pitch;
 }
 
 void attitude_euler_rates_from_body_rates_f(float roll, float pitch, float p, float q, float r,
@@ -157,13 +187,13 @@ void attitude_euler_rates_from_body_rates_f(float roll, float pitch, float p, fl
 {
     const float cos_pitch = cosf(pitch);
     const float tan_pitch = tanf(pitch);
-    const float sec_pitch = 1.0f / cos_pitch;
+    const float sec_pitch = 1.0f/cos_pitch;
     const float sin_roll = sinf(roll);
     const float cos_roll = cosf(roll);
-    const float rate_across = cos_roll * r + q * sin_roll;
-    out[0] = p + rate_across * tan_pitch;
-    out[1] = cos_roll * q - r * sin_roll;
-    out[2] = rate_across * sec_pitch;
+    const float rate_across = cos_roll*r + q*sin_roll;
+    out[0] = p + rate_across*tan_pitch;
+    out[1] = cos_roll*q - r*sin_roll;
+    out[2] = rate_across*sec_pitch;
 }
 
 void attitude_body_rates_from_euler_rates(double roll, double pitch, double roll_rate,
@@ -173,10 +203,10 @@ void attitude_body_rates_from_euler_rates(double roll, double pitch, double roll
     const double cos_pitch = cos(pitch);
     const double sin_roll = sin(roll);
     const double cos_roll = cos(roll);
-    const double cos_pitch_yaw_rate = cos_pitch * yaw_rate;
-    out[0] = roll_rate - sin_pitch * yaw_rate;
-    out[1] = cos_pitch_yaw_rate * sin_roll + cos_roll * pitch_rate;
-    out[2] = cos_pitch_yaw_rate * cos_roll - pitch_rate * sin_roll;
+    const double cos_pitch_yaw_rate = cos_pitch*yaw_rate;
+    out[0] = roll_rate - sin_pitch*yaw_rate;
+    out[1] = cos_pitch_yaw_rate*sin_roll + cos_roll*pitch_rate;
+    out[2] = cos_pitch_yaw_rate*cos_roll - pitch_rate*sin_roll;
 }
 
 void attitude_body_rates_from_euler_rates_f(float roll, float pitch, float roll_rate,
@@ -186,23 +216,23 @@ void attitude_body_rates_from_euler_rates_f(float roll, float pitch, float roll_
     const float cos_pitch = cosf(pitch);
     const float sin_roll = sinf(roll);
     const float cos_roll = cosf(roll);
-    const float cos_pitch_yaw_rate = cos_pitch * yaw_rate;
-    out[0] = roll_rate - sin_pitch * yaw_rate;
-    out[1] = cos_pitch_yaw_rate * sin_roll + cos_roll * pitch_rate;
-    out[2] = cos_pitch_yaw_rate * cos_roll - pitch_rate * sin_roll;
+    const float cos_pitch_yaw_rate = cos_pitch*yaw_rate;
+    out[0] = roll_rate - sin_pitch*yaw_rate;
+    out[1] = cos_pitch_yaw_rate*sin_roll + cos_roll*pitch_rate;
+    out[2] = cos_pitch_yaw_rate*cos_roll - pitch_rate*sin_roll;
 }
 
 double attitude_euler_rates_determinant(double pitch)
 {
     const double cos_pitch = cos(pitch);
-    const double sec_pitch = 1.0 / cos_pitch;
+    const double sec_pitch = 1.0/cos_pitch;
     return sec_pitch;
 }
 
 float attitude_euler_rates_determinant_f(float pitch)
 {
     const float cos_pitch = cosf(pitch);
-    const float sec_pitch = 1.0f / cos_pitch;
+    const float sec_pitch = 1.0f/cos_pitch;
     return sec_pitch;
 }
 
@@ -210,103 +240,107 @@ double attitude_euler_rates_condition(double pitch)
 {
     const double sin_pitch = sin(pitch);
     const double cos_pitch = cos(pitch);
-    const double sec_pitch = 1.0 / cos_pitch;
-    return (fabs(sin_pitch) + 1.0) * fabs(sec_pitch);
+    const double sec_pitch = 1.0/cos_pitch;
+    return (fabs(sin_pitch) + 1.0)*fabs(sec_pitch);
 }
 
 float attitude_euler_rates_condition_f(float pitch)
 {
     const float sin_pitch = sinf(pitch);
     const float cos_pitch = cosf(pitch);
-    const float sec_pitch = 1.0f / cos_pitch;
-    return (fabsf(sin_pitch) + 1.0f) * fabsf(sec_pitch);
+    const float sec_pitch = 1.0f/cos_pitch;
+    return (fabsf(sin_pitch) + 1.0f)*fabsf(sec_pitch);
 }
 
 double attitude_wrap_angle(double angle)
 {
-    const double rest = fmod(angle, 6.283185307179586);
+    const double sin_angle = sin(angle);
+    const double cos_angle = cos(angle);
+    const double principal = atan2(sin_angle, cos_angle);
     double wrapped;
-    if (rest >= 3.141592653589793) {
-        wrapped = rest - 6.283185307179586;
-    } else if (rest < -3.141592653589793) {
-        wrapped = rest + 6.283185307179586;
+    if (angle >= -3.141592653589793 && angle < 3.141592653589793) {
+        wrapped = angle;
+    } else if (principal >= 3.141592653589793) {
+        wrapped = -3.141592653589793;
     } else {
-        wrapped = rest;
+        wrapped = principal;
     }
     return wrapped;
 }
 
 float attitude_wrap_angle_f(float angle)
 {
-    const float rest = fmodf(angle, 6.283185307179586f);
+    const float sin_angle = sinf(angle);
+    const float cos_angle = cosf(angle);
+    const float principal = atan2f(sin_angle, cos_angle);
     float wrapped;
-    if (rest >= 3.141592653589793f) {
-        wrapped = rest - 6.283185307179586f;
-    } else if (rest < -3.141592653589793f) {
-        wrapped = rest + 6.283185307179586f;
+    if (angle >= -3.141592653589793f && angle < 3.141592653589793f) {
+        wrapped = angle;
+    } else if (principal >= 3.141592653589793f) {
+        wrapped = -3.141592653589793f;
     } else {
-        wrapped = rest;
+        wrapped = principal;
     }
     return wrapped;
 }
 
 void attitude_matrix_from_quaternion(double a, double b, double c, double d, double out[9])
 {
-    const double norm_squared = a * a + b * b + c * c + d * d;
-    const double factor = 2.0 / norm_squared;
-    const double scaled_b = b * factor;
-    const double scaled_c = c * factor;
-    const double scaled_d = d * factor;
-    const double c_scaled_c = c * scaled_c;
-    const double d_scaled_d = d * scaled_d;
+    const double norm_squared = a*a + b*b + c*c + d*d;
+    const double factor = 2.0/norm_squared;
+    const double scaled_b = b*factor;
+    const double scaled_c = c*factor;
+    const double scaled_d = d*factor;
+    const double c_scaled_c = c*scaled_c;
+    const double d_scaled_d = d*scaled_d;
     const double one_minus_r11 = c_scaled_c + d_scaled_d;
-    const double b_scaled_b = b * scaled_b;
+    const double b_scaled_b = b*scaled_b;
     const double one_minus_r22 = b_scaled_b + d_scaled_d;
     const double one_minus_r33 = b_scaled_b + c_scaled_c;
-    const double c_scaled_b = c * scaled_b;
-    const double a_scaled_d = a * scaled_d;
-    const double d_scaled_b = d * scaled_b;
-    const double a_scaled_c = a * scaled_c;
-    const double d_scaled_c = d * scaled_c;
-    const double a_scaled_b = a * scaled_b;
+    const double c_scaled_b = c*scaled_b;
+    const double a_scaled_d = a*scaled_d;
+    const double d_scaled_b = d*scaled_b;
+    const double a_scaled_c = a*scaled_c;
+    const double d_scaled_c = d*scaled_c;
+    const double a_scaled_b = a*scaled_b;
     out[0] = 1.0 - one_minus_r11;
     out[1] = a_scaled_d + c_scaled_b;
-    out[2] = d_scaled_b - a_scaled_c;
-    out[3] = c_scaled_b - a_scaled_d;
+    out[2] = -a_scaled_c + d_scaled_b;
+    out[3] = -a_scaled_d + c_scaled_b;
     out[4] = 1.0 - one_minus_r22;
     out[5] = a_scaled_b + d_scaled_c;
     out[6] = a_scaled_c + d_scaled_b;
-    out[7] = d_scaled_c - a_scaled_b;
+    out[7] = -a_scaled_b + d_scaled_c;
     out[8] = 1.0 - one_minus_r33;
 }
 
 void attitude_matrix_from_quaternion_f(float a, float b, float c, float d, float out[9])
 {
-    const float norm_squared = a * a + b * b + c * c + d * d;
-    const float factor = 2.0f / norm_squared;
-    const float scaled_b = b * factor;
-    const float scaled_c = c * factor;
-    const float scaled_d = d * factor;
-    const float c_scaled_c = c * scaled_c;
-    const float d_scaled_d = d * scaled_d;
+    const float norm_squared = a*a + b*b + c*c + d*d;
+    const float factor = 2.0f/norm_squared;
+    const float scaled_b = b*factor;
+    const float scaled_c = c*factor;
+    const float scaled_d = d*factor;
+    const float c_scaled_c = c*scaled_c;
+    const float d_scaled_d = d*scaled_d;
     const float one_minus_r11 = c_scaled_c + d_scaled_d;
-    const float b_scaled_b = b * scaled_b;
+    const float b_scaled_b = b*scaled_b;
     const float one_minus_r22 = b_scaled_b + d_scaled_d;
     const float one_minus_r33 = b_scaled_b + c_scaled_c;
-    const float c_scaled_b = c * scaled_b;
-    const float a_scaled_d = a * scaled_d;
-    const float d_scaled_b = d * scaled_b;
-    const float a_scaled_c = a * scaled_c;
-    const float d_scaled_c = d * scaled_c;
-    const float a_scaled_b = a * scaled_b;
+    const float c_scaled_b = c*scaled_b;
+    const float a_scaled_d = a*scaled_d;
+    const float d_scaled_b = d*scaled_b;
+    const float a_scaled_c = a*scaled_c;
+    const float d_scaled_c = d*scaled_c;
+    const float a_scaled_b = a*scaled_b;
     out[0] = 1.0f - one_minus_r11;
     out[1] = a_scaled_d + c_scaled_b;
-    out[2] = d_scaled_b - a_scaled_c;
-    out[3] = c_scaled_b - a_scaled_d;
+    out[2] = -a_scaled_c + d_scaled_b;
+    out[3] = -a_scaled_d + c_scaled_b;
     out[4] = 1.0f - one_minus_r22;
     out[5] = a_scaled_b + d_scaled_c;
     out[6] = a_scaled_c + d_scaled_b;
-    out[7] = d_scaled_c - a_scaled_b;
+    out[7] = -a_scaled_b + d_scaled_c;
     out[8] = 1.0f - one_minus_r33;
 }
 
@@ -320,28 +354,28 @@ void attitude_quaternion_from_matrix(double r11, double r12, double r13, double 
         c = r12 + r21;
         d = r13 + r31;
     } else if (r33 < 0.0) {
-        a = r31 - r13;
+        a = -r13 + r31;
         b = r12 + r21;
-        c = r22 - r11 - r33 + 1.0;
+        c = -r11 + r22 - r33 + 1.0;
         d = r23 + r32;
     } else if (r11 < -r22) {
         a = r12 - r21;
         b = r13 + r31;
         c = r23 + r32;
-        d = r33 - r11 - r22 + 1.0;
+        d = -r11 - r22 + r33 + 1.0;
     } else {
         a = r11 + r22 + r33 + 1.0;
         b = r23 - r32;
-        c = r31 - r13;
+        c = -r13 + r31;
         d = r12 - r21;
     }
-    const double norm_squared = a * a + b * b + c * c + d * d;
+    const double norm_squared = a*a + b*b + c*c + d*d;
     const double sign = a >= 0.0 ? 1.0 : -1.0;
-    const double common_0 = sign / sqrt(norm_squared);
-    out[0] = a * common_0;
-    out[1] = b * common_0;
-    out[2] = c * common_0;
-    out[3] = common_0 * d;
+    const double common_0 = sign/sqrt(norm_squared);
+    out[0] = a*common_0;
+    out[1] = b*common_0;
+    out[2] = c*common_0;
+    out[3] = common_0*d;
 }
 
 void attitude_quaternion_from_matrix_f(float r11, float r12, float r13, float r21, float r22,
@@ -354,82 +388,82 @@ void attitude_quaternion_from_matrix_f(float r11, float r12, float r13, float r2
         c = r12 + r21;
         d = r13 + r31;
     } else if (r33 < 0.0f) {
-        a = r31 - r13;
+        a = -r13 + r31;
         b = r12 + r21;
-        c = r22 - r11 - r33 + 1.0f;
+        c = -r11 + r22 - r33 + 1.0f;
         d = r23 + r32;
     } else if (r11 < -r22) {
         a = r12 - r21;
         b = r13 + r31;
         c = r23 + r32;
-        d = r33 - r11 - r22 + 1.0f;
+        d = -r11 - r22 + r33 + 1.0f;
     } else {
         a = r11 + r22 + r33 + 1.0f;
         b = r23 - r32;
-        c = r31 - r13;
+        c = -r13 + r31;
         d = r12 - r21;
     }
-    const float norm_squared = a * a + b * b + c * c + d * d;
+    const float norm_squared = a*a + b*b + c*c + d*d;
     const float sign = a >= 0.0f ? 1.0f : -1.0f;
-    const float common_0 = sign / sqrtf(norm_squared);
-    out[0] = a * common_0;
-    out[1] = b * common_0;
-    out[2] = c * common_0;
-    out[3] = common_0 * d;
+    const float common_0 = sign/sqrtf(norm_squared);
+    out[0] = a*common_0;
+    out[1] = b*common_0;
+    out[2] = c*common_0;
+    out[3] = common_0*d;
 }
 
 void attitude_quaternion_from_euler(double roll, double pitch, double yaw, double out[4])
 {
-    const double sin_half_pitch = sin(0.5 * pitch);
-    const double cos_half_pitch = cos(0.5 * pitch);
-    const double sin_half_roll = sin(0.5 * roll);
-    const double cos_half_roll = cos(0.5 * roll);
-    const double sin_half_yaw = sin(0.5 * yaw);
-    const double cos_half_yaw = cos(0.5 * yaw);
-    const double cos_half_pitch_cos_half_yaw = cos_half_pitch * cos_half_yaw;
-    const double sin_half_pitch_sin_half_yaw = sin_half_pitch * sin_half_yaw;
-    const double a = cos_half_pitch_cos_half_yaw * cos_half_roll
-        + sin_half_pitch_sin_half_yaw * sin_half_roll;
-    const double b = cos_half_pitch_cos_half_yaw * sin_half_roll
-        - cos_half_roll * sin_half_pitch_sin_half_yaw;
-    const double cos_half_pitch_sin_half_yaw = cos_half_pitch * sin_half_yaw;
-    const double cos_half_yaw_sin_half_pitch = cos_half_yaw * sin_half_pitch;
-    const double c = cos_half_pitch_sin_half_yaw * sin_half_roll
-        + cos_half_roll * cos_half_yaw_sin_half_pitch;
-    const double d = cos_half_pitch_sin_half_yaw * cos_half_roll
-        - cos_half_yaw_sin_half_pitch * sin_half_roll;
+    const double sin_half_pitch = sin(0.5*pitch);
+    const double cos_half_pitch = cos(0.5*pitch);
+    const double sin_half_roll = sin(0.5*roll);
+    const double cos_half_roll = cos(0.5*roll);
+    const double sin_half_yaw = sin(0.5*yaw);
+    const double cos_half_yaw = cos(0.5*yaw);
+    const double cos_half_pitch_cos_half_yaw = cos_half_pitch*cos_half_yaw;
+    const double sin_half_pitch_sin_half_yaw = sin_half_pitch*sin_half_yaw;
+    const double a = cos_half_pitch_cos_half_yaw*cos_half_roll +
+        sin_half_pitch_sin_half_yaw*sin_half_roll;
+    const double b = cos_half_pitch_cos_half_yaw*sin_half_roll -
+        cos_half_roll*sin_half_pitch_sin_half_yaw;
+    const double cos_half_pitch_sin_half_yaw = cos_half_pitch*sin_half_yaw;
+    const double cos_half_yaw_sin_half_pitch = cos_half_yaw*sin_half_pitch;
+    const double c = cos_half_pitch_sin_half_yaw*sin_half_roll +
+        cos_half_roll*cos_half_yaw_sin_half_pitch;
+    const double d = cos_half_pitch_sin_half_yaw*cos_half_roll -
+        cos_half_yaw_sin_half_pitch*sin_half_roll;
     const double sign = a >= 0.0 ? 1.0 : -1.0;
-    out[0] = a * sign;
-    out[1] = b * sign;
-    out[2] = c * sign;
-    out[3] = d * sign;
+    out[0] = a*sign;
+    out[1] = b*sign;
+    out[2] = c*sign;
+    out[3] = d*sign;
 }
 
 void attitude_quaternion_from_euler_f(float roll, float pitch, float yaw, float out[4])
 {
-    const float sin_half_pitch = sinf(0.5f * pitch);
-    const float cos_half_pitch = cosf(0.5f * pitch);
-    const float sin_half_roll = sinf(0.5f * roll);
-    const float cos_half_roll = cosf(0.5f * roll);
-    const float sin_half_yaw = sinf(0.5f * yaw);
-    const float cos_half_yaw = cosf(0.5f * yaw);
-    const float cos_half_pitch_cos_half_yaw = cos_half_pitch * cos_half_yaw;
-    const float sin_half_pitch_sin_half_yaw = sin_half_pitch * sin_half_yaw;
-    const float a = cos_half_pitch_cos_half_yaw * cos_half_roll
-        + sin_half_pitch_sin_half_yaw * sin_half_roll;
-    const float b = cos_half_pitch_cos_half_yaw * sin_half_roll
-        - cos_half_roll * sin_half_pitch_sin_half_yaw;
-    const float cos_half_pitch_sin_half_yaw = cos_half_pitch * sin_half_yaw;
-    const float cos_half_yaw_sin_half_pitch = cos_half_yaw * sin_half_pitch;
-    const float c = cos_half_pitch_sin_half_yaw * sin_half_roll
-        + cos_half_roll * cos_half_yaw_sin_half_pitch;
-    const float d = cos_half_pitch_sin_half_yaw * cos_half_roll
-        - cos_half_yaw_sin_half_pitch * sin_half_roll;
+    const float sin_half_pitch = sinf(0.5f*pitch);
+    const float cos_half_pitch = cosf(0.5f*pitch);
+    const float sin_half_roll = sinf(0.5f*roll);
+    const float cos_half_roll = cosf(0.5f*roll);
+    const float sin_half_yaw = sinf(0.5f*yaw);
+    const float cos_half_yaw = cosf(0.5f*yaw);
+    const float cos_half_pitch_cos_half_yaw = cos_half_pitch*cos_half_yaw;
+    const float sin_half_pitch_sin_half_yaw = sin_half_pitch*sin_half_yaw;
+    const float a = cos_half_pitch_cos_half_yaw*cos_half_roll +
+        sin_half_pitch_sin_half_yaw*sin_half_roll;
+    const float b = cos_half_pitch_cos_half_yaw*sin_half_roll -
+        cos_half_roll*sin_half_pitch_sin_half_yaw;
+    const float cos_half_pitch_sin_half_yaw = cos_half_pitch*sin_half_yaw;
+    const float cos_half_yaw_sin_half_pitch = cos_half_yaw*sin_half_pitch;
+    const float c = cos_half_pitch_sin_half_yaw*sin_half_roll +
+        cos_half_roll*cos_half_yaw_sin_half_pitch;
+    const float d = cos_half_pitch_sin_half_yaw*cos_half_roll -
+        cos_half_yaw_sin_half_pitch*sin_half_roll;
     const float sign = a >= 0.0f ? 1.0f : -1.0f;
-    out[0] = a * sign;
-    out[1] = b * sign;
-    out[2] = c * sign;
-    out[3] = d * sign;
+    out[0] = a*sign;
+    out[1] = b*sign;
+    out[2] = c*sign;
+    out[3] = d*sign;
 }
 
 int attitude_euler_from_quaternion(double a, double b, double c, double d, double out[3])
@@ -437,15 +471,15 @@ int attitude_euler_from_quaternion(double a, double b, double c, double d, doubl
     const double a_minus_c = a - c;
     const double b_plus_d = b + d;
     const double a_plus_c = a + c;
-    const double d_minus_b = d - b;
-    const double below = a_minus_c * a_minus_c + b_plus_d * b_plus_d;
-    const double above = a_plus_c * a_plus_c + d_minus_b * d_minus_b;
-    const double product_1 = a_plus_c * b_plus_d;
-    const double product_2 = a_minus_c * d_minus_b;
-    const double product_3 = a_minus_c * a_plus_c;
-    const double product_4 = b_plus_d * d_minus_b;
-    const double half_sine = a * c - b * d;
-    const double pitch = atan2(2.0 * half_sine, sqrt(above) * sqrt(below));
+    const double d_minus_b = -b + d;
+    const double below = a_minus_c*a_minus_c + b_plus_d*b_plus_d;
+    const double above = a_plus_c*a_plus_c + d_minus_b*d_minus_b;
+    const double product_1 = a_plus_c*b_plus_d;
+    const double product_2 = a_minus_c*d_minus_b;
+    const double product_3 = a_minus_c*a_plus_c;
+    const double product_4 = b_plus_d*d_minus_b;
+    const double half_sine = a*c - b*d;
+    const double pitch = atan2(2.0*half_sine, sqrt(above)*sqrt(below));
     const int locked = fabs(pitch) > 1.5707963267948948;
     double roll, yaw;
     if (!locked) {
@@ -453,7 +487,7 @@ int attitude_euler_from_quaternion(double a, double b, double c, double d, doubl
         yaw = atan2(product_1 + product_2, product_3 - product_4);
     } else {
         roll = 0.0;
-        yaw = atan2(2.0 * a * d - 2.0 * b * c, a * a - b * b + c * c - d * d);
+        yaw = atan2(2.0*a*d - 2.0*b*c, a*a - (b*b) + c*c - (d*d));
     }
     out[0] = roll;
     out[1] = pitch;
@@ -466,15 +500,15 @@ int attitude_euler_from_quaternion_f(float a, float b, float c, float d, float o
     const float a_minus_c = a - c;
     const float b_plus_d = b + d;
     const float a_plus_c = a + c;
-    const float d_minus_b = d - b;
-    const float below = a_minus_c * a_minus_c + b_plus_d * b_plus_d;
-    const float above = a_plus_c * a_plus_c + d_minus_b * d_minus_b;
-    const float product_1 = a_plus_c * b_plus_d;
-    const float product_2 = a_minus_c * d_minus_b;
-    const float product_3 = a_minus_c * a_plus_c;
-    const float product_4 = b_plus_d * d_minus_b;
-    const float half_sine = a * c - b * d;
-    const float pitch = atan2f(2.0f * half_sine, sqrtf(above) * sqrtf(below));
+    const float d_minus_b = -b + d;
+    const float below = a_minus_c*a_minus_c + b_plus_d*b_plus_d;
+    const float above = a_plus_c*a_plus_c + d_minus_b*d_minus_b;
+    const float product_1 = a_plus_c*b_plus_d;
+    const float product_2 = a_minus_c*d_minus_b;
+    const float product_3 = a_minus_c*a_plus_c;
+    const float product_4 = b_plus_d*d_minus_b;
+    const float half_sine = a*c - b*d;
+    const float pitch = atan2f(2.0f*half_sine, sqrtf(above)*sqrtf(below));
     const int locked = fabsf(pitch) > 1.5707953731205802f;
     float roll, yaw;
     if (!locked) {
@@ -482,7 +516,7 @@ int attitude_euler_from_quaternion_f(float a, float b, float c, float d, float o
         yaw = atan2f(product_1 + product_2, product_3 - product_4);
     } else {
         roll = 0.0f;
-        yaw = atan2f(2.0f * a * d - 2.0f * b * c, a * a - b * b + c * c - d * d);
+        yaw = atan2f(2.0f*a*d - 2.0f*b*c, a*a - (b*b) + c*c - (d*d));
     }
     out[0] = roll;
     out[1] = pitch;
@@ -492,33 +526,33 @@ int attitude_euler_from_quaternion_f(float a, float b, float c, float d, float o
 
 void attitude_quaternion_from_axis_angle(double x, double y, double z, double angle, double out[4])
 {
-    const double sin_half_angle = sin(0.5 * angle);
-    const double cos_half_angle = cos(0.5 * angle);
-    const double length_squared = x * x + y * y + z * z;
+    const double sin_half_angle = sin(0.5*angle);
+    const double cos_half_angle = cos(0.5*angle);
+    const double length_squared = x*x + y*y + z*z;
     const double sign = cos_half_angle >= 0.0 ? 1.0 : -1.0;
-    const double common_2 = sign * sin_half_angle / sqrt(length_squared);
-    out[0] = cos_half_angle * sign;
-    out[1] = common_2 * x;
-    out[2] = common_2 * y;
-    out[3] = common_2 * z;
+    const double common_2 = sign*sin_half_angle/sqrt(length_squared);
+    out[0] = cos_half_angle*sign;
+    out[1] = common_2*x;
+    out[2] = common_2*y;
+    out[3] = common_2*z;
 }
 
 void attitude_quaternion_from_axis_angle_f(float x, float y, float z, float angle, float out[4])
 {
-    const float sin_half_angle = sinf(0.5f * angle);
-    const float cos_half_angle = cosf(0.5f * angle);
-    const float length_squared = x * x + y * y + z * z;
+    const float sin_half_angle = sinf(0.5f*angle);
+    const float cos_half_angle = cosf(0.5f*angle);
+    const float length_squared = x*x + y*y + z*z;
     const float sign = cos_half_angle >= 0.0f ? 1.0f : -1.0f;
-    const float common_2 = sign * sin_half_angle / sqrtf(length_squared);
-    out[0] = cos_half_angle * sign;
-    out[1] = common_2 * x;
-    out[2] = common_2 * y;
-    out[3] = common_2 * z;
+    const float common_2 = sign*sin_half_angle/sqrtf(length_squared);
+    out[0] = cos_half_angle*sign;
+    out[1] = common_2*x;
+    out[2] = common_2*y;
+    out[3] = common_2*z;
 }
 
 void attitude_axis_angle_from_quaternion(double a, double b, double c, double d, double out[4])
 {
-    const double length_squared = b * b + c * c + d * d;
+    const double length_squared = b*b + c*c + d*d;
     const double length = sqrt(length_squared);
     const double sign = a >= 0.0 ? 1.0 : -1.0;
     double x, y, z;
@@ -527,19 +561,19 @@ void attitude_axis_angle_from_quaternion(double a, double b, double c, double d,
         y = 0.0;
         z = 0.0;
     } else {
-        x = b * sign / length;
-        y = c * sign / length;
-        z = d * sign / length;
+        x = b*sign/length;
+        y = c*sign/length;
+        z = d*sign/length;
     }
     out[0] = x;
     out[1] = y;
     out[2] = z;
-    out[3] = 2.0 * atan2(length, fabs(a));
+    out[3] = 2.0*atan2(length, fabs(a));
 }
 
 void attitude_axis_angle_from_quaternion_f(float a, float b, float c, float d, float out[4])
 {
-    const float length_squared = b * b + c * c + d * d;
+    const float length_squared = b*b + c*c + d*d;
     const float length = sqrtf(length_squared);
     const float sign = a >= 0.0f ? 1.0f : -1.0f;
     float x, y, z;
@@ -548,32 +582,32 @@ void attitude_axis_angle_from_quaternion_f(float a, float b, float c, float d, f
         y = 0.0f;
         z = 0.0f;
     } else {
-        x = b * sign / length;
-        y = c * sign / length;
-        z = d * sign / length;
+        x = b*sign/length;
+        y = c*sign/length;
+        z = d*sign/length;
     }
     out[0] = x;
     out[1] = y;
     out[2] = z;
-    out[3] = 2.0f * atan2f(length, fabsf(a));
+    out[3] = 2.0f*atan2f(length, fabsf(a));
 }
 
 void attitude_quaternion_multiply(double a1, double b1, double c1, double d1, double a2, double b2,
     double c2, double d2, double out[4])
 {
-    out[0] = a1 * a2 - b1 * b2 - c1 * c2 - d1 * d2;
-    out[1] = a1 * b2 + a2 * b1 + c1 * d2 - c2 * d1;
-    out[2] = a1 * c2 + a2 * c1 - b1 * d2 + b2 * d1;
-    out[3] = a1 * d2 + a2 * d1 + b1 * c2 - b2 * c1;
+    out[0] = a1*a2 - b1*b2 - c1*c2 - d1*d2;
+    out[1] = a1*b2 + a2*b1 + c1*d2 - c2*d1;
+    out[2] = a1*c2 + a2*c1 - b1*d2 + b2*d1;
+    out[3] = a1*d2 + a2*d1 + b1*c2 - b2*c1;
 }
 
 void attitude_quaternion_multiply_f(float a1, float b1, float c1, float d1, float a2, float b2,
     float c2, float d2, float out[4])
 {
-    out[0] = a1 * a2 - b1 * b2 - c1 * c2 - d1 * d2;
-    out[1] = a1 * b2 + a2 * b1 + c1 * d2 - c2 * d1;
-    out[2] = a1 * c2 + a2 * c1 - b1 * d2 + b2 * d1;
-    out[3] = a1 * d2 + a2 * d1 + b1 * c2 - b2 * c1;
+    out[0] = a1*a2 - b1*b2 - c1*c2 - d1*d2;
+    out[1] = a1*b2 + a2*b1 + c1*d2 - c2*d1;
+    out[2] = a1*c2 + a2*c1 - b1*d2 + b2*d1;
+    out[3] = a1*d2 + a2*d1 + b1*c2 - b2*c1;
 }
 
 void attitude_quaternion_conjugate(double a, double b, double c, double d, double out[4])
@@ -594,133 +628,128 @@ void attitude_quaternion_conjugate_f(float a, float b, float c, float d, float o
 
 void attitude_quaternion_inverse(double a, double b, double c, double d, double out[4])
 {
-    const double norm_squared = a * a + b * b + c * c + d * d;
-    const double inverse_norm_squared = 1.0 / norm_squared;
-    out[0] = a * inverse_norm_squared;
-    out[1] = -b * inverse_norm_squared;
-    out[2] = -c * inverse_norm_squared;
-    out[3] = -d * inverse_norm_squared;
+    const double norm_squared = a*a + b*b + c*c + d*d;
+    const double inverse_norm_squared = 1.0/norm_squared;
+    out[0] = a*inverse_norm_squared;
+    out[1] = -b*inverse_norm_squared;
+    out[2] = -c*inverse_norm_squared;
+    out[3] = -d*inverse_norm_squared;
 }
 
 void attitude_quaternion_inverse_f(float a, float b, float c, float d, float out[4])
 {
-    const float norm_squared = a * a + b * b + c * c + d * d;
-    const float inverse_norm_squared = 1.0f / norm_squared;
-    out[0] = a * inverse_norm_squared;
-    out[1] = -b * inverse_norm_squared;
-    out[2] = -c * inverse_norm_squared;
-    out[3] = -d * inverse_norm_squared;
+    const float norm_squared = a*a + b*b + c*c + d*d;
+    const float inverse_norm_squared = 1.0f/norm_squared;
+    out[0] = a*inverse_norm_squared;
+    out[1] = -b*inverse_norm_squared;
+    out[2] = -c*inverse_norm_squared;
+    out[3] = -d*inverse_norm_squared;
 }
 
 void attitude_rotate_to_inertial(double a, double b, double c, double d, double x, double y,
     double z, double out[3])
 {
-    const double norm_squared = a * a + b * b + c * c + d * d;
-    const double factor = 2.0 / norm_squared;
-    const double across_x = c * z - d * y;
-    const double across_y = d * x - b * z;
-    const double across_z = b * y - c * x;
-    out[0] = factor * (a * across_x - across_y * d + across_z * c) + x;
-    out[1] = factor * (a * across_y + across_x * d - across_z * b) + y;
-    out[2] = factor * (a * across_z - across_x * c + across_y * b) + z;
+    const double norm_squared = a*a + b*b + c*c + d*d;
+    const double factor = 2.0/norm_squared;
+    const double across_x = c*z - d*y;
+    const double across_y = -b*z + d*x;
+    const double across_z = b*y - c*x;
+    out[0] = factor*(a*across_x - across_y*d + across_z*c) + x;
+    out[1] = factor*(a*across_y + across_x*d - across_z*b) + y;
+    out[2] = factor*(a*across_z - across_x*c + across_y*b) + z;
 }
 
 void attitude_rotate_to_inertial_f(float a, float b, float c, float d, float x, float y, float z,
     float out[3])
 {
-    const float norm_squared = a * a + b * b + c * c + d * d;
-    const float factor = 2.0f / norm_squared;
-    const float across_x = c * z - d * y;
-    const float across_y = d * x - b * z;
-    const float across_z = b * y - c * x;
-    out[0] = factor * (a * across_x - across_y * d + across_z * c) + x;
-    out[1] = factor * (a * across_y + across_x * d - across_z * b) + y;
-    out[2] = factor * (a * across_z - across_x * c + across_y * b) + z;
+    const float norm_squared = a*a + b*b + c*c + d*d;
+    const float factor = 2.0f/norm_squared;
+    const float across_x = c*z - d*y;
+    const float across_y = -b*z + d*x;
+    const float across_z = b*y - c*x;
+    out[0] = factor*(a*across_x - across_y*d + across_z*c) + x;
+    out[1] = factor*(a*across_y + across_x*d - across_z*b) + y;
+    out[2] = factor*(a*across_z - across_x*c + across_y*b) + z;
 }
 
 void attitude_rotate_to_body(double a, double b, double c, double d, double x, double y, double z,
     double out[3])
 {
-    const double norm_squared = a * a + b * b + c * c + d * d;
-    const double factor = 2.0 / norm_squared;
-    const double across_x = d * y - c * z;
-    const double across_y = b * z - d * x;
-    const double across_z = c * x - b * y;
-    out[0] = factor * (a * across_x + across_y * d - across_z * c) + x;
-    out[1] = factor * (a * across_y - across_x * d + across_z * b) + y;
-    out[2] = factor * (a * across_z + across_x * c - across_y * b) + z;
+    const double norm_squared = a*a + b*b + c*c + d*d;
+    const double factor = 2.0/norm_squared;
+    const double across_x = -c*z + d*y;
+    const double across_y = b*z - d*x;
+    const double across_z = -b*y + c*x;
+    out[0] = factor*(a*across_x + across_y*d - across_z*c) + x;
+    out[1] = factor*(a*across_y - across_x*d + across_z*b) + y;
+    out[2] = factor*(a*across_z + across_x*c - across_y*b) + z;
 }
 
 void attitude_rotate_to_body_f(float a, float b, float c, float d, float x, float y, float z,
     float out[3])
 {
-    const float norm_squared = a * a + b * b + c * c + d * d;
-    const float factor = 2.0f / norm_squared;
-    const float across_x = d * y - c * z;
-    const float across_y = b * z - d * x;
-    const float across_z = c * x - b * y;
-    out[0] = factor * (a * across_x + across_y * d - across_z * c) + x;
-    out[1] = factor * (a * across_y - across_x * d + across_z * b) + y;
-    out[2] = factor * (a * across_z + across_x * c - across_y * b) + z;
+    const float norm_squared = a*a + b*b + c*c + d*d;
+    const float factor = 2.0f/norm_squared;
+    const float across_x = -c*z + d*y;
+    const float across_y = b*z - d*x;
+    const float across_z = -b*y + c*x;
+    out[0] = factor*(a*across_x + across_y*d - across_z*c) + x;
+    out[1] = factor*(a*across_y - across_x*d + across_z*b) + y;
+    out[2] = factor*(a*across_z + across_x*c - across_y*b) + z;
 }
 
 void attitude_quaternion_after_constant_rates(double a, double b, double c, double d, double p,
     double q, double r, double dt, double out[4])
 {
-    const double half_turn = 0.5 * dt * sqrt(p * p + q * q + r * r);
+    const double half_turn = 0.5*dt*sqrt(p*p + q*q + r*r);
     const double sin_half_turn = sin(half_turn);
-    const double ratio = half_turn > 0.0 ? sin_half_turn / half_turn : 1.0;
+    const double ratio = half_turn > 0.0 ? sin_half_turn/half_turn : 1.0;
     const double cos_half_turn = cos(half_turn);
     const double turn_a = cos_half_turn;
-    const double common_2 = 0.5 * dt * ratio;
-    const double turn_b = common_2 * p;
-    const double turn_c = common_2 * q;
-    const double turn_d = common_2 * r;
-    out[0] = a * turn_a - b * turn_b - c * turn_c - d * turn_d;
-    out[1] = a * turn_b + b * turn_a + c * turn_d - d * turn_c;
-    out[2] = a * turn_c - b * turn_d + c * turn_a + d * turn_b;
-    out[3] = a * turn_d + b * turn_c - c * turn_b + d * turn_a;
+    const double common_2 = 0.5*dt*ratio;
+    const double turn_b = common_2*p;
+    const double turn_c = common_2*q;
+    const double turn_d = common_2*r;
+    out[0] = a*turn_a - b*turn_b - c*turn_c - d*turn_d;
+    out[1] = a*turn_b + b*turn_a + c*turn_d - d*turn_c;
+    out[2] = a*turn_c - b*turn_d + c*turn_a + d*turn_b;
+    out[3] = a*turn_d + b*turn_c - c*turn_b + d*turn_a;
 }
 
 void attitude_quaternion_after_constant_rates_f(float a, float b, float c, float d, float p,
     float q, float r, float dt, float out[4])
 {
-    const float half_turn = 0.5f * dt * sqrtf(p * p + q * q + r * r);
+    const float half_turn = 0.5f*dt*sqrtf(p*p + q*q + r*r);
     const float sin_half_turn = sinf(half_turn);
-    float ratio;
-    if (half_turn > 0.0f) {
-        ratio = sin_half_turn / half_turn;
-    } else {
-        ratio = 1.0f;
-    }
+    const float ratio = half_turn > 0.0f ? sin_half_turn/half_turn : 1.0f;
     const float cos_half_turn = cosf(half_turn);
     const float turn_a = cos_half_turn;
-    const float common_2 = 0.5f * dt * ratio;
-    const float turn_b = common_2 * p;
-    const float turn_c = common_2 * q;
-    const float turn_d = common_2 * r;
-    out[0] = a * turn_a - b * turn_b - c * turn_c - d * turn_d;
-    out[1] = a * turn_b + b * turn_a + c * turn_d - d * turn_c;
-    out[2] = a * turn_c - b * turn_d + c * turn_a + d * turn_b;
-    out[3] = a * turn_d + b * turn_c - c * turn_b + d * turn_a;
+    const float common_2 = 0.5f*dt*ratio;
+    const float turn_b = common_2*p;
+    const float turn_c = common_2*q;
+    const float turn_d = common_2*r;
+    out[0] = a*turn_a - b*turn_b - c*turn_c - d*turn_d;
+    out[1] = a*turn_b + b*turn_a + c*turn_d - d*turn_c;
+    out[2] = a*turn_c - b*turn_d + c*turn_a + d*turn_b;
+    out[3] = a*turn_d + b*turn_c - c*turn_b + d*turn_a;
 }
 
 void attitude_quaternion_rates(double a, double b, double c, double d, double p, double q, double r,
     double out[4])
 {
-    out[0] = -(0.5 * b * p) - 0.5 * c * q - 0.5 * d * r;
-    out[1] = 0.5 * a * p + 0.5 * c * r - 0.5 * d * q;
-    out[2] = 0.5 * a * q - 0.5 * b * r + 0.5 * d * p;
-    out[3] = 0.5 * a * r + 0.5 * b * q - 0.5 * c * p;
+    out[0] = -0.5*b*p - 0.5*c*q - 0.5*d*r;
+    out[1] = 0.5*a*p + 0.5*c*r - 0.5*d*q;
+    out[2] = 0.5*a*q - 0.5*b*r + 0.5*d*p;
+    out[3] = 0.5*a*r + 0.5*b*q - 0.5*c*p;
 }
 
 void attitude_quaternion_rates_f(float a, float b, float c, float d, float p, float q, float r,
     float out[4])
 {
-    out[0] = -(0.5f * b * p) - 0.5f * c * q - 0.5f * d * r;
-    out[1] = 0.5f * a * p + 0.5f * c * r - 0.5f * d * q;
-    out[2] = 0.5f * a * q - 0.5f * b * r + 0.5f * d * p;
-    out[3] = 0.5f * a * r + 0.5f * b * q - 0.5f * c * p;
+    out[0] = -0.5f*b*p - 0.5f*c*q - 0.5f*d*r;
+    out[1] = 0.5f*a*p + 0.5f*c*r - 0.5f*d*q;
+    out[2] = 0.5f*a*q - 0.5f*b*r + 0.5f*d*p;
+    out[3] = 0.5f*a*r + 0.5f*b*q - 0.5f*c*p;
 }
 
 void attitude_accelerometer_at_rest(double roll, double pitch, double gravity, double out[3])
@@ -729,10 +758,10 @@ void attitude_accelerometer_at_rest(double roll, double pitch, double gravity, d
     const double cos_pitch = cos(pitch);
     const double sin_roll = sin(roll);
     const double cos_roll = cos(roll);
-    const double cos_pitch_gravity = cos_pitch * gravity;
-    out[0] = gravity * sin_pitch;
-    out[1] = -cos_pitch_gravity * sin_roll;
-    out[2] = -cos_pitch_gravity * cos_roll;
+    const double cos_pitch_gravity = cos_pitch*gravity;
+    out[0] = gravity*sin_pitch;
+    out[1] = -cos_pitch_gravity*sin_roll;
+    out[2] = -cos_pitch_gravity*cos_roll;
 }
 
 void attitude_accelerometer_at_rest_f(float roll, float pitch, float gravity, float out[3])
@@ -741,10 +770,10 @@ void attitude_accelerometer_at_rest_f(float roll, float pitch, float gravity, fl
     const float cos_pitch = cosf(pitch);
     const float sin_roll = sinf(roll);
     const float cos_roll = cosf(roll);
-    const float cos_pitch_gravity = cos_pitch * gravity;
-    out[0] = gravity * sin_pitch;
-    out[1] = -cos_pitch_gravity * sin_roll;
-    out[2] = -cos_pitch_gravity * cos_roll;
+    const float cos_pitch_gravity = cos_pitch*gravity;
+    out[0] = gravity*sin_pitch;
+    out[1] = -cos_pitch_gravity*sin_roll;
+    out[2] = -cos_pitch_gravity*cos_roll;
 }
 
 void attitude_sensor_measures(double m11, double m12, double m13, double m21, double m22,
@@ -752,24 +781,24 @@ void attitude_sensor_measures(double m11, double m12, double m13, double m21, do
     double sensitivity_z, double bias_x, double bias_y, double bias_z, double x, double y, double z,
     double out[3])
 {
-    const double own_x = sensitivity_x * x - bias_x;
-    const double own_y = sensitivity_y * y - bias_y;
-    const double own_z = sensitivity_z * z - bias_z;
-    out[0] = m11 * own_x + m12 * own_y + m13 * own_z;
-    out[1] = m21 * own_x + m22 * own_y + m23 * own_z;
-    out[2] = m31 * own_x + m32 * own_y + m33 * own_z;
+    const double own_x = -bias_x + sensitivity_x*x;
+    const double own_y = -bias_y + sensitivity_y*y;
+    const double own_z = -bias_z + sensitivity_z*z;
+    out[0] = m11*own_x + m12*own_y + m13*own_z;
+    out[1] = m21*own_x + m22*own_y + m23*own_z;
+    out[2] = m31*own_x + m32*own_y + m33*own_z;
 }
 
 void attitude_sensor_measures_f(float m11, float m12, float m13, float m21, float m22, float m23,
     float m31, float m32, float m33, float sensitivity_x, float sensitivity_y, float sensitivity_z,
     float bias_x, float bias_y, float bias_z, float x, float y, float z, float out[3])
 {
-    const float own_x = sensitivity_x * x - bias_x;
-    const float own_y = sensitivity_y * y - bias_y;
-    const float own_z = sensitivity_z * z - bias_z;
-    out[0] = m11 * own_x + m12 * own_y + m13 * own_z;
-    out[1] = m21 * own_x + m22 * own_y + m23 * own_z;
-    out[2] = m31 * own_x + m32 * own_y + m33 * own_z;
+    const float own_x = -bias_x + sensitivity_x*x;
+    const float own_y = -bias_y + sensitivity_y*y;
+    const float own_z = -bias_z + sensitivity_z*z;
+    out[0] = m11*own_x + m12*own_y + m13*own_z;
+    out[1] = m21*own_x + m22*own_y + m23*own_z;
+    out[2] = m31*own_x + m32*own_y + m33*own_z;
 }
 
 void attitude_sensor_corrected(double n11, double n12, double n13, double n21, double n22,
@@ -777,18 +806,18 @@ void attitude_sensor_corrected(double n11, double n12, double n13, double n21, d
     double sensitivity_z, double bias_x, double bias_y, double bias_z, double x, double y, double z,
     double out[3])
 {
-    out[0] = (bias_x + n11 * x + n12 * y + n13 * z) / sensitivity_x;
-    out[1] = (bias_y + n21 * x + n22 * y + n23 * z) / sensitivity_y;
-    out[2] = (bias_z + n31 * x + n32 * y + n33 * z) / sensitivity_z;
+    out[0] = (bias_x + n11*x + n12*y + n13*z)/sensitivity_x;
+    out[1] = (bias_y + n21*x + n22*y + n23*z)/sensitivity_y;
+    out[2] = (bias_z + n31*x + n32*y + n33*z)/sensitivity_z;
 }
 
 void attitude_sensor_corrected_f(float n11, float n12, float n13, float n21, float n22, float n23,
     float n31, float n32, float n33, float sensitivity_x, float sensitivity_y, float sensitivity_z,
     float bias_x, float bias_y, float bias_z, float x, float y, float z, float out[3])
 {
-    out[0] = (bias_x + n11 * x + n12 * y + n13 * z) / sensitivity_x;
-    out[1] = (bias_y + n21 * x + n22 * y + n23 * z) / sensitivity_y;
-    out[2] = (bias_z + n31 * x + n32 * y + n33 * z) / sensitivity_z;
+    out[0] = (bias_x + n11*x + n12*y + n13*z)/sensitivity_x;
+    out[1] = (bias_y + n21*x + n22*y + n23*z)/sensitivity_y;
+    out[2] = (bias_z + n31*x + n32*y + n33*z)/sensitivity_z;
 }
 
 void attitude_gyro_measures(double m11, double m12, double m13, double m21, double m22, double m23,
@@ -797,12 +826,12 @@ void attitude_gyro_measures(double m11, double m12, double m13, double m21, doub
     double c13, double c21, double c22, double c23, double c31, double c32, double c33,
     double accel_x, double accel_y, double accel_z, double x, double y, double z, double out[3])
 {
-    const double own_x = accel_x * c11 + accel_y * c12 + accel_z * c13 - bias_x + sensitivity_x * x;
-    const double own_y = accel_x * c21 + accel_y * c22 + accel_z * c23 - bias_y + sensitivity_y * y;
-    const double own_z = accel_x * c31 + accel_y * c32 + accel_z * c33 - bias_z + sensitivity_z * z;
-    out[0] = m11 * own_x + m12 * own_y + m13 * own_z;
-    out[1] = m21 * own_x + m22 * own_y + m23 * own_z;
-    out[2] = m31 * own_x + m32 * own_y + m33 * own_z;
+    const double own_x = accel_x*c11 + accel_y*c12 + accel_z*c13 - bias_x + sensitivity_x*x;
+    const double own_y = accel_x*c21 + accel_y*c22 + accel_z*c23 - bias_y + sensitivity_y*y;
+    const double own_z = accel_x*c31 + accel_y*c32 + accel_z*c33 - bias_z + sensitivity_z*z;
+    out[0] = m11*own_x + m12*own_y + m13*own_z;
+    out[1] = m21*own_x + m22*own_y + m23*own_z;
+    out[2] = m31*own_x + m32*own_y + m33*own_z;
 }
 
 void attitude_gyro_measures_f(float m11, float m12, float m13, float m21, float m22, float m23,
@@ -811,12 +840,12 @@ void attitude_gyro_measures_f(float m11, float m12, float m13, float m21, float 
     float c23, float c31, float c32, float c33, float accel_x, float accel_y, float accel_z,
     float x, float y, float z, float out[3])
 {
-    const float own_x = accel_x * c11 + accel_y * c12 + accel_z * c13 - bias_x + sensitivity_x * x;
-    const float own_y = accel_x * c21 + accel_y * c22 + accel_z * c23 - bias_y + sensitivity_y * y;
-    const float own_z = accel_x * c31 + accel_y * c32 + accel_z * c33 - bias_z + sensitivity_z * z;
-    out[0] = m11 * own_x + m12 * own_y + m13 * own_z;
-    out[1] = m21 * own_x + m22 * own_y + m23 * own_z;
-    out[2] = m31 * own_x + m32 * own_y + m33 * own_z;
+    const float own_x = accel_x*c11 + accel_y*c12 + accel_z*c13 - bias_x + sensitivity_x*x;
+    const float own_y = accel_x*c21 + accel_y*c22 + accel_z*c23 - bias_y + sensitivity_y*y;
+    const float own_z = accel_x*c31 + accel_y*c32 + accel_z*c33 - bias_z + sensitivity_z*z;
+    out[0] = m11*own_x + m12*own_y + m13*own_z;
+    out[1] = m21*own_x + m22*own_y + m23*own_z;
+    out[2] = m31*own_x + m32*own_y + m33*own_z;
 }
 
 void attitude_gyro_corrected(double n11, double n12, double n13, double n21, double n22, double n23,
@@ -825,12 +854,12 @@ void attitude_gyro_corrected(double n11, double n12, double n13, double n21, dou
     double c13, double c21, double c22, double c23, double c31, double c32, double c33,
     double accel_x, double accel_y, double accel_z, double x, double y, double z, double out[3])
 {
-    out[0] = (bias_x - accel_x * c11 - accel_y * c12 - accel_z * c13 + n11 * x + n12 * y
-        + n13 * z) / sensitivity_x;
-    out[1] = (bias_y - accel_x * c21 - accel_y * c22 - accel_z * c23 + n21 * x + n22 * y
-        + n23 * z) / sensitivity_y;
-    out[2] = (bias_z - accel_x * c31 - accel_y * c32 - accel_z * c33 + n31 * x + n32 * y
-        + n33 * z) / sensitivity_z;
+    out[0] = (-accel_x*c11 - accel_y*c12 - accel_z*c13 + bias_x + n11*x + n12*y +
+        n13*z)/sensitivity_x;
+    out[1] = (-accel_x*c21 - accel_y*c22 - accel_z*c23 + bias_y + n21*x + n22*y +
+        n23*z)/sensitivity_y;
+    out[2] = (-accel_x*c31 - accel_y*c32 - accel_z*c33 + bias_z + n31*x + n32*y +
+        n33*z)/sensitivity_z;
 }
 
 void attitude_gyro_corrected_f(float n11, float n12, float n13, float n21, float n22, float n23,
@@ -839,60 +868,90 @@ void attitude_gyro_corrected_f(float n11, float n12, float n13, float n21, float
     float c23, float c31, float c32, float c33, float accel_x, float accel_y, float accel_z,
     float x, float y, float z, float out[3])
 {
-    out[0] = (bias_x - accel_x * c11 - accel_y * c12 - accel_z * c13 + n11 * x + n12 * y
-        + n13 * z) / sensitivity_x;
-    out[1] = (bias_y - accel_x * c21 - accel_y * c22 - accel_z * c23 + n21 * x + n22 * y
-        + n23 * z) / sensitivity_y;
-    out[2] = (bias_z - accel_x * c31 - accel_y * c32 - accel_z * c33 + n31 * x + n32 * y
-        + n33 * z) / sensitivity_z;
+    out[0] = (-accel_x*c11 - accel_y*c12 - accel_z*c13 + bias_x + n11*x + n12*y +
+        n13*z)/sensitivity_x;
+    out[1] = (-accel_x*c21 - accel_y*c22 - accel_z*c23 + bias_y + n21*x + n22*y +
+        n23*z)/sensitivity_y;
+    out[2] = (-accel_x*c31 - accel_y*c32 - accel_z*c33 + bias_z + n31*x + n32*y +
+        n33*z)/sensitivity_z;
 }
 
 void attitude_iron_removed(double d11, double d12, double d13, double d21, double d22, double d23,
     double d31, double d32, double d33, double hard_x, double hard_y, double hard_z, double x,
     double y, double z, double out[3])
 {
-    out[0] = d11 * x + d12 * y + d13 * z - hard_x;
-    out[1] = d21 * x + d22 * y + d23 * z - hard_y;
-    out[2] = d31 * x + d32 * y + d33 * z - hard_z;
+    out[0] = d11*x + d12*y + d13*z - hard_x;
+    out[1] = d21*x + d22*y + d23*z - hard_y;
+    out[2] = d31*x + d32*y + d33*z - hard_z;
 }
 
 void attitude_iron_removed_f(float d11, float d12, float d13, float d21, float d22, float d23,
     float d31, float d32, float d33, float hard_x, float hard_y, float hard_z, float x, float y,
     float z, float out[3])
 {
-    out[0] = d11 * x + d12 * y + d13 * z - hard_x;
-    out[1] = d21 * x + d22 * y + d23 * z - hard_y;
-    out[2] = d31 * x + d32 * y + d33 * z - hard_z;
+    out[0] = d11*x + d12*y + d13*z - hard_x;
+    out[1] = d21*x + d22*y + d23*z - hard_y;
+    out[2] = d31*x + d32*y + d33*z - hard_z;
 }
 
 void attitude_iron_added(double n11, double n12, double n13, double n21, double n22, double n23,
     double n31, double n32, double n33, double hard_x, double hard_y, double hard_z, double x,
     double y, double z, double out[3])
 {
-    out[0] = hard_x * n11 + hard_y * n12 + hard_z * n13 + n11 * x + n12 * y + n13 * z;
-    out[1] = hard_x * n21 + hard_y * n22 + hard_z * n23 + n21 * x + n22 * y + n23 * z;
-    out[2] = hard_x * n31 + hard_y * n32 + hard_z * n33 + n31 * x + n32 * y + n33 * z;
+    out[0] = hard_x*n11 + hard_y*n12 + hard_z*n13 + n11*x + n12*y + n13*z;
+    out[1] = hard_x*n21 + hard_y*n22 + hard_z*n23 + n21*x + n22*y + n23*z;
+    out[2] = hard_x*n31 + hard_y*n32 + hard_z*n33 + n31*x + n32*y + n33*z;
 }
 
 void attitude_iron_added_f(float n11, float n12, float n13, float n21, float n22, float n23,
     float n31, float n32, float n33, float hard_x, float hard_y, float hard_z, float x, float y,
     float z, float out[3])
 {
-    out[0] = hard_x * n11 + hard_y * n12 + hard_z * n13 + n11 * x + n12 * y + n13 * z;
-    out[1] = hard_x * n21 + hard_y * n22 + hard_z * n23 + n21 * x + n22 * y + n23 * z;
-    out[2] = hard_x * n31 + hard_y * n32 + hard_z * n33 + n31 * x + n32 * y + n33 * z;
+    out[0] = hard_x*n11 + hard_y*n12 + hard_z*n13 + n11*x + n12*y + n13*z;
+    out[1] = hard_x*n21 + hard_y*n22 + hard_z*n23 + n21*x + n22*y + n23*z;
+    out[2] = hard_x*n31 + hard_y*n32 + hard_z*n33 + n31*x + n32*y + n33*z;
 }
 
 void attitude_tilt_from_accelerometer(double accel_x, double accel_y, double accel_z, double out[2])
 {
-    out[0] = atan2(-accel_y, -accel_z);
-    out[1] = atan2(accel_x, hypot(accel_y, accel_z));
+    const double size = fabs(accel_x) + fabs(accel_y) + fabs(accel_z);
+    const int has_direction = size <= 1.7976931348623157e+308 && size > 0.0;
+    const double across = hypot(accel_y, accel_z);
+    const double roll_seen = atan2(-accel_y, -accel_z);
+    double roll;
+    if (!has_direction) {
+        roll = NAN;
+    } else if (across <= 0.0) {
+        roll = 0.0;
+    } else if (roll_seen <= -3.141592653589793) {
+        roll = 3.141592653589793;
+    } else {
+        roll = roll_seen;
+    }
+    const double pitch = has_direction ? atan2(accel_x, across) : NAN;
+    out[0] = roll;
+    out[1] = pitch;
 }
 
 void attitude_tilt_from_accelerometer_f(float accel_x, float accel_y, float accel_z, float out[2])
 {
-    out[0] = atan2f(-accel_y, -accel_z);
-    out[1] = atan2f(accel_x, hypotf(accel_y, accel_z));
+    const float size = fabsf(accel_x) + fabsf(accel_y) + fabsf(accel_z);
+    const int has_direction = size <= 3.4028234663852886e+38f && size > 0.0f;
+    const float across = hypotf(accel_y, accel_z);
+    const float roll_seen = atan2f(-accel_y, -accel_z);
+    float roll;
+    if (!has_direction) {
+        roll = NAN;
+    } else if (across <= 0.0f) {
+        roll = 0.0f;
+    } else if (roll_seen <= -3.141592653589793f) {
+        roll = 3.141592653589793f;
+    } else {
+        roll = roll_seen;
+    }
+    const float pitch = has_direction ? atan2f(accel_x, across) : NAN;
+    out[0] = roll;
+    out[1] = pitch;
 }
 
 void attitude_gyro_step(double roll, double pitch, double yaw, double p, double q, double r,
@@ -900,13 +959,29 @@ void attitude_gyro_step(double roll, double pitch, double yaw, double p, double 
 {
     const double cos_pitch = cos(pitch);
     const double tan_pitch = tan(pitch);
-    const double sec_pitch = 1.0 / cos_pitch;
+    const double sec_pitch = 1.0/cos_pitch;
     const double sin_roll = sin(roll);
     const double cos_roll = cos(roll);
-    const double rate_across = cos_roll * r + q * sin_roll;
-    out[0] = dt * (p + rate_across * tan_pitch) + roll;
-    out[1] = dt * (cos_roll * q - r * sin_roll) + pitch;
-    out[2] = dt * rate_across * sec_pitch + yaw;
+    const double abs_p = fabs(p);
+    const double abs_q = fabs(q);
+    const double abs_r = fabs(r);
+    const double whole_turn = dt*(abs_p + abs_q + abs_r);
+    const int moves = whole_turn <= 1.7976931348623157e+308 && abs_p < 1000000000000.0 && abs_q <
+        1000000000000.0 && abs_r < 1000000000000.0;
+    double rate_x, rate_y, rate_z;
+    if (moves) {
+        rate_x = p;
+        rate_y = q;
+        rate_z = r;
+    } else {
+        rate_x = 0.0;
+        rate_y = 0.0;
+        rate_z = 0.0;
+    }
+    const double rate_across = cos_roll*rate_z + rate_y*sin_roll;
+    out[0] = dt*(rate_across*tan_pitch + rate_x) + roll;
+    out[1] = dt*(cos_roll*rate_y - rate_z*sin_roll) + pitch;
+    out[2] = dt*rate_across*sec_pitch + yaw;
 }
 
 void attitude_gyro_step_f(float roll, float pitch, float yaw, float p, float q, float r, float dt,
@@ -914,119 +989,653 @@ void attitude_gyro_step_f(float roll, float pitch, float yaw, float p, float q, 
 {
     const float cos_pitch = cosf(pitch);
     const float tan_pitch = tanf(pitch);
-    const float sec_pitch = 1.0f / cos_pitch;
+    const float sec_pitch = 1.0f/cos_pitch;
     const float sin_roll = sinf(roll);
     const float cos_roll = cosf(roll);
-    const float rate_across = cos_roll * r + q * sin_roll;
-    out[0] = dt * (p + rate_across * tan_pitch) + roll;
-    out[1] = dt * (cos_roll * q - r * sin_roll) + pitch;
-    out[2] = dt * rate_across * sec_pitch + yaw;
+    const float abs_p = fabsf(p);
+    const float abs_q = fabsf(q);
+    const float abs_r = fabsf(r);
+    const float whole_turn = dt*(abs_p + abs_q + abs_r);
+    const int moves = whole_turn <= 3.4028234663852886e+38f && abs_p < 1000000000000.0f && abs_q <
+        1000000000000.0f && abs_r < 1000000000000.0f;
+    float rate_x, rate_y, rate_z;
+    if (moves) {
+        rate_x = p;
+        rate_y = q;
+        rate_z = r;
+    } else {
+        rate_x = 0.0f;
+        rate_y = 0.0f;
+        rate_z = 0.0f;
+    }
+    const float rate_across = cos_roll*rate_z + rate_y*sin_roll;
+    out[0] = dt*(rate_across*tan_pitch + rate_x) + roll;
+    out[1] = dt*(cos_roll*rate_y - rate_z*sin_roll) + pitch;
+    out[2] = dt*rate_across*sec_pitch + yaw;
+}
+
+void attitude_gyro_turn(double a, double b, double c, double d, double p, double q, double r,
+    double dt, double out[4])
+{
+    const double abs_p = fabs(p);
+    const double abs_q = fabs(q);
+    const double abs_r = fabs(r);
+    const double whole_turn = dt*(abs_p + abs_q + abs_r);
+    const int moves = whole_turn <= 1.7976931348623157e+308 && abs_p < 1000000000000.0 && abs_q <
+        1000000000000.0 && abs_r < 1000000000000.0;
+    double rate_x, rate_y, rate_z;
+    if (moves) {
+        rate_x = p;
+        rate_y = q;
+        rate_z = r;
+    } else {
+        rate_x = 0.0;
+        rate_y = 0.0;
+        rate_z = 0.0;
+    }
+    const double half_turn = 0.5*dt*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
+    const double sin_half_turn = sin(half_turn);
+    const double ratio = half_turn > 0.0 ? sin_half_turn/half_turn : 1.0;
+    const double cos_half_turn = cos(half_turn);
+    const double turn_a = cos_half_turn;
+    const double common_5 = 0.5*dt*ratio;
+    const double turn_b = common_5*rate_x;
+    const double turn_c = common_5*rate_y;
+    const double turn_d = common_5*rate_z;
+    out[0] = a*turn_a - b*turn_b - c*turn_c - d*turn_d;
+    out[1] = a*turn_b + b*turn_a + c*turn_d - d*turn_c;
+    out[2] = a*turn_c - b*turn_d + c*turn_a + d*turn_b;
+    out[3] = a*turn_d + b*turn_c - c*turn_b + d*turn_a;
+}
+
+void attitude_gyro_turn_f(float a, float b, float c, float d, float p, float q, float r, float dt,
+    float out[4])
+{
+    const float abs_p = fabsf(p);
+    const float abs_q = fabsf(q);
+    const float abs_r = fabsf(r);
+    const float whole_turn = dt*(abs_p + abs_q + abs_r);
+    const int moves = whole_turn <= 3.4028234663852886e+38f && abs_p < 1000000000000.0f && abs_q <
+        1000000000000.0f && abs_r < 1000000000000.0f;
+    float rate_x, rate_y, rate_z;
+    if (moves) {
+        rate_x = p;
+        rate_y = q;
+        rate_z = r;
+    } else {
+        rate_x = 0.0f;
+        rate_y = 0.0f;
+        rate_z = 0.0f;
+    }
+    const float half_turn = 0.5f*dt*sqrtf(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
+    const float sin_half_turn = sinf(half_turn);
+    const float ratio = half_turn > 0.0f ? sin_half_turn/half_turn : 1.0f;
+    const float cos_half_turn = cosf(half_turn);
+    const float turn_a = cos_half_turn;
+    const float common_5 = 0.5f*dt*ratio;
+    const float turn_b = common_5*rate_x;
+    const float turn_c = common_5*rate_y;
+    const float turn_d = common_5*rate_z;
+    out[0] = a*turn_a - b*turn_b - c*turn_c - d*turn_d;
+    out[1] = a*turn_b + b*turn_a + c*turn_d - d*turn_c;
+    out[2] = a*turn_c - b*turn_d + c*turn_a + d*turn_b;
+    out[3] = a*turn_d + b*turn_c - c*turn_b + d*turn_a;
+}
+
+void attitude_observer_turn(double a, double b, double c, double d, double p, double q, double r,
+    double accel_x, double accel_y, double accel_z, double dt, double gain, double out[4])
+{
+    const double abs_p = fabs(p);
+    const double abs_q = fabs(q);
+    const double abs_r = fabs(r);
+    const double whole_turn = dt*(abs_p + abs_q + abs_r);
+    const int moves = whole_turn <= 1.7976931348623157e+308 && abs_p < 1000000000000.0 && abs_q <
+        1000000000000.0 && abs_r < 1000000000000.0;
+    double rate_x, rate_y, rate_z;
+    if (moves) {
+        rate_x = p;
+        rate_y = q;
+        rate_z = r;
+    } else {
+        rate_x = 0.0;
+        rate_y = 0.0;
+        rate_z = 0.0;
+    }
+    const double half_turn = 0.5*dt*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
+    const double sin_half_turn = sin(half_turn);
+    const double ratio = half_turn > 0.0 ? sin_half_turn/half_turn : 1.0;
+    const double cos_half_turn = cos(half_turn);
+    const double turn_a = cos_half_turn;
+    const double common_7 = 0.5*dt*ratio;
+    const double turn_b = common_7*rate_x;
+    const double turn_c = common_7*rate_y;
+    const double turn_d = common_7*rate_z;
+    const double predicted_a = a*turn_a - b*turn_b - c*turn_c - d*turn_d;
+    const double predicted_b = a*turn_b + b*turn_a + c*turn_d - d*turn_c;
+    const double predicted_c = a*turn_c - b*turn_d + c*turn_a + d*turn_b;
+    const double predicted_d = a*turn_d + b*turn_c - c*turn_b + d*turn_a;
+    const double e_x = 2.0*predicted_a*predicted_c - 2.0*predicted_b*predicted_d;
+    const double e_y = -2.0*predicted_a*predicted_b - 2.0*predicted_c*predicted_d;
+    const double e_z = -(predicted_a*predicted_a) + predicted_b*predicted_b +
+        predicted_c*predicted_c - (predicted_d*predicted_d);
+    const double size = fabs(accel_x) + fabs(accel_y) + fabs(accel_z);
+    const int has_direction = size <= 1.7976931348623157e+308 && size > 0.0;
+    double reading_x, reading_y, reading_z;
+    if (has_direction) {
+        reading_x = accel_x/size;
+        reading_y = accel_y/size;
+        reading_z = accel_z/size;
+    } else {
+        reading_x = 0.0;
+        reading_y = 0.0;
+        reading_z = 0.0;
+    }
+    const double across_x = -e_y*reading_z + e_z*reading_y;
+    const double across_y = e_x*reading_z - e_z*reading_x;
+    const double across_z = -e_x*reading_y + e_y*reading_x;
+    const double sine_off = sqrt(across_x*across_x + across_y*across_y + across_z*across_z);
+    const double half_turn_back = 0.5*gain*atan2(sine_off, e_x*reading_x + e_y*reading_y +
+        e_z*reading_z);
+    const double cos_half_turn_back = cos(half_turn_back);
+    const double sin_half_turn_back = sin(half_turn_back);
+    double turn_back_a, factor;
+    if (sine_off > 0.0) {
+        turn_back_a = cos_half_turn_back;
+        factor = sin_half_turn_back*1.0/(sqrt((-e_x*reading_y + e_y*reading_x)*(-e_x*reading_y +
+            e_y*reading_x) + (e_x*reading_z - e_z*reading_x)*(e_x*reading_z - e_z*reading_x) +
+            (-e_y*reading_z + e_z*reading_y)*(-e_y*reading_z + e_z*reading_y)));
+    } else {
+        turn_back_a = 1.0;
+        factor = 0.0;
+    }
+    const double across_x_factor = across_x*factor;
+    const double factor_predicted_c = factor*predicted_c;
+    const double factor_predicted_d = factor*predicted_d;
+    const double across_y_factor = across_y*factor;
+    const double across_z_factor = across_z*factor;
+    out[0] = -across_x_factor*predicted_b - across_y*factor_predicted_c -
+        across_z*factor_predicted_d + predicted_a*turn_back_a;
+    out[1] = across_x_factor*predicted_a - across_y*factor_predicted_d + across_z*factor_predicted_c
+        + predicted_b*turn_back_a;
+    out[2] = across_x_factor*predicted_d + across_y_factor*predicted_a - across_z_factor*predicted_b
+        + predicted_c*turn_back_a;
+    out[3] = -across_x_factor*predicted_c + across_y_factor*predicted_b +
+        across_z_factor*predicted_a + predicted_d*turn_back_a;
+}
+
+void attitude_observer_turn_f(float a, float b, float c, float d, float p, float q, float r,
+    float accel_x, float accel_y, float accel_z, float dt, float gain, float out[4])
+{
+    const float abs_p = fabsf(p);
+    const float abs_q = fabsf(q);
+    const float abs_r = fabsf(r);
+    const float whole_turn = dt*(abs_p + abs_q + abs_r);
+    const int moves = whole_turn <= 3.4028234663852886e+38f && abs_p < 1000000000000.0f && abs_q <
+        1000000000000.0f && abs_r < 1000000000000.0f;
+    float rate_x, rate_y, rate_z;
+    if (moves) {
+        rate_x = p;
+        rate_y = q;
+        rate_z = r;
+    } else {
+        rate_x = 0.0f;
+        rate_y = 0.0f;
+        rate_z = 0.0f;
+    }
+    const float half_turn = 0.5f*dt*sqrtf(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
+    const float sin_half_turn = sinf(half_turn);
+    const float ratio = half_turn > 0.0f ? sin_half_turn/half_turn : 1.0f;
+    const float cos_half_turn = cosf(half_turn);
+    const float turn_a = cos_half_turn;
+    const float common_7 = 0.5f*dt*ratio;
+    const float turn_b = common_7*rate_x;
+    const float turn_c = common_7*rate_y;
+    const float turn_d = common_7*rate_z;
+    const float predicted_a = a*turn_a - b*turn_b - c*turn_c - d*turn_d;
+    const float predicted_b = a*turn_b + b*turn_a + c*turn_d - d*turn_c;
+    const float predicted_c = a*turn_c - b*turn_d + c*turn_a + d*turn_b;
+    const float predicted_d = a*turn_d + b*turn_c - c*turn_b + d*turn_a;
+    const float e_x = 2.0f*predicted_a*predicted_c - 2.0f*predicted_b*predicted_d;
+    const float e_y = -2.0f*predicted_a*predicted_b - 2.0f*predicted_c*predicted_d;
+    const float e_z = -(predicted_a*predicted_a) + predicted_b*predicted_b + predicted_c*predicted_c
+        - (predicted_d*predicted_d);
+    const float size = fabsf(accel_x) + fabsf(accel_y) + fabsf(accel_z);
+    const int has_direction = size <= 3.4028234663852886e+38f && size > 0.0f;
+    float reading_x, reading_y, reading_z;
+    if (has_direction) {
+        reading_x = accel_x/size;
+        reading_y = accel_y/size;
+        reading_z = accel_z/size;
+    } else {
+        reading_x = 0.0f;
+        reading_y = 0.0f;
+        reading_z = 0.0f;
+    }
+    const float across_x = -e_y*reading_z + e_z*reading_y;
+    const float across_y = e_x*reading_z - e_z*reading_x;
+    const float across_z = -e_x*reading_y + e_y*reading_x;
+    const float sine_off = sqrtf(across_x*across_x + across_y*across_y + across_z*across_z);
+    const float half_turn_back = 0.5f*gain*atan2f(sine_off, e_x*reading_x + e_y*reading_y +
+        e_z*reading_z);
+    const float cos_half_turn_back = cosf(half_turn_back);
+    const float sin_half_turn_back = sinf(half_turn_back);
+    float turn_back_a, factor;
+    if (sine_off > 0.0f) {
+        turn_back_a = cos_half_turn_back;
+        factor = sin_half_turn_back*1.0f/(sqrtf((-e_x*reading_y + e_y*reading_x)*(-e_x*reading_y +
+            e_y*reading_x) + (e_x*reading_z - e_z*reading_x)*(e_x*reading_z - e_z*reading_x) +
+            (-e_y*reading_z + e_z*reading_y)*(-e_y*reading_z + e_z*reading_y)));
+    } else {
+        turn_back_a = 1.0f;
+        factor = 0.0f;
+    }
+    const float across_x_factor = across_x*factor;
+    const float factor_predicted_c = factor*predicted_c;
+    const float factor_predicted_d = factor*predicted_d;
+    const float across_y_factor = across_y*factor;
+    const float across_z_factor = across_z*factor;
+    out[0] = -across_x_factor*predicted_b - across_y*factor_predicted_c -
+        across_z*factor_predicted_d + predicted_a*turn_back_a;
+    out[1] = across_x_factor*predicted_a - across_y*factor_predicted_d + across_z*factor_predicted_c
+        + predicted_b*turn_back_a;
+    out[2] = across_x_factor*predicted_d + across_y_factor*predicted_a - across_z_factor*predicted_b
+        + predicted_c*turn_back_a;
+    out[3] = -across_x_factor*predicted_c + across_y_factor*predicted_b +
+        across_z_factor*predicted_a + predicted_d*turn_back_a;
 }
 
 void attitude_observer_step(double roll, double pitch, double yaw, double p, double q, double r,
     double accel_x, double accel_y, double accel_z, double dt, double gain, double out[3])
 {
-    const double cos_pitch = cos(pitch);
-    const double tan_pitch = tan(pitch);
-    const double sec_pitch = 1.0 / cos_pitch;
-    const double sin_roll = sin(roll);
-    const double cos_roll = cos(roll);
-    const double rate_across = cos_roll * r + q * sin_roll;
-    const double predicted_roll = dt * (p + rate_across * tan_pitch) + roll;
-    const double predicted_pitch = dt * (cos_roll * q - r * sin_roll) + pitch;
-    const double roll_to_measured = atan2(-accel_y, -accel_z) - predicted_roll;
-    const double pitch_to_measured = atan2(accel_x, hypot(accel_y, accel_z)) - predicted_pitch;
-    const double roll_off = roll_to_measured
-        - 6.283185307179586 * floor(0.15915494309189535 * roll_to_measured + 0.5);
-    const double pitch_off = pitch_to_measured
-        - 6.283185307179586 * floor(0.15915494309189535 * pitch_to_measured + 0.5);
-    out[0] = predicted_roll + roll_off * gain;
-    out[1] = pitch_off * gain + predicted_pitch;
-    out[2] = dt * rate_across * sec_pitch + yaw;
+    const double sin_half_pitch = sin(0.5*pitch);
+    const double cos_half_pitch = cos(0.5*pitch);
+    const double sin_half_roll = sin(0.5*roll);
+    const double cos_half_roll = cos(0.5*roll);
+    const double sin_half_yaw = sin(0.5*yaw);
+    const double cos_half_yaw = cos(0.5*yaw);
+    const double cos_half_pitch_cos_half_yaw = cos_half_pitch*cos_half_yaw;
+    const double sin_half_pitch_sin_half_yaw = sin_half_pitch*sin_half_yaw;
+    const double start_a = cos_half_pitch_cos_half_yaw*cos_half_roll +
+        sin_half_pitch_sin_half_yaw*sin_half_roll;
+    const double start_b = cos_half_pitch_cos_half_yaw*sin_half_roll -
+        cos_half_roll*sin_half_pitch_sin_half_yaw;
+    const double cos_half_pitch_sin_half_yaw = cos_half_pitch*sin_half_yaw;
+    const double cos_half_yaw_sin_half_pitch = cos_half_yaw*sin_half_pitch;
+    const double start_c = cos_half_pitch_sin_half_yaw*sin_half_roll +
+        cos_half_roll*cos_half_yaw_sin_half_pitch;
+    const double start_d = cos_half_pitch_sin_half_yaw*cos_half_roll -
+        cos_half_yaw_sin_half_pitch*sin_half_roll;
+    const double start_sign = start_a >= 0.0 ? 1.0 : -1.0;
+    const double abs_p = fabs(p);
+    const double abs_q = fabs(q);
+    const double abs_r = fabs(r);
+    const double whole_turn = dt*(abs_p + abs_q + abs_r);
+    const int moves = whole_turn <= 1.7976931348623157e+308 && abs_p < 1000000000000.0 && abs_q <
+        1000000000000.0 && abs_r < 1000000000000.0;
+    double rate_x, rate_y, rate_z;
+    if (moves) {
+        rate_x = p;
+        rate_y = q;
+        rate_z = r;
+    } else {
+        rate_x = 0.0;
+        rate_y = 0.0;
+        rate_z = 0.0;
+    }
+    const double half_turn = 0.5*dt*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
+    const double sin_half_turn = sin(half_turn);
+    const double ratio = half_turn > 0.0 ? sin_half_turn/half_turn : 1.0;
+    const double cos_half_turn = cos(half_turn);
+    const double turn_a = cos_half_turn;
+    const double common_17 = 0.5*dt*ratio;
+    const double turn_b = common_17*rate_x;
+    const double turn_c = common_17*rate_y;
+    const double turn_d = common_17*rate_z;
+    const double start_b_start_sign = start_b*start_sign;
+    const double start_c_start_sign = start_c*start_sign;
+    const double start_d_start_sign = start_d*start_sign;
+    const double predicted_a = start_a*start_sign*turn_a - start_b_start_sign*turn_b -
+        start_c_start_sign*turn_c - start_d_start_sign*turn_d;
+    const double start_a_start_sign = start_a*start_sign;
+    const double predicted_b = start_a_start_sign*turn_b + start_b_start_sign*turn_a +
+        start_c_start_sign*turn_d - start_d_start_sign*turn_c;
+    const double predicted_c = start_a_start_sign*turn_c - start_b_start_sign*turn_d +
+        start_c_start_sign*turn_a + start_d_start_sign*turn_b;
+    const double predicted_d = start_a_start_sign*turn_d + start_b_start_sign*turn_c -
+        start_c_start_sign*turn_b + start_d_start_sign*turn_a;
+    const double e_x = 2.0*predicted_a*predicted_c - 2.0*predicted_b*predicted_d;
+    const double e_y = -2.0*predicted_a*predicted_b - 2.0*predicted_c*predicted_d;
+    const double e_z = -(predicted_a*predicted_a) + predicted_b*predicted_b +
+        predicted_c*predicted_c - (predicted_d*predicted_d);
+    const double size = fabs(accel_x) + fabs(accel_y) + fabs(accel_z);
+    const int has_direction = size <= 1.7976931348623157e+308 && size > 0.0;
+    double reading_x, reading_y, reading_z;
+    if (has_direction) {
+        reading_x = accel_x/size;
+        reading_y = accel_y/size;
+        reading_z = accel_z/size;
+    } else {
+        reading_x = 0.0;
+        reading_y = 0.0;
+        reading_z = 0.0;
+    }
+    const double across_x = -e_y*reading_z + e_z*reading_y;
+    const double across_y = e_x*reading_z - e_z*reading_x;
+    const double across_z = -e_x*reading_y + e_y*reading_x;
+    const double sine_off = sqrt(across_x*across_x + across_y*across_y + across_z*across_z);
+    const double half_turn_back = 0.5*gain*atan2(sine_off, e_x*reading_x + e_y*reading_y +
+        e_z*reading_z);
+    const double cos_half_turn_back = cos(half_turn_back);
+    const double sin_half_turn_back = sin(half_turn_back);
+    double turn_back_a, factor;
+    if (sine_off > 0.0) {
+        turn_back_a = cos_half_turn_back;
+        factor = sin_half_turn_back*1.0/(sqrt((-e_x*reading_y + e_y*reading_x)*(-e_x*reading_y +
+            e_y*reading_x) + (e_x*reading_z - e_z*reading_x)*(e_x*reading_z - e_z*reading_x) +
+            (-e_y*reading_z + e_z*reading_y)*(-e_y*reading_z + e_z*reading_y)));
+    } else {
+        turn_back_a = 1.0;
+        factor = 0.0;
+    }
+    const double across_x_factor = across_x*factor;
+    const double factor_predicted_c = factor*predicted_c;
+    const double factor_predicted_d = factor*predicted_d;
+    const double end_a = -across_x_factor*predicted_b - across_y*factor_predicted_c -
+        across_z*factor_predicted_d + predicted_a*turn_back_a;
+    const double end_b = across_x_factor*predicted_a - across_y*factor_predicted_d +
+        across_z*factor_predicted_c + predicted_b*turn_back_a;
+    const double across_y_factor = across_y*factor;
+    const double across_z_factor = across_z*factor;
+    const double end_c = across_x_factor*predicted_d + across_y_factor*predicted_a -
+        across_z_factor*predicted_b + predicted_c*turn_back_a;
+    const double end_d = -across_x_factor*predicted_c + across_y_factor*predicted_b +
+        across_z_factor*predicted_a + predicted_d*turn_back_a;
+    const double end_a_minus_c = end_a - end_c;
+    const double end_b_plus_d = end_b + end_d;
+    const double end_a_plus_c = end_a + end_c;
+    const double end_d_minus_b = -end_b + end_d;
+    const double end_below = end_a_minus_c*end_a_minus_c + end_b_plus_d*end_b_plus_d;
+    const double end_above = end_a_plus_c*end_a_plus_c + end_d_minus_b*end_d_minus_b;
+    const double end_product_1 = end_a_plus_c*end_b_plus_d;
+    const double end_product_2 = end_a_minus_c*end_d_minus_b;
+    const double end_product_3 = end_a_minus_c*end_a_plus_c;
+    const double end_product_4 = end_b_plus_d*end_d_minus_b;
+    const double end_half_sine = end_a*end_c - end_b*end_d;
+    const double end_pitch = atan2(2.0*end_half_sine, sqrt(end_above)*sqrt(end_below));
+    const int end_locked = fabs(end_pitch) > 1.5707963267948948;
+    double end_roll, end_yaw;
+    if (!end_locked) {
+        end_roll = atan2(end_product_1 - end_product_2, end_product_3 + end_product_4);
+        end_yaw = atan2(end_product_1 + end_product_2, end_product_3 - end_product_4);
+    } else {
+        end_roll = 0.0;
+        end_yaw = atan2(2.0*end_a*end_d - 2.0*end_b*end_c, end_a*end_a - (end_b*end_b) + end_c*end_c
+            - (end_d*end_d));
+    }
+    out[0] = end_roll;
+    out[1] = end_pitch;
+    out[2] = end_yaw;
 }
 
 void attitude_observer_step_f(float roll, float pitch, float yaw, float p, float q, float r,
     float accel_x, float accel_y, float accel_z, float dt, float gain, float out[3])
 {
+    const float sin_half_pitch = sinf(0.5f*pitch);
+    const float cos_half_pitch = cosf(0.5f*pitch);
+    const float sin_half_roll = sinf(0.5f*roll);
+    const float cos_half_roll = cosf(0.5f*roll);
+    const float sin_half_yaw = sinf(0.5f*yaw);
+    const float cos_half_yaw = cosf(0.5f*yaw);
+    const float cos_half_pitch_cos_half_yaw = cos_half_pitch*cos_half_yaw;
+    const float sin_half_pitch_sin_half_yaw = sin_half_pitch*sin_half_yaw;
+    const float start_a = cos_half_pitch_cos_half_yaw*cos_half_roll +
+        sin_half_pitch_sin_half_yaw*sin_half_roll;
+    const float start_b = cos_half_pitch_cos_half_yaw*sin_half_roll -
+        cos_half_roll*sin_half_pitch_sin_half_yaw;
+    const float cos_half_pitch_sin_half_yaw = cos_half_pitch*sin_half_yaw;
+    const float cos_half_yaw_sin_half_pitch = cos_half_yaw*sin_half_pitch;
+    const float start_c = cos_half_pitch_sin_half_yaw*sin_half_roll +
+        cos_half_roll*cos_half_yaw_sin_half_pitch;
+    const float start_d = cos_half_pitch_sin_half_yaw*cos_half_roll -
+        cos_half_yaw_sin_half_pitch*sin_half_roll;
+    const float start_sign = start_a >= 0.0f ? 1.0f : -1.0f;
+    const float abs_p = fabsf(p);
+    const float abs_q = fabsf(q);
+    const float abs_r = fabsf(r);
+    const float whole_turn = dt*(abs_p + abs_q + abs_r);
+    const int moves = whole_turn <= 3.4028234663852886e+38f && abs_p < 1000000000000.0f && abs_q <
+        1000000000000.0f && abs_r < 1000000000000.0f;
+    float rate_x, rate_y, rate_z;
+    if (moves) {
+        rate_x = p;
+        rate_y = q;
+        rate_z = r;
+    } else {
+        rate_x = 0.0f;
+        rate_y = 0.0f;
+        rate_z = 0.0f;
+    }
+    const float half_turn = 0.5f*dt*sqrtf(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
+    const float sin_half_turn = sinf(half_turn);
+    const float ratio = half_turn > 0.0f ? sin_half_turn/half_turn : 1.0f;
+    const float cos_half_turn = cosf(half_turn);
+    const float turn_a = cos_half_turn;
+    const float common_17 = 0.5f*dt*ratio;
+    const float turn_b = common_17*rate_x;
+    const float turn_c = common_17*rate_y;
+    const float turn_d = common_17*rate_z;
+    const float start_b_start_sign = start_b*start_sign;
+    const float start_c_start_sign = start_c*start_sign;
+    const float start_d_start_sign = start_d*start_sign;
+    const float predicted_a = start_a*start_sign*turn_a - start_b_start_sign*turn_b -
+        start_c_start_sign*turn_c - start_d_start_sign*turn_d;
+    const float start_a_start_sign = start_a*start_sign;
+    const float predicted_b = start_a_start_sign*turn_b + start_b_start_sign*turn_a +
+        start_c_start_sign*turn_d - start_d_start_sign*turn_c;
+    const float predicted_c = start_a_start_sign*turn_c - start_b_start_sign*turn_d +
+        start_c_start_sign*turn_a + start_d_start_sign*turn_b;
+    const float predicted_d = start_a_start_sign*turn_d + start_b_start_sign*turn_c -
+        start_c_start_sign*turn_b + start_d_start_sign*turn_a;
+    const float e_x = 2.0f*predicted_a*predicted_c - 2.0f*predicted_b*predicted_d;
+    const float e_y = -2.0f*predicted_a*predicted_b - 2.0f*predicted_c*predicted_d;
+    const float e_z = -(predicted_a*predicted_a) + predicted_b*predicted_b + predicted_c*predicted_c
+        - (predicted_d*predicted_d);
+    const float size = fabsf(accel_x) + fabsf(accel_y) + fabsf(accel_z);
+    const int has_direction = size <= 3.4028234663852886e+38f && size > 0.0f;
+    float reading_x, reading_y, reading_z;
+    if (has_direction) {
+        reading_x = accel_x/size;
+        reading_y = accel_y/size;
+        reading_z = accel_z/size;
+    } else {
+        reading_x = 0.0f;
+        reading_y = 0.0f;
+        reading_z = 0.0f;
+    }
+    const float across_x = -e_y*reading_z + e_z*reading_y;
+    const float across_y = e_x*reading_z - e_z*reading_x;
+    const float across_z = -e_x*reading_y + e_y*reading_x;
+    const float sine_off = sqrtf(across_x*across_x + across_y*across_y + across_z*across_z);
+    const float half_turn_back = 0.5f*gain*atan2f(sine_off, e_x*reading_x + e_y*reading_y +
+        e_z*reading_z);
+    const float cos_half_turn_back = cosf(half_turn_back);
+    const float sin_half_turn_back = sinf(half_turn_back);
+    float turn_back_a, factor;
+    if (sine_off > 0.0f) {
+        turn_back_a = cos_half_turn_back;
+        factor = sin_half_turn_back*1.0f/(sqrtf((-e_x*reading_y + e_y*reading_x)*(-e_x*reading_y +
+            e_y*reading_x) + (e_x*reading_z - e_z*reading_x)*(e_x*reading_z - e_z*reading_x) +
+            (-e_y*reading_z + e_z*reading_y)*(-e_y*reading_z + e_z*reading_y)));
+    } else {
+        turn_back_a = 1.0f;
+        factor = 0.0f;
+    }
+    const float across_x_factor = across_x*factor;
+    const float factor_predicted_c = factor*predicted_c;
+    const float factor_predicted_d = factor*predicted_d;
+    const float end_a = -across_x_factor*predicted_b - across_y*factor_predicted_c -
+        across_z*factor_predicted_d + predicted_a*turn_back_a;
+    const float end_b = across_x_factor*predicted_a - across_y*factor_predicted_d +
+        across_z*factor_predicted_c + predicted_b*turn_back_a;
+    const float across_y_factor = across_y*factor;
+    const float across_z_factor = across_z*factor;
+    const float end_c = across_x_factor*predicted_d + across_y_factor*predicted_a -
+        across_z_factor*predicted_b + predicted_c*turn_back_a;
+    const float end_d = -across_x_factor*predicted_c + across_y_factor*predicted_b +
+        across_z_factor*predicted_a + predicted_d*turn_back_a;
+    const float end_a_minus_c = end_a - end_c;
+    const float end_b_plus_d = end_b + end_d;
+    const float end_a_plus_c = end_a + end_c;
+    const float end_d_minus_b = -end_b + end_d;
+    const float end_below = end_a_minus_c*end_a_minus_c + end_b_plus_d*end_b_plus_d;
+    const float end_above = end_a_plus_c*end_a_plus_c + end_d_minus_b*end_d_minus_b;
+    const float end_product_1 = end_a_plus_c*end_b_plus_d;
+    const float end_product_2 = end_a_minus_c*end_d_minus_b;
+    const float end_product_3 = end_a_minus_c*end_a_plus_c;
+    const float end_product_4 = end_b_plus_d*end_d_minus_b;
+    const float end_half_sine = end_a*end_c - end_b*end_d;
+    const float end_pitch = atan2f(2.0f*end_half_sine, sqrtf(end_above)*sqrtf(end_below));
+    const int end_locked = fabsf(end_pitch) > 1.5707953731205802f;
+    float end_roll, end_yaw;
+    if (!end_locked) {
+        end_roll = atan2f(end_product_1 - end_product_2, end_product_3 + end_product_4);
+        end_yaw = atan2f(end_product_1 + end_product_2, end_product_3 - end_product_4);
+    } else {
+        end_roll = 0.0f;
+        end_yaw = atan2f(2.0f*end_a*end_d - 2.0f*end_b*end_c, end_a*end_a - (end_b*end_b) +
+            end_c*end_c - (end_d*end_d));
+    }
+    out[0] = end_roll;
+    out[1] = end_pitch;
+    out[2] = end_yaw;
+}
+
+void attitude_euler_observer_step(double roll, double pitch, double yaw, double p, double q,
+    double r, double accel_x, double accel_y, double accel_z, double dt, double gain, double out[3])
+{
+    const double cos_pitch = cos(pitch);
+    const double tan_pitch = tan(pitch);
+    const double sec_pitch = 1.0/cos_pitch;
+    const double sin_roll = sin(roll);
+    const double cos_roll = cos(roll);
+    const double abs_p = fabs(p);
+    const double abs_q = fabs(q);
+    const double abs_r = fabs(r);
+    const double whole_turn = dt*(abs_p + abs_q + abs_r);
+    const int moves = whole_turn <= 1.7976931348623157e+308 && abs_p < 1000000000000.0 && abs_q <
+        1000000000000.0 && abs_r < 1000000000000.0;
+    double rate_x, rate_y, rate_z;
+    if (moves) {
+        rate_x = p;
+        rate_y = q;
+        rate_z = r;
+    } else {
+        rate_x = 0.0;
+        rate_y = 0.0;
+        rate_z = 0.0;
+    }
+    const double rate_across = cos_roll*rate_z + rate_y*sin_roll;
+    const double seen_size = fabs(accel_x) + fabs(accel_y) + fabs(accel_z);
+    const int seen_has_direction = seen_size <= 1.7976931348623157e+308 && seen_size > 0.0;
+    const double seen_across = hypot(accel_y, accel_z);
+    const double seen_roll_seen = atan2(-accel_y, -accel_z);
+    double seen_roll;
+    if (!seen_has_direction) {
+        seen_roll = NAN;
+    } else if (seen_across <= 0.0) {
+        seen_roll = 0.0;
+    } else if (seen_roll_seen <= -3.141592653589793) {
+        seen_roll = 3.141592653589793;
+    } else {
+        seen_roll = seen_roll_seen;
+    }
+    double seen_pitch;
+    if (seen_has_direction) {
+        seen_pitch = atan2(accel_x, seen_across);
+    } else {
+        seen_pitch = NAN;
+    }
+    const double predicted_roll = dt*(rate_across*tan_pitch + rate_x) + roll;
+    const double predicted_pitch = dt*(cos_roll*rate_y - rate_z*sin_roll) + pitch;
+    const double roll_to_measured = -predicted_roll + seen_roll;
+    const double pitch_to_measured = -predicted_pitch + seen_pitch;
+    double roll_off, pitch_off;
+    if (seen_has_direction) {
+        roll_off = gain*(roll_to_measured -
+            6.283185307179586*floor(0.15915494309189535*roll_to_measured + 0.5));
+        pitch_off = gain*(pitch_to_measured -
+            6.283185307179586*floor(0.15915494309189535*pitch_to_measured + 0.5));
+    } else {
+        roll_off = 0.0;
+        pitch_off = 0.0;
+    }
+    out[0] = predicted_roll + roll_off;
+    out[1] = pitch_off + predicted_pitch;
+    out[2] = dt*rate_across*sec_pitch + yaw;
+}
+
+void attitude_euler_observer_step_f(float roll, float pitch, float yaw, float p, float q, float r,
+    float accel_x, float accel_y, float accel_z, float dt, float gain, float out[3])
+{
     const float cos_pitch = cosf(pitch);
     const float tan_pitch = tanf(pitch);
-    const float sec_pitch = 1.0f / cos_pitch;
+    const float sec_pitch = 1.0f/cos_pitch;
     const float sin_roll = sinf(roll);
     const float cos_roll = cosf(roll);
-    const float rate_across = cos_roll * r + q * sin_roll;
-    const float predicted_roll = dt * (p + rate_across * tan_pitch) + roll;
-    const float predicted_pitch = dt * (cos_roll * q - r * sin_roll) + pitch;
-    const float roll_to_measured = atan2f(-accel_y, -accel_z) - predicted_roll;
-    const float pitch_to_measured = atan2f(accel_x, hypotf(accel_y, accel_z)) - predicted_pitch;
-    const float roll_off = roll_to_measured
-        - 6.283185307179586f * floorf(0.15915494309189535f * roll_to_measured + 0.5f);
-    const float pitch_off = pitch_to_measured
-        - 6.283185307179586f * floorf(0.15915494309189535f * pitch_to_measured + 0.5f);
-    out[0] = predicted_roll + roll_off * gain;
-    out[1] = pitch_off * gain + predicted_pitch;
-    out[2] = dt * rate_across * sec_pitch + yaw;
-}
-
-void attitude_correct_tilt(double roll, double pitch, double roll_accel, double pitch_accel,
-    double gain, double out[2])
-{
-    const double turn = roll_accel - roll;
-    double shortest_turn;
-    if (turn > 3.141592653589793 || turn < -3.141592653589793) {
-        shortest_turn = turn - 6.283185307179586 * floor(0.15915494309189535 * turn + 0.5);
+    const float abs_p = fabsf(p);
+    const float abs_q = fabsf(q);
+    const float abs_r = fabsf(r);
+    const float whole_turn = dt*(abs_p + abs_q + abs_r);
+    const int moves = whole_turn <= 3.4028234663852886e+38f && abs_p < 1000000000000.0f && abs_q <
+        1000000000000.0f && abs_r < 1000000000000.0f;
+    float rate_x, rate_y, rate_z;
+    if (moves) {
+        rate_x = p;
+        rate_y = q;
+        rate_z = r;
     } else {
-        shortest_turn = turn;
+        rate_x = 0.0f;
+        rate_y = 0.0f;
+        rate_z = 0.0f;
     }
-    out[0] = shortest_turn * gain + roll;
-    out[1] = gain * (pitch_accel - pitch) + pitch;
-}
-
-void attitude_correct_tilt_f(float roll, float pitch, float roll_accel, float pitch_accel,
-    float gain, float out[2])
-{
-    const float turn = roll_accel - roll;
-    float shortest_turn;
-    if (turn > 3.141592653589793f || turn < -3.141592653589793f) {
-        shortest_turn = turn - 6.283185307179586f * floorf(0.15915494309189535f * turn + 0.5f);
+    const float rate_across = cos_roll*rate_z + rate_y*sin_roll;
+    const float seen_size = fabsf(accel_x) + fabsf(accel_y) + fabsf(accel_z);
+    const int seen_has_direction = seen_size <= 3.4028234663852886e+38f && seen_size > 0.0f;
+    const float seen_across = hypotf(accel_y, accel_z);
+    const float seen_roll_seen = atan2f(-accel_y, -accel_z);
+    float seen_roll;
+    if (!seen_has_direction) {
+        seen_roll = NAN;
+    } else if (seen_across <= 0.0f) {
+        seen_roll = 0.0f;
+    } else if (seen_roll_seen <= -3.141592653589793f) {
+        seen_roll = 3.141592653589793f;
     } else {
-        shortest_turn = turn;
+        seen_roll = seen_roll_seen;
     }
-    out[0] = shortest_turn * gain + roll;
-    out[1] = gain * (pitch_accel - pitch) + pitch;
-}
-
-void attitude_correct_steep_tilt(double roll, double pitch, double yaw, double roll_accel,
-    double pitch_accel, double gain, double out[3])
-{
-    const double sin_pitch = sin(pitch);
-    const double turn = roll_accel - roll;
-    double shortest_turn;
-    if (turn > 3.141592653589793 || turn < -3.141592653589793) {
-        shortest_turn = turn - 6.283185307179586 * floor(0.15915494309189535 * turn + 0.5);
+    float seen_pitch;
+    if (seen_has_direction) {
+        seen_pitch = atan2f(accel_x, seen_across);
     } else {
-        shortest_turn = turn;
+        seen_pitch = NAN;
     }
-    const double roll_change = shortest_turn * gain;
-    out[0] = roll + roll_change;
-    out[1] = gain * (pitch_accel - pitch) + pitch;
-    out[2] = roll_change * sin_pitch + yaw;
-}
-
-void attitude_correct_steep_tilt_f(float roll, float pitch, float yaw, float roll_accel,
-    float pitch_accel, float gain, float out[3])
-{
-    const float sin_pitch = sinf(pitch);
-    const float turn = roll_accel - roll;
-    float shortest_turn;
-    if (turn > 3.141592653589793f || turn < -3.141592653589793f) {
-        shortest_turn = turn - 6.283185307179586f * floorf(0.15915494309189535f * turn + 0.5f);
+    const float predicted_roll = dt*(rate_across*tan_pitch + rate_x) + roll;
+    const float predicted_pitch = dt*(cos_roll*rate_y - rate_z*sin_roll) + pitch;
+    const float roll_to_measured = -predicted_roll + seen_roll;
+    const float pitch_to_measured = -predicted_pitch + seen_pitch;
+    float roll_off, pitch_off;
+    if (seen_has_direction) {
+        roll_off = gain*(roll_to_measured -
+            6.283185307179586f*floorf(0.15915494309189535f*roll_to_measured + 0.5f));
+        pitch_off = gain*(pitch_to_measured -
+            6.283185307179586f*floorf(0.15915494309189535f*pitch_to_measured + 0.5f));
     } else {
-        shortest_turn = turn;
+        roll_off = 0.0f;
+        pitch_off = 0.0f;
     }
-    const float roll_change = shortest_turn * gain;
-    out[0] = roll + roll_change;
-    out[1] = gain * (pitch_accel - pitch) + pitch;
-    out[2] = roll_change * sin_pitch + yaw;
+    out[0] = predicted_roll + roll_off;
+    out[1] = pitch_off + predicted_pitch;
+    out[2] = dt*rate_across*sec_pitch + yaw;
 }
 
 double attitude_heading_from_magnetometer(double mag_x, double mag_y, double mag_z, double roll,
@@ -1036,10 +1645,17 @@ double attitude_heading_from_magnetometer(double mag_x, double mag_y, double mag
     const double cos_pitch = cos(pitch);
     const double sin_roll = sin(roll);
     const double cos_roll = cos(roll);
-    const double level_x = cos_pitch * mag_x + cos_roll * mag_z * sin_pitch
-        + mag_y * sin_pitch * sin_roll;
-    const double level_y = cos_roll * mag_y - mag_z * sin_roll;
-    return atan2(east * level_x - level_y * north, east * level_y + level_x * north);
+    const double size = fabs(mag_x) + fabs(mag_y) + fabs(mag_z);
+    const int has_direction = size <= 1.7976931348623157e+308 && size > 0.0;
+    const double level_x = cos_pitch*mag_x + cos_roll*mag_z*sin_pitch + mag_y*sin_pitch*sin_roll;
+    const double level_y = cos_roll*mag_y - mag_z*sin_roll;
+    double result;
+    if (has_direction) {
+        result = atan2(east*level_x - level_y*north, east*level_y + level_x*north);
+    } else {
+        result = NAN;
+    }
+    return result;
 }
 
 float attitude_heading_from_magnetometer_f(float mag_x, float mag_y, float mag_z, float roll,
@@ -1049,10 +1665,17 @@ float attitude_heading_from_magnetometer_f(float mag_x, float mag_y, float mag_z
     const float cos_pitch = cosf(pitch);
     const float sin_roll = sinf(roll);
     const float cos_roll = cosf(roll);
-    const float level_x = cos_pitch * mag_x + cos_roll * mag_z * sin_pitch
-        + mag_y * sin_pitch * sin_roll;
-    const float level_y = cos_roll * mag_y - mag_z * sin_roll;
-    return atan2f(east * level_x - level_y * north, east * level_y + level_x * north);
+    const float size = fabsf(mag_x) + fabsf(mag_y) + fabsf(mag_z);
+    const int has_direction = size <= 3.4028234663852886e+38f && size > 0.0f;
+    const float level_x = cos_pitch*mag_x + cos_roll*mag_z*sin_pitch + mag_y*sin_pitch*sin_roll;
+    const float level_y = cos_roll*mag_y - mag_z*sin_roll;
+    float result;
+    if (has_direction) {
+        result = atan2f(east*level_x - level_y*north, east*level_y + level_x*north);
+    } else {
+        result = NAN;
+    }
+    return result;
 }
 
 double attitude_validation_factor(double mag_x, double mag_y, double mag_z, double roll,
@@ -1062,10 +1685,28 @@ double attitude_validation_factor(double mag_x, double mag_y, double mag_z, doub
     const double cos_pitch = cos(pitch);
     const double sin_roll = sin(roll);
     const double cos_roll = cos(roll);
-    const double field_squared = mag_x * mag_x + mag_y * mag_y + mag_z * mag_z;
-    const double level_z = cos_pitch * cos_roll * mag_z + cos_pitch * mag_y * sin_roll
-        - mag_x * sin_pitch;
-    return fabs(reference_down - level_z / sqrt(field_squared));
+    const double size = fabs(mag_x) + fabs(mag_y) + fabs(mag_z);
+    const int has_direction = size <= 1.7976931348623157e+308 && size > 0.0;
+    double reading_x, reading_y, reading_z;
+    if (has_direction) {
+        reading_x = mag_x/size;
+        reading_y = mag_y/size;
+        reading_z = mag_z/size;
+    } else {
+        reading_x = 0.0;
+        reading_y = 0.0;
+        reading_z = 0.0;
+    }
+    const double length_squared = reading_x*reading_x + reading_y*reading_y + reading_z*reading_z;
+    const double level_z = cos_pitch*cos_roll*reading_z + cos_pitch*reading_y*sin_roll -
+        reading_x*sin_pitch;
+    double result;
+    if (has_direction) {
+        result = fabs(reference_down - level_z/sqrt(length_squared));
+    } else {
+        result = NAN;
+    }
+    return result;
 }
 
 float attitude_validation_factor_f(float mag_x, float mag_y, float mag_z, float roll, float pitch,
@@ -1075,10 +1716,28 @@ float attitude_validation_factor_f(float mag_x, float mag_y, float mag_z, float 
     const float cos_pitch = cosf(pitch);
     const float sin_roll = sinf(roll);
     const float cos_roll = cosf(roll);
-    const float field_squared = mag_x * mag_x + mag_y * mag_y + mag_z * mag_z;
-    const float level_z = cos_pitch * cos_roll * mag_z + cos_pitch * mag_y * sin_roll
-        - mag_x * sin_pitch;
-    return fabsf(reference_down - level_z / sqrtf(field_squared));
+    const float size = fabsf(mag_x) + fabsf(mag_y) + fabsf(mag_z);
+    const int has_direction = size <= 3.4028234663852886e+38f && size > 0.0f;
+    float reading_x, reading_y, reading_z;
+    if (has_direction) {
+        reading_x = mag_x/size;
+        reading_y = mag_y/size;
+        reading_z = mag_z/size;
+    } else {
+        reading_x = 0.0f;
+        reading_y = 0.0f;
+        reading_z = 0.0f;
+    }
+    const float length_squared = reading_x*reading_x + reading_y*reading_y + reading_z*reading_z;
+    const float level_z = cos_pitch*cos_roll*reading_z + cos_pitch*reading_y*sin_roll -
+        reading_x*sin_pitch;
+    float result;
+    if (has_direction) {
+        result = fabsf(reference_down - level_z/sqrtf(length_squared));
+    } else {
+        result = NAN;
+    }
+    return result;
 }
 
 void attitude_inertial_acceleration(double accel_x, double accel_y, double accel_z, double roll,
@@ -1090,19 +1749,16 @@ void attitude_inertial_acceleration(double accel_x, double accel_y, double accel
     const double cos_roll = cos(roll);
     const double sin_yaw = sin(yaw);
     const double cos_yaw = cos(yaw);
-    const double cos_yaw_sin_roll = cos_yaw * sin_roll;
-    const double accel_x_cos_pitch = accel_x * cos_pitch;
-    const double sin_roll_sin_yaw = sin_roll * sin_yaw;
-    const double cos_roll_cos_yaw = cos_roll * cos_yaw;
-    const double cos_roll_sin_yaw = cos_roll * sin_yaw;
-    out[0] = accel_x_cos_pitch * cos_yaw
-        + accel_y * (cos_yaw_sin_roll * sin_pitch - cos_roll_sin_yaw)
-            + accel_z * (cos_roll_cos_yaw * sin_pitch + sin_roll_sin_yaw);
-    out[1] = accel_x_cos_pitch * sin_yaw
-        + accel_y * (cos_roll_cos_yaw + sin_pitch * sin_roll_sin_yaw)
-            + accel_z * (cos_roll_sin_yaw * sin_pitch - cos_yaw_sin_roll);
-    out[2] = accel_y * cos_pitch * sin_roll - accel_x * sin_pitch + accel_z * cos_pitch * cos_roll
-        + gravity;
+    const double cos_yaw_sin_roll = cos_yaw*sin_roll;
+    const double accel_x_cos_pitch = accel_x*cos_pitch;
+    const double sin_roll_sin_yaw = sin_roll*sin_yaw;
+    const double cos_roll_cos_yaw = cos_roll*cos_yaw;
+    const double cos_roll_sin_yaw = cos_roll*sin_yaw;
+    out[0] = accel_x_cos_pitch*cos_yaw + accel_y*(-cos_roll_sin_yaw + cos_yaw_sin_roll*sin_pitch) +
+        accel_z*(cos_roll_cos_yaw*sin_pitch + sin_roll_sin_yaw);
+    out[1] = accel_x_cos_pitch*sin_yaw + accel_y*(cos_roll_cos_yaw + sin_pitch*sin_roll_sin_yaw) +
+        accel_z*(cos_roll_sin_yaw*sin_pitch - cos_yaw_sin_roll);
+    out[2] = -accel_x*sin_pitch + accel_y*cos_pitch*sin_roll + accel_z*cos_pitch*cos_roll + gravity;
 }
 
 void attitude_inertial_acceleration_f(float accel_x, float accel_y, float accel_z, float roll,
@@ -1114,19 +1770,16 @@ void attitude_inertial_acceleration_f(float accel_x, float accel_y, float accel_
     const float cos_roll = cosf(roll);
     const float sin_yaw = sinf(yaw);
     const float cos_yaw = cosf(yaw);
-    const float cos_yaw_sin_roll = cos_yaw * sin_roll;
-    const float accel_x_cos_pitch = accel_x * cos_pitch;
-    const float sin_roll_sin_yaw = sin_roll * sin_yaw;
-    const float cos_roll_cos_yaw = cos_roll * cos_yaw;
-    const float cos_roll_sin_yaw = cos_roll * sin_yaw;
-    out[0] = accel_x_cos_pitch * cos_yaw
-        + accel_y * (cos_yaw_sin_roll * sin_pitch - cos_roll_sin_yaw)
-            + accel_z * (cos_roll_cos_yaw * sin_pitch + sin_roll_sin_yaw);
-    out[1] = accel_x_cos_pitch * sin_yaw
-        + accel_y * (cos_roll_cos_yaw + sin_pitch * sin_roll_sin_yaw)
-            + accel_z * (cos_roll_sin_yaw * sin_pitch - cos_yaw_sin_roll);
-    out[2] = accel_y * cos_pitch * sin_roll - accel_x * sin_pitch + accel_z * cos_pitch * cos_roll
-        + gravity;
+    const float cos_yaw_sin_roll = cos_yaw*sin_roll;
+    const float accel_x_cos_pitch = accel_x*cos_pitch;
+    const float sin_roll_sin_yaw = sin_roll*sin_yaw;
+    const float cos_roll_cos_yaw = cos_roll*cos_yaw;
+    const float cos_roll_sin_yaw = cos_roll*sin_yaw;
+    out[0] = accel_x_cos_pitch*cos_yaw + accel_y*(-cos_roll_sin_yaw + cos_yaw_sin_roll*sin_pitch) +
+        accel_z*(cos_roll_cos_yaw*sin_pitch + sin_roll_sin_yaw);
+    out[1] = accel_x_cos_pitch*sin_yaw + accel_y*(cos_roll_cos_yaw + sin_pitch*sin_roll_sin_yaw) +
+        accel_z*(cos_roll_sin_yaw*sin_pitch - cos_yaw_sin_roll);
+    out[2] = -accel_x*sin_pitch + accel_y*cos_pitch*sin_roll + accel_z*cos_pitch*cos_roll + gravity;
 }
 
 void attitude_accelerometer_from_acceleration(double accel_north, double accel_east,
@@ -1138,22 +1791,22 @@ void attitude_accelerometer_from_acceleration(double accel_north, double accel_e
     const double cos_roll = cos(roll);
     const double sin_yaw = sin(yaw);
     const double cos_yaw = cos(yaw);
-    const double accel_east_sin_yaw = accel_east * sin_yaw;
-    const double accel_north_cos_yaw = accel_north * cos_yaw;
-    const double cos_pitch_sin_roll = cos_pitch * sin_roll;
-    const double accel_east_cos_yaw = accel_east * cos_yaw;
-    const double accel_north_sin_yaw = accel_north * sin_yaw;
-    const double sin_pitch_sin_roll = sin_pitch * sin_roll;
-    const double cos_pitch_cos_roll = cos_pitch * cos_roll;
-    const double cos_roll_sin_pitch = cos_roll * sin_pitch;
-    out[0] = accel_east_sin_yaw * cos_pitch - accel_down * sin_pitch
-        + accel_north_cos_yaw * cos_pitch + gravity * sin_pitch;
-    out[1] = accel_down * cos_pitch_sin_roll + accel_east_cos_yaw * cos_roll
-        + accel_east_sin_yaw * sin_pitch_sin_roll + accel_north_cos_yaw * sin_pitch_sin_roll
-            - accel_north_sin_yaw * cos_roll - cos_pitch_sin_roll * gravity;
-    out[2] = accel_down * cos_pitch_cos_roll - accel_east_cos_yaw * sin_roll
-        + accel_east_sin_yaw * cos_roll_sin_pitch + accel_north_cos_yaw * cos_roll_sin_pitch
-            + accel_north_sin_yaw * sin_roll - cos_pitch_cos_roll * gravity;
+    const double accel_east_sin_yaw = accel_east*sin_yaw;
+    const double accel_north_cos_yaw = accel_north*cos_yaw;
+    const double cos_pitch_sin_roll = cos_pitch*sin_roll;
+    const double accel_east_cos_yaw = accel_east*cos_yaw;
+    const double accel_north_sin_yaw = accel_north*sin_yaw;
+    const double sin_pitch_sin_roll = sin_pitch*sin_roll;
+    const double cos_pitch_cos_roll = cos_pitch*cos_roll;
+    const double cos_roll_sin_pitch = cos_roll*sin_pitch;
+    out[0] = -accel_down*sin_pitch + accel_east_sin_yaw*cos_pitch + accel_north_cos_yaw*cos_pitch +
+        gravity*sin_pitch;
+    out[1] = accel_down*cos_pitch_sin_roll + accel_east_cos_yaw*cos_roll +
+        accel_east_sin_yaw*sin_pitch_sin_roll + accel_north_cos_yaw*sin_pitch_sin_roll -
+        accel_north_sin_yaw*cos_roll - cos_pitch_sin_roll*gravity;
+    out[2] = accel_down*cos_pitch_cos_roll - accel_east_cos_yaw*sin_roll +
+        accel_east_sin_yaw*cos_roll_sin_pitch + accel_north_cos_yaw*cos_roll_sin_pitch +
+        accel_north_sin_yaw*sin_roll - cos_pitch_cos_roll*gravity;
 }
 
 void attitude_accelerometer_from_acceleration_f(float accel_north, float accel_east,
@@ -1165,54 +1818,70 @@ void attitude_accelerometer_from_acceleration_f(float accel_north, float accel_e
     const float cos_roll = cosf(roll);
     const float sin_yaw = sinf(yaw);
     const float cos_yaw = cosf(yaw);
-    const float accel_east_sin_yaw = accel_east * sin_yaw;
-    const float accel_north_cos_yaw = accel_north * cos_yaw;
-    const float cos_pitch_sin_roll = cos_pitch * sin_roll;
-    const float accel_east_cos_yaw = accel_east * cos_yaw;
-    const float accel_north_sin_yaw = accel_north * sin_yaw;
-    const float sin_pitch_sin_roll = sin_pitch * sin_roll;
-    const float cos_pitch_cos_roll = cos_pitch * cos_roll;
-    const float cos_roll_sin_pitch = cos_roll * sin_pitch;
-    out[0] = accel_east_sin_yaw * cos_pitch - accel_down * sin_pitch
-        + accel_north_cos_yaw * cos_pitch + gravity * sin_pitch;
-    out[1] = accel_down * cos_pitch_sin_roll + accel_east_cos_yaw * cos_roll
-        + accel_east_sin_yaw * sin_pitch_sin_roll + accel_north_cos_yaw * sin_pitch_sin_roll
-            - accel_north_sin_yaw * cos_roll - cos_pitch_sin_roll * gravity;
-    out[2] = accel_down * cos_pitch_cos_roll - accel_east_cos_yaw * sin_roll
-        + accel_east_sin_yaw * cos_roll_sin_pitch + accel_north_cos_yaw * cos_roll_sin_pitch
-            + accel_north_sin_yaw * sin_roll - cos_pitch_cos_roll * gravity;
+    const float accel_east_sin_yaw = accel_east*sin_yaw;
+    const float accel_north_cos_yaw = accel_north*cos_yaw;
+    const float cos_pitch_sin_roll = cos_pitch*sin_roll;
+    const float accel_east_cos_yaw = accel_east*cos_yaw;
+    const float accel_north_sin_yaw = accel_north*sin_yaw;
+    const float sin_pitch_sin_roll = sin_pitch*sin_roll;
+    const float cos_pitch_cos_roll = cos_pitch*cos_roll;
+    const float cos_roll_sin_pitch = cos_roll*sin_pitch;
+    out[0] = -accel_down*sin_pitch + accel_east_sin_yaw*cos_pitch + accel_north_cos_yaw*cos_pitch +
+        gravity*sin_pitch;
+    out[1] = accel_down*cos_pitch_sin_roll + accel_east_cos_yaw*cos_roll +
+        accel_east_sin_yaw*sin_pitch_sin_roll + accel_north_cos_yaw*sin_pitch_sin_roll -
+        accel_north_sin_yaw*cos_roll - cos_pitch_sin_roll*gravity;
+    out[2] = accel_down*cos_pitch_cos_roll - accel_east_cos_yaw*sin_roll +
+        accel_east_sin_yaw*cos_roll_sin_pitch + accel_north_cos_yaw*cos_roll_sin_pitch +
+        accel_north_sin_yaw*sin_roll - cos_pitch_cos_roll*gravity;
 }
 
-void attitude_velocity_step(double velocity_north, double velocity_east, double velocity_down,
-    double accel_north, double accel_east, double accel_down, double dt, double out[3])
+void attitude_dead_reckoning_held(double velocity_north, double velocity_east, double velocity_down,
+    double position_north, double position_east, double position_down, double accel_north,
+    double accel_east, double accel_down, double dt, double out[6])
 {
-    out[0] = accel_north * dt + velocity_north;
-    out[1] = accel_east * dt + velocity_east;
-    out[2] = accel_down * dt + velocity_down;
+    const int known = fabs(accel_down) <= 1.7976931348623157e+308 && fabs(accel_east) <=
+        1.7976931348623157e+308 && fabs(accel_north) <= 1.7976931348623157e+308;
+    double held_north, held_east, held_down;
+    if (known) {
+        held_north = accel_north;
+        held_east = accel_east;
+        held_down = accel_down;
+    } else {
+        held_north = 0.0;
+        held_east = 0.0;
+        held_down = 0.0;
+    }
+    out[0] = dt*held_north + velocity_north;
+    out[1] = dt*held_east + velocity_east;
+    out[2] = dt*held_down + velocity_down;
+    out[3] = dt*velocity_north + position_north;
+    out[4] = dt*velocity_east + position_east;
+    out[5] = dt*velocity_down + position_down;
 }
 
-void attitude_velocity_step_f(float velocity_north, float velocity_east, float velocity_down,
-    float accel_north, float accel_east, float accel_down, float dt, float out[3])
+void attitude_dead_reckoning_held_f(float velocity_north, float velocity_east, float velocity_down,
+    float position_north, float position_east, float position_down, float accel_north,
+    float accel_east, float accel_down, float dt, float out[6])
 {
-    out[0] = accel_north * dt + velocity_north;
-    out[1] = accel_east * dt + velocity_east;
-    out[2] = accel_down * dt + velocity_down;
-}
-
-void attitude_position_step(double position_north, double position_east, double position_down,
-    double velocity_north, double velocity_east, double velocity_down, double dt, double out[3])
-{
-    out[0] = dt * velocity_north + position_north;
-    out[1] = dt * velocity_east + position_east;
-    out[2] = dt * velocity_down + position_down;
-}
-
-void attitude_position_step_f(float position_north, float position_east, float position_down,
-    float velocity_north, float velocity_east, float velocity_down, float dt, float out[3])
-{
-    out[0] = dt * velocity_north + position_north;
-    out[1] = dt * velocity_east + position_east;
-    out[2] = dt * velocity_down + position_down;
+    const int known = fabsf(accel_down) <= 3.4028234663852886e+38f && fabsf(accel_east) <=
+        3.4028234663852886e+38f && fabsf(accel_north) <= 3.4028234663852886e+38f;
+    float held_north, held_east, held_down;
+    if (known) {
+        held_north = accel_north;
+        held_east = accel_east;
+        held_down = accel_down;
+    } else {
+        held_north = 0.0f;
+        held_east = 0.0f;
+        held_down = 0.0f;
+    }
+    out[0] = dt*held_north + velocity_north;
+    out[1] = dt*held_east + velocity_east;
+    out[2] = dt*held_down + velocity_down;
+    out[3] = dt*velocity_north + position_north;
+    out[4] = dt*velocity_east + position_east;
+    out[5] = dt*velocity_down + position_down;
 }
 
 void attitude_dead_reckoning_step(double velocity_north, double velocity_east, double velocity_down,
@@ -1220,14 +1889,16 @@ void attitude_dead_reckoning_step(double velocity_north, double velocity_east, d
     double accel_east, double accel_down, double next_north, double next_east, double next_down,
     double dt, double out[6])
 {
-    const double dt_squared = dt * dt;
-    out[0] = dt * (0.5 * accel_north + 0.5 * next_north) + velocity_north;
-    out[1] = dt * (0.5 * accel_east + 0.5 * next_east) + velocity_east;
-    out[2] = dt * (0.5 * accel_down + 0.5 * next_down) + velocity_down;
-    out[3] = dt * velocity_north + dt_squared * (accel_north / 3.0 + next_north / 6.0)
-        + position_north;
-    out[4] = dt * velocity_east + dt_squared * (accel_east / 3.0 + next_east / 6.0) + position_east;
-    out[5] = dt * velocity_down + dt_squared * (accel_down / 3.0 + next_down / 6.0) + position_down;
+    const double dt_squared = dt*dt;
+    out[0] = dt*(0.5*accel_north + 0.5*next_north) + velocity_north;
+    out[1] = dt*(0.5*accel_east + 0.5*next_east) + velocity_east;
+    out[2] = dt*(0.5*accel_down + 0.5*next_down) + velocity_down;
+    out[3] = dt*velocity_north + dt_squared*(0.3333333333333333*accel_north +
+        0.16666666666666666*next_north) + position_north;
+    out[4] = dt*velocity_east + dt_squared*(0.3333333333333333*accel_east +
+        0.16666666666666666*next_east) + position_east;
+    out[5] = dt*velocity_down + dt_squared*(0.3333333333333333*accel_down +
+        0.16666666666666666*next_down) + position_down;
 }
 
 void attitude_dead_reckoning_step_f(float velocity_north, float velocity_east, float velocity_down,
@@ -1235,44 +1906,44 @@ void attitude_dead_reckoning_step_f(float velocity_north, float velocity_east, f
     float accel_east, float accel_down, float next_north, float next_east, float next_down,
     float dt, float out[6])
 {
-    const float dt_squared = dt * dt;
-    out[0] = dt * (0.5f * accel_north + 0.5f * next_north) + velocity_north;
-    out[1] = dt * (0.5f * accel_east + 0.5f * next_east) + velocity_east;
-    out[2] = dt * (0.5f * accel_down + 0.5f * next_down) + velocity_down;
-    out[3] = dt * velocity_north + dt_squared * (accel_north / 3.0f + next_north / 6.0f)
-        + position_north;
-    out[4] = dt * velocity_east + dt_squared * (accel_east / 3.0f + next_east / 6.0f)
-        + position_east;
-    out[5] = dt * velocity_down + dt_squared * (accel_down / 3.0f + next_down / 6.0f)
-        + position_down;
+    const float dt_squared = dt*dt;
+    out[0] = dt*(0.5f*accel_north + 0.5f*next_north) + velocity_north;
+    out[1] = dt*(0.5f*accel_east + 0.5f*next_east) + velocity_east;
+    out[2] = dt*(0.5f*accel_down + 0.5f*next_down) + velocity_down;
+    out[3] = dt*velocity_north + dt_squared*(0.3333333333333333f*accel_north +
+        0.16666666666666666f*next_north) + position_north;
+    out[4] = dt*velocity_east + dt_squared*(0.3333333333333333f*accel_east +
+        0.16666666666666666f*next_east) + position_east;
+    out[5] = dt*velocity_down + dt_squared*(0.3333333333333333f*accel_down +
+        0.16666666666666666f*next_down) + position_down;
 }
 
 void attitude_drift_from_tilt_error(double angle_error, double time, double gravity, double out[3])
 {
     const double sin_angle_error = sin(angle_error);
-    const double gravity_sin_angle_error = gravity * sin_angle_error;
+    const double gravity_sin_angle_error = gravity*sin_angle_error;
     out[0] = gravity_sin_angle_error;
-    out[1] = gravity_sin_angle_error * time;
-    out[2] = 0.5 * gravity_sin_angle_error * (time * time);
+    out[1] = gravity_sin_angle_error*time;
+    out[2] = 0.5*gravity_sin_angle_error*(time*time);
 }
 
 void attitude_drift_from_tilt_error_f(float angle_error, float time, float gravity, float out[3])
 {
     const float sin_angle_error = sinf(angle_error);
-    const float gravity_sin_angle_error = gravity * sin_angle_error;
+    const float gravity_sin_angle_error = gravity*sin_angle_error;
     out[0] = gravity_sin_angle_error;
-    out[1] = gravity_sin_angle_error * time;
-    out[2] = 0.5f * gravity_sin_angle_error * (time * time);
+    out[1] = gravity_sin_angle_error*time;
+    out[2] = 0.5f*gravity_sin_angle_error*(time*time);
 }
 
 double attitude_position_at_last_velocity(double angle_error, double time, double gravity)
 {
     const double sin_angle_error = sin(angle_error);
-    return gravity * sin_angle_error * (time * time);
+    return gravity*sin_angle_error*(time*time);
 }
 
 float attitude_position_at_last_velocity_f(float angle_error, float time, float gravity)
 {
     const float sin_angle_error = sinf(angle_error);
-    return gravity * sin_angle_error * (time * time);
+    return gravity*sin_angle_error*(time*time);
 }

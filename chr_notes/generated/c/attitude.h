@@ -46,6 +46,23 @@ int attitude_euler_from_matrix_f(float r11, float r12, float r13, float r21, flo
     float r31, float r32, float r33, float out[3]);
 
 /*
+ * How far a matrix is from a rotation: root mean square of R Rᵀ - 1, and the determinant (2).
+ * r11: row 1, column 1 of the matrix from the inertial to the body frame
+ * r12: row 1, column 2 of the matrix from the inertial to the body frame
+ * r13: row 1, column 3 of the matrix from the inertial to the body frame
+ * r21: row 2, column 1 of the matrix from the inertial to the body frame
+ * r22: row 2, column 2 of the matrix from the inertial to the body frame
+ * r23: row 2, column 3 of the matrix from the inertial to the body frame
+ * r31: row 3, column 1 of the matrix from the inertial to the body frame
+ * r32: row 3, column 2 of the matrix from the inertial to the body frame
+ * r33: row 3, column 3 of the matrix from the inertial to the body frame
+ */
+void attitude_rotation_defect(double r11, double r12, double r13, double r21, double r22,
+    double r23, double r31, double r32, double r33, double out[2]);
+void attitude_rotation_defect_f(float r11, float r12, float r13, float r21, float r22, float r23,
+    float r31, float r32, float r33, float out[2]);
+
+/*
  * Matrix D from body rates to Euler rates, row by row (3 by 3).
  * roll: roll about the body x-axis, radians
  * pitch: pitch about the vehicle-1 y-axis, radians
@@ -503,6 +520,7 @@ void attitude_iron_added_f(float n11, float n12, float n13, float n21, float n22
  * accel_x: reading of the accelerometer along x, m/s²
  * accel_y: reading of the accelerometer along y, m/s²
  * accel_z: reading of the accelerometer along z, m/s²
+ * Right as long as the length squared neither overflows nor vanishes.
  * Ledger: estimation.2.5, estimation.2.6.
  */
 void attitude_tilt_from_accelerometer(double accel_x, double accel_y, double accel_z,
@@ -526,7 +544,62 @@ void attitude_gyro_step_f(float roll, float pitch, float yaw, float p, float q, 
     float out[3]);
 
 /*
- * Roll, pitch and yaw one period later, yaw from the gyros alone, radians (3).
+ * Attitude quaternion one period later, by a turn at constant rates (4).
+ * a: scalar part of the attitude quaternion
+ * b: factor of i of the attitude quaternion
+ * c: factor of j of the attitude quaternion
+ * d: factor of k of the attitude quaternion
+ * p: body rate about x, rad/s
+ * q: body rate about y, rad/s
+ * r: body rate about z, rad/s
+ * dt: time that passes, s
+ */
+void attitude_gyro_turn(double a, double b, double c, double d, double p, double q, double r,
+    double dt, double out[4]);
+void attitude_gyro_turn_f(float a, float b, float c, float d, float p, float q, float r, float dt,
+    float out[4]);
+
+/*
+ * Attitude quaternion one period later, the accelerometer heard with a fixed gain (4).
+ * a: scalar part of the attitude quaternion
+ * b: factor of i of the attitude quaternion
+ * c: factor of j of the attitude quaternion
+ * d: factor of k of the attitude quaternion
+ * p: body rate about x, rad/s
+ * q: body rate about y, rad/s
+ * r: body rate about z, rad/s
+ * accel_x: reading of the accelerometer along x, m/s²
+ * accel_y: reading of the accelerometer along y, m/s²
+ * accel_z: reading of the accelerometer along z, m/s²
+ * dt: time that passes, s
+ * gain: weight of the accelerometer, from 0 to 1
+ */
+void attitude_observer_turn(double a, double b, double c, double d, double p, double q, double r,
+    double accel_x, double accel_y, double accel_z, double dt, double gain, double out[4]);
+void attitude_observer_turn_f(float a, float b, float c, float d, float p, float q, float r,
+    float accel_x, float accel_y, float accel_z, float dt, float gain, float out[4]);
+
+/*
+ * Roll, pitch and yaw one period later, the accelerometer heard with a fixed gain, radians (3).
+ * roll: roll about the body x-axis, radians
+ * pitch: pitch about the vehicle-1 y-axis, radians
+ * yaw: yaw about the inertial z-axis, radians
+ * p: body rate about x, rad/s
+ * q: body rate about y, rad/s
+ * r: body rate about z, rad/s
+ * accel_x: reading of the accelerometer along x, m/s²
+ * accel_y: reading of the accelerometer along y, m/s²
+ * accel_z: reading of the accelerometer along z, m/s²
+ * dt: time that passes, s
+ * gain: weight of the accelerometer, from 0 to 1
+ */
+void attitude_observer_step(double roll, double pitch, double yaw, double p, double q, double r,
+    double accel_x, double accel_y, double accel_z, double dt, double gain, double out[3]);
+void attitude_observer_step_f(float roll, float pitch, float yaw, float p, float q, float r,
+    float accel_x, float accel_y, float accel_z, float dt, float gain, float out[3]);
+
+/*
+ * Roll, pitch and yaw one period later by the notes' step, angle by angle, radians (3).
  * roll: roll about the body x-axis, radians
  * pitch: pitch about the vehicle-1 y-axis, radians
  * yaw: yaw about the inertial z-axis, radians
@@ -540,38 +613,11 @@ void attitude_gyro_step_f(float roll, float pitch, float yaw, float p, float q, 
  * gain: weight of the accelerometer, from 0 to 1
  * Ledger: estimation.4.1, estimation.4.2, estimation.4.3, estimation.4.4.
  */
-void attitude_observer_step(double roll, double pitch, double yaw, double p, double q, double r,
-    double accel_x, double accel_y, double accel_z, double dt, double gain, double out[3]);
-void attitude_observer_step_f(float roll, float pitch, float yaw, float p, float q, float r,
+void attitude_euler_observer_step(double roll, double pitch, double yaw, double p, double q,
+    double r, double accel_x, double accel_y, double accel_z, double dt, double gain,
+    double out[3]);
+void attitude_euler_observer_step_f(float roll, float pitch, float yaw, float p, float q, float r,
     float accel_x, float accel_y, float accel_z, float dt, float gain, float out[3]);
-
-/*
- * Roll and pitch, radians, moved by the gain towards those that the accelerometer shows (2).
- * roll: roll about the body x-axis, radians
- * pitch: pitch about the vehicle-1 y-axis, radians
- * roll_accel: roll that the accelerometer shows, radians
- * pitch_accel: pitch that the accelerometer shows, radians
- * gain: weight of the accelerometer, from 0 to 1
- * Ledger: estimation.4.3, estimation.4.4.
- */
-void attitude_correct_tilt(double roll, double pitch, double roll_accel, double pitch_accel,
-    double gain, double out[2]);
-void attitude_correct_tilt_f(float roll, float pitch, float roll_accel, float pitch_accel,
-    float gain, float out[2]);
-
-/*
- * Roll and pitch, radians, so moved, and yaw, changed so that the heading stays (3).
- * roll: roll about the body x-axis, radians
- * pitch: pitch about the vehicle-1 y-axis, radians
- * yaw: yaw about the inertial z-axis, radians
- * roll_accel: roll that the accelerometer shows, radians
- * pitch_accel: pitch that the accelerometer shows, radians
- * gain: weight of the accelerometer, from 0 to 1
- */
-void attitude_correct_steep_tilt(double roll, double pitch, double yaw, double roll_accel,
-    double pitch_accel, double gain, double out[3]);
-void attitude_correct_steep_tilt_f(float roll, float pitch, float yaw, float roll_accel,
-    float pitch_accel, float gain, float out[3]);
 
 /*
  * Yaw, radians.
@@ -582,6 +628,7 @@ void attitude_correct_steep_tilt_f(float roll, float pitch, float yaw, float rol
  * pitch: pitch about the vehicle-1 y-axis, radians
  * north: horizontal field at yaw 0 along x, any unit
  * east: horizontal field at yaw 0 along y, any unit
+ * Right as long as the length squared neither overflows nor vanishes.
  * Ledger: validation.12, validation.16.
  */
 double attitude_heading_from_magnetometer(double mag_x, double mag_y, double mag_z, double roll,
@@ -597,7 +644,6 @@ float attitude_heading_from_magnetometer_f(float mag_x, float mag_y, float mag_z
  * roll: roll about the body x-axis, radians
  * pitch: pitch about the vehicle-1 y-axis, radians
  * reference_down: part of the field that points down, the whole field being 1
- * Right as long as the field squared neither overflows nor vanishes.
  * Ledger: validation.17.
  */
 double attitude_validation_factor(double mag_x, double mag_y, double mag_z, double roll,
@@ -638,36 +684,25 @@ void attitude_accelerometer_from_acceleration_f(float accel_north, float accel_e
     float accel_down, float roll, float pitch, float yaw, float gravity, float out[3]);
 
 /*
- * Velocity north, east, down one period later by the notes' step, m/s (3).
+ * Velocity north, east, down (m/s), then position (m), one period later by the notes' step (6).
  * velocity_north: velocity north, m/s
  * velocity_east: velocity east, m/s
  * velocity_down: velocity down, m/s
+ * position_north: position north, m
+ * position_east: position east, m
+ * position_down: position down, m
  * accel_north: acceleration north now, m/s²
  * accel_east: acceleration east now, m/s²
  * accel_down: acceleration down now, m/s²
  * dt: time that passes, s
- * Ledger: dead_reckoning.3.3.
+ * Ledger: dead_reckoning.3.3, dead_reckoning.3.4.
  */
-void attitude_velocity_step(double velocity_north, double velocity_east, double velocity_down,
-    double accel_north, double accel_east, double accel_down, double dt, double out[3]);
-void attitude_velocity_step_f(float velocity_north, float velocity_east, float velocity_down,
-    float accel_north, float accel_east, float accel_down, float dt, float out[3]);
-
-/*
- * Position north, east, down one period later by the notes' step, m (3).
- * position_north: position north, m
- * position_east: position east, m
- * position_down: position down, m
- * velocity_north: velocity north, m/s
- * velocity_east: velocity east, m/s
- * velocity_down: velocity down, m/s
- * dt: time that passes, s
- * Ledger: dead_reckoning.3.4.
- */
-void attitude_position_step(double position_north, double position_east, double position_down,
-    double velocity_north, double velocity_east, double velocity_down, double dt, double out[3]);
-void attitude_position_step_f(float position_north, float position_east, float position_down,
-    float velocity_north, float velocity_east, float velocity_down, float dt, float out[3]);
+void attitude_dead_reckoning_held(double velocity_north, double velocity_east, double velocity_down,
+    double position_north, double position_east, double position_down, double accel_north,
+    double accel_east, double accel_down, double dt, double out[6]);
+void attitude_dead_reckoning_held_f(float velocity_north, float velocity_east, float velocity_down,
+    float position_north, float position_east, float position_down, float accel_north,
+    float accel_east, float accel_down, float dt, float out[6]);
 
 /*
  * Velocity north, east, down (m/s), then position (m), one period later (6).

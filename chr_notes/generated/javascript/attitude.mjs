@@ -24,20 +24,20 @@ export function matrixFromEuler(roll, pitch, yaw) {
   const cosRoll = Math.cos(roll);
   const sinYaw = Math.sin(yaw);
   const cosYaw = Math.cos(yaw);
-  const cosYawSinRoll = cosYaw * sinRoll;
-  const cosRollSinYaw = cosRoll * sinYaw;
-  const cosRollCosYaw = cosRoll * cosYaw;
-  const sinRollSinYaw = sinRoll * sinYaw;
+  const cosYawSinRoll = cosYaw*sinRoll;
+  const cosRollSinYaw = cosRoll*sinYaw;
+  const cosRollCosYaw = cosRoll*cosYaw;
+  const sinRollSinYaw = sinRoll*sinYaw;
   return [
-    cosPitch * cosYaw,
-    cosPitch * sinYaw,
+    cosPitch*cosYaw,
+    cosPitch*sinYaw,
     -sinPitch,
-    cosYawSinRoll * sinPitch - cosRollSinYaw,
-    cosRollCosYaw + sinPitch * sinRollSinYaw,
-    cosPitch * sinRoll,
-    cosRollCosYaw * sinPitch + sinRollSinYaw,
-    cosRollSinYaw * sinPitch - cosYawSinRoll,
-    cosPitch * cosRoll,
+    -cosRollSinYaw + cosYawSinRoll*sinPitch,
+    cosRollCosYaw + sinPitch*sinRollSinYaw,
+    cosPitch*sinRoll,
+    cosRollCosYaw*sinPitch + sinRollSinYaw,
+    cosRollSinYaw*sinPitch - cosYawSinRoll,
+    cosPitch*cosRoll,
   ];
 }
 
@@ -59,13 +59,41 @@ export function eulerFromMatrix(r11, r12, r13, r21, r22, r23, r31, r32, r33) {
   const locked = Math.abs(pitch) > 1.5707963267948948;
   let roll, yaw;
   if (!locked) {
-    roll = Math.atan2(r12 * r31 - r11 * r32, r11 * r22 - r12 * r21);
+    roll = Math.atan2(-r11*r32 + r12*r31, r11*r22 - r12*r21);
     yaw = Math.atan2(r12, r11);
   } else {
     roll = 0;
     yaw = Math.atan2(-r21, r22);
   }
   return [roll, pitch, yaw, locked];
+}
+
+/**
+ * How far a matrix is from a rotation: root mean square of R Rᵀ - 1, and the determinant (2).
+ * @param {number} r11 row 1, column 1 of the matrix from the inertial to the body frame
+ * @param {number} r12 row 1, column 2 of the matrix from the inertial to the body frame
+ * @param {number} r13 row 1, column 3 of the matrix from the inertial to the body frame
+ * @param {number} r21 row 2, column 1 of the matrix from the inertial to the body frame
+ * @param {number} r22 row 2, column 2 of the matrix from the inertial to the body frame
+ * @param {number} r23 row 2, column 3 of the matrix from the inertial to the body frame
+ * @param {number} r31 row 3, column 1 of the matrix from the inertial to the body frame
+ * @param {number} r32 row 3, column 2 of the matrix from the inertial to the body frame
+ * @param {number} r33 row 3, column 3 of the matrix from the inertial to the body frame
+ * @returns {number[]}
+ */
+export function rotationDefect(r11, r12, r13, r21, r22, r23, r31, r32, r33) {
+  const off11 = -1 + r11*r11 + r12*r12 + r13*r13;
+  const off21 = r11*r21 + r12*r22 + r13*r23;
+  const off22 = -1 + r21*r21 + r22*r22 + r23*r23;
+  const off31 = r11*r31 + r12*r32 + r13*r33;
+  const off32 = r21*r31 + r22*r32 + r23*r33;
+  const off33 = -1 + r31*r31 + r32*r32 + r33*r33;
+  return [
+    Math.sqrt(0.1111111111111111*(off11*off11) + 0.2222222222222222*(off21*off21) +
+        0.1111111111111111*(off22*off22) + 0.2222222222222222*(off31*off31) +
+        0.2222222222222222*(off32*off32) + 0.1111111111111111*(off33*off33)),
+    r31*(r12*r23 - r13*r22) + r32*(-r11*r23 + r13*r21) + r33*(r11*r22 - r12*r21),
+  ];
 }
 
 /**
@@ -78,19 +106,19 @@ export function eulerFromMatrix(r11, r12, r13, r21, r22, r23, r31, r32, r33) {
 export function eulerRatesMatrix(roll, pitch) {
   const cosPitch = Math.cos(pitch);
   const tanPitch = Math.tan(pitch);
-  const secPitch = 1 / cosPitch;
+  const secPitch = 1/cosPitch;
   const sinRoll = Math.sin(roll);
   const cosRoll = Math.cos(roll);
   return [
     1,
-    sinRoll * tanPitch,
-    cosRoll * tanPitch,
+    sinRoll*tanPitch,
+    cosRoll*tanPitch,
     0,
     cosRoll,
     -sinRoll,
     0,
-    secPitch * sinRoll,
-    cosRoll * secPitch,
+    secPitch*sinRoll,
+    cosRoll*secPitch,
   ];
 }
 
@@ -107,11 +135,11 @@ export function eulerRatesMatrix(roll, pitch) {
 export function eulerRatesFromBodyRates(roll, pitch, p, q, r) {
   const cosPitch = Math.cos(pitch);
   const tanPitch = Math.tan(pitch);
-  const secPitch = 1 / cosPitch;
+  const secPitch = 1/cosPitch;
   const sinRoll = Math.sin(roll);
   const cosRoll = Math.cos(roll);
-  const rateAcross = cosRoll * r + q * sinRoll;
-  return [p + rateAcross * tanPitch, cosRoll * q - r * sinRoll, rateAcross * secPitch];
+  const rateAcross = cosRoll*r + q*sinRoll;
+  return [p + rateAcross*tanPitch, cosRoll*q - r*sinRoll, rateAcross*secPitch];
 }
 
 /**
@@ -129,11 +157,11 @@ export function bodyRatesFromEulerRates(roll, pitch, rollRate, pitchRate, yawRat
   const cosPitch = Math.cos(pitch);
   const sinRoll = Math.sin(roll);
   const cosRoll = Math.cos(roll);
-  const cosPitchYawRate = cosPitch * yawRate;
+  const cosPitchYawRate = cosPitch*yawRate;
   return [
-    rollRate - sinPitch * yawRate,
-    cosPitchYawRate * sinRoll + cosRoll * pitchRate,
-    cosPitchYawRate * cosRoll - pitchRate * sinRoll,
+    rollRate - sinPitch*yawRate,
+    cosPitchYawRate*sinRoll + cosRoll*pitchRate,
+    cosPitchYawRate*cosRoll - pitchRate*sinRoll,
   ];
 }
 
@@ -145,7 +173,7 @@ export function bodyRatesFromEulerRates(roll, pitch, rollRate, pitchRate, yawRat
  */
 export function eulerRatesDeterminant(pitch) {
   const cosPitch = Math.cos(pitch);
-  const secPitch = 1 / cosPitch;
+  const secPitch = 1/cosPitch;
   return secPitch;
 }
 
@@ -158,8 +186,8 @@ export function eulerRatesDeterminant(pitch) {
 export function eulerRatesCondition(pitch) {
   const sinPitch = Math.sin(pitch);
   const cosPitch = Math.cos(pitch);
-  const secPitch = 1 / cosPitch;
-  return (Math.abs(sinPitch) + 1) * Math.abs(secPitch);
+  const secPitch = 1/cosPitch;
+  return (Math.abs(sinPitch) + 1)*Math.abs(secPitch);
 }
 
 /**
@@ -168,14 +196,16 @@ export function eulerRatesCondition(pitch) {
  * @returns {number}
  */
 export function wrapAngle(angle) {
-  const rest = angle % 6.283185307179586;
+  const sinAngle = Math.sin(angle);
+  const cosAngle = Math.cos(angle);
+  const principal = Math.atan2(sinAngle, cosAngle);
   let wrapped;
-  if (rest >= 3.141592653589793) {
-    wrapped = rest - 6.283185307179586;
-  } else if (rest < -3.141592653589793) {
-    wrapped = rest + 6.283185307179586;
+  if (angle >= -3.141592653589793 && angle < 3.141592653589793) {
+    wrapped = angle;
+  } else if (principal >= 3.141592653589793) {
+    wrapped = -3.141592653589793;
   } else {
-    wrapped = rest;
+    wrapped = principal;
   }
   return wrapped;
 }
@@ -191,32 +221,32 @@ export function wrapAngle(angle) {
  * Ledger: quaternions.3.3.
  */
 export function matrixFromQuaternion(a, b, c, d) {
-  const normSquared = a * a + b * b + c * c + d * d;
-  const factor = 2 / normSquared;
-  const scaledB = b * factor;
-  const scaledC = c * factor;
-  const scaledD = d * factor;
-  const cScaledC = c * scaledC;
-  const dScaledD = d * scaledD;
+  const normSquared = a*a + b*b + c*c + d*d;
+  const factor = 2/normSquared;
+  const scaledB = b*factor;
+  const scaledC = c*factor;
+  const scaledD = d*factor;
+  const cScaledC = c*scaledC;
+  const dScaledD = d*scaledD;
   const oneMinusR11 = cScaledC + dScaledD;
-  const bScaledB = b * scaledB;
+  const bScaledB = b*scaledB;
   const oneMinusR22 = bScaledB + dScaledD;
   const oneMinusR33 = bScaledB + cScaledC;
-  const cScaledB = c * scaledB;
-  const aScaledD = a * scaledD;
-  const dScaledB = d * scaledB;
-  const aScaledC = a * scaledC;
-  const dScaledC = d * scaledC;
-  const aScaledB = a * scaledB;
+  const cScaledB = c*scaledB;
+  const aScaledD = a*scaledD;
+  const dScaledB = d*scaledB;
+  const aScaledC = a*scaledC;
+  const dScaledC = d*scaledC;
+  const aScaledB = a*scaledB;
   return [
     1 - oneMinusR11,
     aScaledD + cScaledB,
-    dScaledB - aScaledC,
-    cScaledB - aScaledD,
+    -aScaledC + dScaledB,
+    -aScaledD + cScaledB,
     1 - oneMinusR22,
     aScaledB + dScaledC,
     aScaledC + dScaledB,
-    dScaledC - aScaledB,
+    -aScaledB + dScaledC,
     1 - oneMinusR33,
   ];
 }
@@ -243,25 +273,25 @@ export function quaternionFromMatrix(r11, r12, r13, r21, r22, r23, r31, r32, r33
     c = r12 + r21;
     d = r13 + r31;
   } else if (r33 < 0) {
-    a = r31 - r13;
+    a = -r13 + r31;
     b = r12 + r21;
-    c = r22 - r11 - r33 + 1;
+    c = -r11 + r22 - r33 + 1;
     d = r23 + r32;
   } else if (r11 < -r22) {
     a = r12 - r21;
     b = r13 + r31;
     c = r23 + r32;
-    d = r33 - r11 - r22 + 1;
+    d = -r11 - r22 + r33 + 1;
   } else {
     a = r11 + r22 + r33 + 1;
     b = r23 - r32;
-    c = r31 - r13;
+    c = -r13 + r31;
     d = r12 - r21;
   }
-  const normSquared = a * a + b * b + c * c + d * d;
+  const normSquared = a*a + b*b + c*c + d*d;
   const sign = a >= 0 ? 1 : -1;
-  const common0 = sign / Math.sqrt(normSquared);
-  return [a * common0, b * common0, c * common0, common0 * d];
+  const common0 = sign/Math.sqrt(normSquared);
+  return [a*common0, b*common0, c*common0, common0*d];
 }
 
 /**
@@ -272,22 +302,22 @@ export function quaternionFromMatrix(r11, r12, r13, r21, r22, r23, r31, r32, r33
  * @returns {number[]}
  */
 export function quaternionFromEuler(roll, pitch, yaw) {
-  const sinHalfPitch = Math.sin(0.5 * pitch);
-  const cosHalfPitch = Math.cos(0.5 * pitch);
-  const sinHalfRoll = Math.sin(0.5 * roll);
-  const cosHalfRoll = Math.cos(0.5 * roll);
-  const sinHalfYaw = Math.sin(0.5 * yaw);
-  const cosHalfYaw = Math.cos(0.5 * yaw);
-  const cosHalfPitchCosHalfYaw = cosHalfPitch * cosHalfYaw;
-  const sinHalfPitchSinHalfYaw = sinHalfPitch * sinHalfYaw;
-  const a = cosHalfPitchCosHalfYaw * cosHalfRoll + sinHalfPitchSinHalfYaw * sinHalfRoll;
-  const b = cosHalfPitchCosHalfYaw * sinHalfRoll - cosHalfRoll * sinHalfPitchSinHalfYaw;
-  const cosHalfPitchSinHalfYaw = cosHalfPitch * sinHalfYaw;
-  const cosHalfYawSinHalfPitch = cosHalfYaw * sinHalfPitch;
-  const c = cosHalfPitchSinHalfYaw * sinHalfRoll + cosHalfRoll * cosHalfYawSinHalfPitch;
-  const d = cosHalfPitchSinHalfYaw * cosHalfRoll - cosHalfYawSinHalfPitch * sinHalfRoll;
+  const sinHalfPitch = Math.sin(0.5*pitch);
+  const cosHalfPitch = Math.cos(0.5*pitch);
+  const sinHalfRoll = Math.sin(0.5*roll);
+  const cosHalfRoll = Math.cos(0.5*roll);
+  const sinHalfYaw = Math.sin(0.5*yaw);
+  const cosHalfYaw = Math.cos(0.5*yaw);
+  const cosHalfPitchCosHalfYaw = cosHalfPitch*cosHalfYaw;
+  const sinHalfPitchSinHalfYaw = sinHalfPitch*sinHalfYaw;
+  const a = cosHalfPitchCosHalfYaw*cosHalfRoll + sinHalfPitchSinHalfYaw*sinHalfRoll;
+  const b = cosHalfPitchCosHalfYaw*sinHalfRoll - cosHalfRoll*sinHalfPitchSinHalfYaw;
+  const cosHalfPitchSinHalfYaw = cosHalfPitch*sinHalfYaw;
+  const cosHalfYawSinHalfPitch = cosHalfYaw*sinHalfPitch;
+  const c = cosHalfPitchSinHalfYaw*sinHalfRoll + cosHalfRoll*cosHalfYawSinHalfPitch;
+  const d = cosHalfPitchSinHalfYaw*cosHalfRoll - cosHalfYawSinHalfPitch*sinHalfRoll;
   const sign = a >= 0 ? 1 : -1;
-  return [a * sign, b * sign, c * sign, d * sign];
+  return [a*sign, b*sign, c*sign, d*sign];
 }
 
 /**
@@ -304,15 +334,15 @@ export function eulerFromQuaternion(a, b, c, d) {
   const aMinusC = a - c;
   const bPlusD = b + d;
   const aPlusC = a + c;
-  const dMinusB = d - b;
-  const below = aMinusC * aMinusC + bPlusD * bPlusD;
-  const above = aPlusC * aPlusC + dMinusB * dMinusB;
-  const product1 = aPlusC * bPlusD;
-  const product2 = aMinusC * dMinusB;
-  const product3 = aMinusC * aPlusC;
-  const product4 = bPlusD * dMinusB;
-  const halfSine = a * c - b * d;
-  const pitch = Math.atan2(2 * halfSine, Math.sqrt(above) * Math.sqrt(below));
+  const dMinusB = -b + d;
+  const below = aMinusC*aMinusC + bPlusD*bPlusD;
+  const above = aPlusC*aPlusC + dMinusB*dMinusB;
+  const product1 = aPlusC*bPlusD;
+  const product2 = aMinusC*dMinusB;
+  const product3 = aMinusC*aPlusC;
+  const product4 = bPlusD*dMinusB;
+  const halfSine = a*c - b*d;
+  const pitch = Math.atan2(2*halfSine, Math.sqrt(above)*Math.sqrt(below));
   const locked = Math.abs(pitch) > 1.5707963267948948;
   let roll, yaw;
   if (!locked) {
@@ -320,7 +350,7 @@ export function eulerFromQuaternion(a, b, c, d) {
     yaw = Math.atan2(product1 + product2, product3 - product4);
   } else {
     roll = 0;
-    yaw = Math.atan2(2 * a * d - 2 * b * c, a * a - b * b + c * c - d * d);
+    yaw = Math.atan2(2*a*d - 2*b*c, a*a - (b*b) + c*c - (d*d));
   }
   return [roll, pitch, yaw, locked];
 }
@@ -336,12 +366,12 @@ export function eulerFromQuaternion(a, b, c, d) {
  * Ledger: quaternions.2.2.
  */
 export function quaternionFromAxisAngle(x, y, z, angle) {
-  const sinHalfAngle = Math.sin(0.5 * angle);
-  const cosHalfAngle = Math.cos(0.5 * angle);
-  const lengthSquared = x * x + y * y + z * z;
+  const sinHalfAngle = Math.sin(0.5*angle);
+  const cosHalfAngle = Math.cos(0.5*angle);
+  const lengthSquared = x*x + y*y + z*z;
   const sign = cosHalfAngle >= 0 ? 1 : -1;
-  const common2 = sign * sinHalfAngle / Math.sqrt(lengthSquared);
-  return [cosHalfAngle * sign, common2 * x, common2 * y, common2 * z];
+  const common2 = sign*sinHalfAngle/Math.sqrt(lengthSquared);
+  return [cosHalfAngle*sign, common2*x, common2*y, common2*z];
 }
 
 /**
@@ -355,7 +385,7 @@ export function quaternionFromAxisAngle(x, y, z, angle) {
  * Ledger: quaternions.2.2.
  */
 export function axisAngleFromQuaternion(a, b, c, d) {
-  const lengthSquared = b * b + c * c + d * d;
+  const lengthSquared = b*b + c*c + d*d;
   const length = Math.sqrt(lengthSquared);
   const sign = a >= 0 ? 1 : -1;
   let x, y, z;
@@ -364,11 +394,11 @@ export function axisAngleFromQuaternion(a, b, c, d) {
     y = 0;
     z = 0;
   } else {
-    x = b * sign / length;
-    y = c * sign / length;
-    z = d * sign / length;
+    x = b*sign/length;
+    y = c*sign/length;
+    z = d*sign/length;
   }
-  return [x, y, z, 2 * Math.atan2(length, Math.abs(a))];
+  return [x, y, z, 2*Math.atan2(length, Math.abs(a))];
 }
 
 /**
@@ -386,10 +416,10 @@ export function axisAngleFromQuaternion(a, b, c, d) {
  */
 export function quaternionMultiply(a1, b1, c1, d1, a2, b2, c2, d2) {
   return [
-    a1 * a2 - b1 * b2 - c1 * c2 - d1 * d2,
-    a1 * b2 + a2 * b1 + c1 * d2 - c2 * d1,
-    a1 * c2 + a2 * c1 - b1 * d2 + b2 * d1,
-    a1 * d2 + a2 * d1 + b1 * c2 - b2 * c1,
+    a1*a2 - b1*b2 - c1*c2 - d1*d2,
+    a1*b2 + a2*b1 + c1*d2 - c2*d1,
+    a1*c2 + a2*c1 - b1*d2 + b2*d1,
+    a1*d2 + a2*d1 + b1*c2 - b2*c1,
   ];
 }
 
@@ -417,13 +447,10 @@ export function quaternionConjugate(a, b, c, d) {
  * Ledger: quaternions.3.a.
  */
 export function quaternionInverse(a, b, c, d) {
-  const normSquared = a * a + b * b + c * c + d * d;
-  const inverseNormSquared = 1 / normSquared;
+  const normSquared = a*a + b*b + c*c + d*d;
+  const inverseNormSquared = 1/normSquared;
   return [
-    a * inverseNormSquared,
-    -b * inverseNormSquared,
-    -c * inverseNormSquared,
-    -d * inverseNormSquared,
+    a*inverseNormSquared, -b*inverseNormSquared, -c*inverseNormSquared, -d*inverseNormSquared
   ];
 }
 
@@ -441,15 +468,15 @@ export function quaternionInverse(a, b, c, d) {
  * Ledger: quaternions.3.1.
  */
 export function rotateToInertial(a, b, c, d, x, y, z) {
-  const normSquared = a * a + b * b + c * c + d * d;
-  const factor = 2 / normSquared;
-  const acrossX = c * z - d * y;
-  const acrossY = d * x - b * z;
-  const acrossZ = b * y - c * x;
+  const normSquared = a*a + b*b + c*c + d*d;
+  const factor = 2/normSquared;
+  const acrossX = c*z - d*y;
+  const acrossY = -b*z + d*x;
+  const acrossZ = b*y - c*x;
   return [
-    factor * (a * acrossX - acrossY * d + acrossZ * c) + x,
-    factor * (a * acrossY + acrossX * d - acrossZ * b) + y,
-    factor * (a * acrossZ - acrossX * c + acrossY * b) + z,
+    factor*(a*acrossX - acrossY*d + acrossZ*c) + x,
+    factor*(a*acrossY + acrossX*d - acrossZ*b) + y,
+    factor*(a*acrossZ - acrossX*c + acrossY*b) + z,
   ];
 }
 
@@ -467,15 +494,15 @@ export function rotateToInertial(a, b, c, d, x, y, z) {
  * Ledger: quaternions.3.1, quaternions.3.4.
  */
 export function rotateToBody(a, b, c, d, x, y, z) {
-  const normSquared = a * a + b * b + c * c + d * d;
-  const factor = 2 / normSquared;
-  const acrossX = d * y - c * z;
-  const acrossY = b * z - d * x;
-  const acrossZ = c * x - b * y;
+  const normSquared = a*a + b*b + c*c + d*d;
+  const factor = 2/normSquared;
+  const acrossX = -c*z + d*y;
+  const acrossY = b*z - d*x;
+  const acrossZ = -b*y + c*x;
   return [
-    factor * (a * acrossX + acrossY * d - acrossZ * c) + x,
-    factor * (a * acrossY - acrossX * d + acrossZ * b) + y,
-    factor * (a * acrossZ + acrossX * c - acrossY * b) + z,
+    factor*(a*acrossX + acrossY*d - acrossZ*c) + x,
+    factor*(a*acrossY - acrossX*d + acrossZ*b) + y,
+    factor*(a*acrossZ + acrossX*c - acrossY*b) + z,
   ];
 }
 
@@ -492,20 +519,20 @@ export function rotateToBody(a, b, c, d, x, y, z) {
  * @returns {number[]}
  */
 export function quaternionAfterConstantRates(a, b, c, d, p, q, r, dt) {
-  const halfTurn = 0.5 * dt * Math.sqrt(p * p + q * q + r * r);
+  const halfTurn = 0.5*dt*Math.sqrt(p*p + q*q + r*r);
   const sinHalfTurn = Math.sin(halfTurn);
-  const ratio = halfTurn > 0 ? sinHalfTurn / halfTurn : 1;
+  const ratio = halfTurn > 0 ? sinHalfTurn/halfTurn : 1;
   const cosHalfTurn = Math.cos(halfTurn);
   const turnA = cosHalfTurn;
-  const common2 = 0.5 * dt * ratio;
-  const turnB = common2 * p;
-  const turnC = common2 * q;
-  const turnD = common2 * r;
+  const common2 = 0.5*dt*ratio;
+  const turnB = common2*p;
+  const turnC = common2*q;
+  const turnD = common2*r;
   return [
-    a * turnA - b * turnB - c * turnC - d * turnD,
-    a * turnB + b * turnA + c * turnD - d * turnC,
-    a * turnC - b * turnD + c * turnA + d * turnB,
-    a * turnD + b * turnC - c * turnB + d * turnA,
+    a*turnA - b*turnB - c*turnC - d*turnD,
+    a*turnB + b*turnA + c*turnD - d*turnC,
+    a*turnC - b*turnD + c*turnA + d*turnB,
+    a*turnD + b*turnC - c*turnB + d*turnA,
   ];
 }
 
@@ -522,10 +549,10 @@ export function quaternionAfterConstantRates(a, b, c, d, p, q, r, dt) {
  */
 export function quaternionRates(a, b, c, d, p, q, r) {
   return [
-    -(0.5 * b * p) - 0.5 * c * q - 0.5 * d * r,
-    0.5 * a * p + 0.5 * c * r - 0.5 * d * q,
-    0.5 * a * q - 0.5 * b * r + 0.5 * d * p,
-    0.5 * a * r + 0.5 * b * q - 0.5 * c * p,
+    -0.5*b*p - 0.5*c*q - 0.5*d*r,
+    0.5*a*p + 0.5*c*r - 0.5*d*q,
+    0.5*a*q - 0.5*b*r + 0.5*d*p,
+    0.5*a*r + 0.5*b*q - 0.5*c*p,
   ];
 }
 
@@ -542,8 +569,8 @@ export function accelerometerAtRest(roll, pitch, gravity) {
   const cosPitch = Math.cos(pitch);
   const sinRoll = Math.sin(roll);
   const cosRoll = Math.cos(roll);
-  const cosPitchGravity = cosPitch * gravity;
-  return [gravity * sinPitch, -cosPitchGravity * sinRoll, -cosPitchGravity * cosRoll];
+  const cosPitchGravity = cosPitch*gravity;
+  return [gravity*sinPitch, -cosPitchGravity*sinRoll, -cosPitchGravity*cosRoll];
 }
 
 /**
@@ -589,13 +616,11 @@ export function sensorMeasures(
   y,
   z,
 ) {
-  const ownX = sensitivityX * x - biasX;
-  const ownY = sensitivityY * y - biasY;
-  const ownZ = sensitivityZ * z - biasZ;
+  const ownX = -biasX + sensitivityX*x;
+  const ownY = -biasY + sensitivityY*y;
+  const ownZ = -biasZ + sensitivityZ*z;
   return [
-    m11 * ownX + m12 * ownY + m13 * ownZ,
-    m21 * ownX + m22 * ownY + m23 * ownZ,
-    m31 * ownX + m32 * ownY + m33 * ownZ,
+    m11*ownX + m12*ownY + m13*ownZ, m21*ownX + m22*ownY + m23*ownZ, m31*ownX + m32*ownY + m33*ownZ
   ];
 }
 
@@ -643,9 +668,9 @@ export function sensorCorrected(
   z,
 ) {
   return [
-    (biasX + n11 * x + n12 * y + n13 * z) / sensitivityX,
-    (biasY + n21 * x + n22 * y + n23 * z) / sensitivityY,
-    (biasZ + n31 * x + n32 * y + n33 * z) / sensitivityZ,
+    (biasX + n11*x + n12*y + n13*z)/sensitivityX,
+    (biasY + n21*x + n22*y + n23*z)/sensitivityY,
+    (biasZ + n31*x + n32*y + n33*z)/sensitivityZ,
   ];
 }
 
@@ -716,13 +741,11 @@ export function gyroMeasures(
   y,
   z,
 ) {
-  const ownX = accelX * c11 + accelY * c12 + accelZ * c13 - biasX + sensitivityX * x;
-  const ownY = accelX * c21 + accelY * c22 + accelZ * c23 - biasY + sensitivityY * y;
-  const ownZ = accelX * c31 + accelY * c32 + accelZ * c33 - biasZ + sensitivityZ * z;
+  const ownX = accelX*c11 + accelY*c12 + accelZ*c13 - biasX + sensitivityX*x;
+  const ownY = accelX*c21 + accelY*c22 + accelZ*c23 - biasY + sensitivityY*y;
+  const ownZ = accelX*c31 + accelY*c32 + accelZ*c33 - biasZ + sensitivityZ*z;
   return [
-    m11 * ownX + m12 * ownY + m13 * ownZ,
-    m21 * ownX + m22 * ownY + m23 * ownZ,
-    m31 * ownX + m32 * ownY + m33 * ownZ,
+    m11*ownX + m12*ownY + m13*ownZ, m21*ownX + m22*ownY + m23*ownZ, m31*ownX + m32*ownY + m33*ownZ
   ];
 }
 
@@ -794,12 +817,9 @@ export function gyroCorrected(
   z,
 ) {
   return [
-    (biasX - accelX * c11 - accelY * c12 - accelZ * c13 + n11 * x + n12 * y
-        + n13 * z) / sensitivityX,
-    (biasY - accelX * c21 - accelY * c22 - accelZ * c23 + n21 * x + n22 * y
-        + n23 * z) / sensitivityY,
-    (biasZ - accelX * c31 - accelY * c32 - accelZ * c33 + n31 * x + n32 * y
-        + n33 * z) / sensitivityZ,
+    (-accelX*c11 - accelY*c12 - accelZ*c13 + biasX + n11*x + n12*y + n13*z)/sensitivityX,
+    (-accelX*c21 - accelY*c22 - accelZ*c23 + biasY + n21*x + n22*y + n23*z)/sensitivityY,
+    (-accelX*c31 - accelY*c32 - accelZ*c33 + biasZ + n31*x + n32*y + n33*z)/sensitivityZ,
   ];
 }
 
@@ -827,9 +847,7 @@ export function ironRemoved(
   d11, d12, d13, d21, d22, d23, d31, d32, d33, hardX, hardY, hardZ, x, y, z
 ) {
   return [
-    d11 * x + d12 * y + d13 * z - hardX,
-    d21 * x + d22 * y + d23 * z - hardY,
-    d31 * x + d32 * y + d33 * z - hardZ,
+    d11*x + d12*y + d13*z - hardX, d21*x + d22*y + d23*z - hardY, d31*x + d32*y + d33*z - hardZ
   ];
 }
 
@@ -857,9 +875,9 @@ export function ironAdded(
   n11, n12, n13, n21, n22, n23, n31, n32, n33, hardX, hardY, hardZ, x, y, z
 ) {
   return [
-    hardX * n11 + hardY * n12 + hardZ * n13 + n11 * x + n12 * y + n13 * z,
-    hardX * n21 + hardY * n22 + hardZ * n23 + n21 * x + n22 * y + n23 * z,
-    hardX * n31 + hardY * n32 + hardZ * n33 + n31 * x + n32 * y + n33 * z,
+    hardX*n11 + hardY*n12 + hardZ*n13 + n11*x + n12*y + n13*z,
+    hardX*n21 + hardY*n22 + hardZ*n23 + n21*x + n22*y + n23*z,
+    hardX*n31 + hardY*n32 + hardZ*n33 + n31*x + n32*y + n33*z,
   ];
 }
 
@@ -869,10 +887,26 @@ export function ironAdded(
  * @param {number} accelY reading of the accelerometer along y, m/s²
  * @param {number} accelZ reading of the accelerometer along z, m/s²
  * @returns {number[]}
+ * Right as long as the length squared neither overflows nor vanishes.
  * Ledger: estimation.2.5, estimation.2.6.
  */
 export function tiltFromAccelerometer(accelX, accelY, accelZ) {
-  return [Math.atan2(-accelY, -accelZ), Math.atan2(accelX, Math.hypot(accelY, accelZ))];
+  const size = Math.abs(accelX) + Math.abs(accelY) + Math.abs(accelZ);
+  const hasDirection = size <= 1.7976931348623157e+308 && size > 0;
+  const across = Math.hypot(accelY, accelZ);
+  const rollSeen = Math.atan2(-accelY, -accelZ);
+  let roll;
+  if (!hasDirection) {
+    roll = NaN;
+  } else if (across <= 0) {
+    roll = 0;
+  } else if (rollSeen <= -3.141592653589793) {
+    roll = 3.141592653589793;
+  } else {
+    roll = rollSeen;
+  }
+  const pitch = hasDirection ? Math.atan2(accelX, across) : NaN;
+  return [roll, pitch];
 }
 
 /**
@@ -890,19 +924,316 @@ export function tiltFromAccelerometer(accelX, accelY, accelZ) {
 export function gyroStep(roll, pitch, yaw, p, q, r, dt) {
   const cosPitch = Math.cos(pitch);
   const tanPitch = Math.tan(pitch);
-  const secPitch = 1 / cosPitch;
+  const secPitch = 1/cosPitch;
   const sinRoll = Math.sin(roll);
   const cosRoll = Math.cos(roll);
-  const rateAcross = cosRoll * r + q * sinRoll;
+  const absP = Math.abs(p);
+  const absQ = Math.abs(q);
+  const absR = Math.abs(r);
+  const wholeTurn = dt*(absP + absQ + absR);
+  const moves = wholeTurn <= 1.7976931348623157e+308 && absP < 1000000000000 && absQ < 1000000000000
+      && absR < 1000000000000;
+  let rateX, rateY, rateZ;
+  if (moves) {
+    rateX = p;
+    rateY = q;
+    rateZ = r;
+  } else {
+    rateX = 0;
+    rateY = 0;
+    rateZ = 0;
+  }
+  const rateAcross = cosRoll*rateZ + rateY*sinRoll;
   return [
-    dt * (p + rateAcross * tanPitch) + roll,
-    dt * (cosRoll * q - r * sinRoll) + pitch,
-    dt * rateAcross * secPitch + yaw,
+    dt*(rateAcross*tanPitch + rateX) + roll,
+    dt*(cosRoll*rateY - rateZ*sinRoll) + pitch,
+    dt*rateAcross*secPitch + yaw,
   ];
 }
 
 /**
- * Roll, pitch and yaw one period later, yaw from the gyros alone, radians (3).
+ * Attitude quaternion one period later, by a turn at constant rates (4).
+ * @param {number} a scalar part of the attitude quaternion
+ * @param {number} b factor of i of the attitude quaternion
+ * @param {number} c factor of j of the attitude quaternion
+ * @param {number} d factor of k of the attitude quaternion
+ * @param {number} p body rate about x, rad/s
+ * @param {number} q body rate about y, rad/s
+ * @param {number} r body rate about z, rad/s
+ * @param {number} dt time that passes, s
+ * @returns {number[]}
+ */
+export function gyroTurn(a, b, c, d, p, q, r, dt) {
+  const absP = Math.abs(p);
+  const absQ = Math.abs(q);
+  const absR = Math.abs(r);
+  const wholeTurn = dt*(absP + absQ + absR);
+  const moves = wholeTurn <= 1.7976931348623157e+308 && absP < 1000000000000 && absQ < 1000000000000
+      && absR < 1000000000000;
+  let rateX, rateY, rateZ;
+  if (moves) {
+    rateX = p;
+    rateY = q;
+    rateZ = r;
+  } else {
+    rateX = 0;
+    rateY = 0;
+    rateZ = 0;
+  }
+  const halfTurn = 0.5*dt*Math.sqrt(rateX*rateX + rateY*rateY + rateZ*rateZ);
+  const sinHalfTurn = Math.sin(halfTurn);
+  const ratio = halfTurn > 0 ? sinHalfTurn/halfTurn : 1;
+  const cosHalfTurn = Math.cos(halfTurn);
+  const turnA = cosHalfTurn;
+  const common5 = 0.5*dt*ratio;
+  const turnB = common5*rateX;
+  const turnC = common5*rateY;
+  const turnD = common5*rateZ;
+  return [
+    a*turnA - b*turnB - c*turnC - d*turnD,
+    a*turnB + b*turnA + c*turnD - d*turnC,
+    a*turnC - b*turnD + c*turnA + d*turnB,
+    a*turnD + b*turnC - c*turnB + d*turnA,
+  ];
+}
+
+/**
+ * Attitude quaternion one period later, the accelerometer heard with a fixed gain (4).
+ * @param {number} a scalar part of the attitude quaternion
+ * @param {number} b factor of i of the attitude quaternion
+ * @param {number} c factor of j of the attitude quaternion
+ * @param {number} d factor of k of the attitude quaternion
+ * @param {number} p body rate about x, rad/s
+ * @param {number} q body rate about y, rad/s
+ * @param {number} r body rate about z, rad/s
+ * @param {number} accelX reading of the accelerometer along x, m/s²
+ * @param {number} accelY reading of the accelerometer along y, m/s²
+ * @param {number} accelZ reading of the accelerometer along z, m/s²
+ * @param {number} dt time that passes, s
+ * @param {number} gain weight of the accelerometer, from 0 to 1
+ * @returns {number[]}
+ */
+export function observerTurn(a, b, c, d, p, q, r, accelX, accelY, accelZ, dt, gain) {
+  const absP = Math.abs(p);
+  const absQ = Math.abs(q);
+  const absR = Math.abs(r);
+  const wholeTurn = dt*(absP + absQ + absR);
+  const moves = wholeTurn <= 1.7976931348623157e+308 && absP < 1000000000000 && absQ < 1000000000000
+      && absR < 1000000000000;
+  let rateX, rateY, rateZ;
+  if (moves) {
+    rateX = p;
+    rateY = q;
+    rateZ = r;
+  } else {
+    rateX = 0;
+    rateY = 0;
+    rateZ = 0;
+  }
+  const halfTurn = 0.5*dt*Math.sqrt(rateX*rateX + rateY*rateY + rateZ*rateZ);
+  const sinHalfTurn = Math.sin(halfTurn);
+  const ratio = halfTurn > 0 ? sinHalfTurn/halfTurn : 1;
+  const cosHalfTurn = Math.cos(halfTurn);
+  const turnA = cosHalfTurn;
+  const common7 = 0.5*dt*ratio;
+  const turnB = common7*rateX;
+  const turnC = common7*rateY;
+  const turnD = common7*rateZ;
+  const predictedA = a*turnA - b*turnB - c*turnC - d*turnD;
+  const predictedB = a*turnB + b*turnA + c*turnD - d*turnC;
+  const predictedC = a*turnC - b*turnD + c*turnA + d*turnB;
+  const predictedD = a*turnD + b*turnC - c*turnB + d*turnA;
+  const eX = 2*predictedA*predictedC - 2*predictedB*predictedD;
+  const eY = -2*predictedA*predictedB - 2*predictedC*predictedD;
+  const eZ = -(predictedA*predictedA) + predictedB*predictedB + predictedC*predictedC -
+      (predictedD*predictedD);
+  const size = Math.abs(accelX) + Math.abs(accelY) + Math.abs(accelZ);
+  const hasDirection = size <= 1.7976931348623157e+308 && size > 0;
+  let readingX, readingY, readingZ;
+  if (hasDirection) {
+    readingX = accelX/size;
+    readingY = accelY/size;
+    readingZ = accelZ/size;
+  } else {
+    readingX = 0;
+    readingY = 0;
+    readingZ = 0;
+  }
+  const acrossX = -eY*readingZ + eZ*readingY;
+  const acrossY = eX*readingZ - eZ*readingX;
+  const acrossZ = -eX*readingY + eY*readingX;
+  const sineOff = Math.sqrt(acrossX*acrossX + acrossY*acrossY + acrossZ*acrossZ);
+  const halfTurnBack = 0.5*gain*Math.atan2(sineOff, eX*readingX + eY*readingY + eZ*readingZ);
+  const cosHalfTurnBack = Math.cos(halfTurnBack);
+  const sinHalfTurnBack = Math.sin(halfTurnBack);
+  let turnBackA, factor;
+  if (sineOff > 0) {
+    turnBackA = cosHalfTurnBack;
+    factor = sinHalfTurnBack*1/(Math.sqrt((-eX*readingY + eY*readingX)*(-eX*readingY + eY*readingX)
+        + (eX*readingZ - eZ*readingX)*(eX*readingZ - eZ*readingX) + (-eY*readingZ +
+        eZ*readingY)*(-eY*readingZ + eZ*readingY)));
+  } else {
+    turnBackA = 1;
+    factor = 0;
+  }
+  const acrossXFactor = acrossX*factor;
+  const factorPredictedC = factor*predictedC;
+  const factorPredictedD = factor*predictedD;
+  const acrossYFactor = acrossY*factor;
+  const acrossZFactor = acrossZ*factor;
+  return [
+    -acrossXFactor*predictedB - acrossY*factorPredictedC - acrossZ*factorPredictedD +
+        predictedA*turnBackA,
+    acrossXFactor*predictedA - acrossY*factorPredictedD + acrossZ*factorPredictedC +
+        predictedB*turnBackA,
+    acrossXFactor*predictedD + acrossYFactor*predictedA - acrossZFactor*predictedB +
+        predictedC*turnBackA,
+    -acrossXFactor*predictedC + acrossYFactor*predictedB + acrossZFactor*predictedA +
+        predictedD*turnBackA,
+  ];
+}
+
+/**
+ * Roll, pitch and yaw one period later, the accelerometer heard with a fixed gain, radians (3).
+ * @param {number} roll roll about the body x-axis, radians
+ * @param {number} pitch pitch about the vehicle-1 y-axis, radians
+ * @param {number} yaw yaw about the inertial z-axis, radians
+ * @param {number} p body rate about x, rad/s
+ * @param {number} q body rate about y, rad/s
+ * @param {number} r body rate about z, rad/s
+ * @param {number} accelX reading of the accelerometer along x, m/s²
+ * @param {number} accelY reading of the accelerometer along y, m/s²
+ * @param {number} accelZ reading of the accelerometer along z, m/s²
+ * @param {number} dt time that passes, s
+ * @param {number} gain weight of the accelerometer, from 0 to 1
+ * @returns {number[]}
+ */
+export function observerStep(roll, pitch, yaw, p, q, r, accelX, accelY, accelZ, dt, gain) {
+  const sinHalfPitch = Math.sin(0.5*pitch);
+  const cosHalfPitch = Math.cos(0.5*pitch);
+  const sinHalfRoll = Math.sin(0.5*roll);
+  const cosHalfRoll = Math.cos(0.5*roll);
+  const sinHalfYaw = Math.sin(0.5*yaw);
+  const cosHalfYaw = Math.cos(0.5*yaw);
+  const cosHalfPitchCosHalfYaw = cosHalfPitch*cosHalfYaw;
+  const sinHalfPitchSinHalfYaw = sinHalfPitch*sinHalfYaw;
+  const startA = cosHalfPitchCosHalfYaw*cosHalfRoll + sinHalfPitchSinHalfYaw*sinHalfRoll;
+  const startB = cosHalfPitchCosHalfYaw*sinHalfRoll - cosHalfRoll*sinHalfPitchSinHalfYaw;
+  const cosHalfPitchSinHalfYaw = cosHalfPitch*sinHalfYaw;
+  const cosHalfYawSinHalfPitch = cosHalfYaw*sinHalfPitch;
+  const startC = cosHalfPitchSinHalfYaw*sinHalfRoll + cosHalfRoll*cosHalfYawSinHalfPitch;
+  const startD = cosHalfPitchSinHalfYaw*cosHalfRoll - cosHalfYawSinHalfPitch*sinHalfRoll;
+  const startSign = startA >= 0 ? 1 : -1;
+  const absP = Math.abs(p);
+  const absQ = Math.abs(q);
+  const absR = Math.abs(r);
+  const wholeTurn = dt*(absP + absQ + absR);
+  const moves = wholeTurn <= 1.7976931348623157e+308 && absP < 1000000000000 && absQ < 1000000000000
+      && absR < 1000000000000;
+  let rateX, rateY, rateZ;
+  if (moves) {
+    rateX = p;
+    rateY = q;
+    rateZ = r;
+  } else {
+    rateX = 0;
+    rateY = 0;
+    rateZ = 0;
+  }
+  const halfTurn = 0.5*dt*Math.sqrt(rateX*rateX + rateY*rateY + rateZ*rateZ);
+  const sinHalfTurn = Math.sin(halfTurn);
+  const ratio = halfTurn > 0 ? sinHalfTurn/halfTurn : 1;
+  const cosHalfTurn = Math.cos(halfTurn);
+  const turnA = cosHalfTurn;
+  const common17 = 0.5*dt*ratio;
+  const turnB = common17*rateX;
+  const turnC = common17*rateY;
+  const turnD = common17*rateZ;
+  const startBStartSign = startB*startSign;
+  const startCStartSign = startC*startSign;
+  const startDStartSign = startD*startSign;
+  const predictedA = startA*startSign*turnA - startBStartSign*turnB - startCStartSign*turnC -
+      startDStartSign*turnD;
+  const startAStartSign = startA*startSign;
+  const predictedB = startAStartSign*turnB + startBStartSign*turnA + startCStartSign*turnD -
+      startDStartSign*turnC;
+  const predictedC = startAStartSign*turnC - startBStartSign*turnD + startCStartSign*turnA +
+      startDStartSign*turnB;
+  const predictedD = startAStartSign*turnD + startBStartSign*turnC - startCStartSign*turnB +
+      startDStartSign*turnA;
+  const eX = 2*predictedA*predictedC - 2*predictedB*predictedD;
+  const eY = -2*predictedA*predictedB - 2*predictedC*predictedD;
+  const eZ = -(predictedA*predictedA) + predictedB*predictedB + predictedC*predictedC -
+      (predictedD*predictedD);
+  const size = Math.abs(accelX) + Math.abs(accelY) + Math.abs(accelZ);
+  const hasDirection = size <= 1.7976931348623157e+308 && size > 0;
+  let readingX, readingY, readingZ;
+  if (hasDirection) {
+    readingX = accelX/size;
+    readingY = accelY/size;
+    readingZ = accelZ/size;
+  } else {
+    readingX = 0;
+    readingY = 0;
+    readingZ = 0;
+  }
+  const acrossX = -eY*readingZ + eZ*readingY;
+  const acrossY = eX*readingZ - eZ*readingX;
+  const acrossZ = -eX*readingY + eY*readingX;
+  const sineOff = Math.sqrt(acrossX*acrossX + acrossY*acrossY + acrossZ*acrossZ);
+  const halfTurnBack = 0.5*gain*Math.atan2(sineOff, eX*readingX + eY*readingY + eZ*readingZ);
+  const cosHalfTurnBack = Math.cos(halfTurnBack);
+  const sinHalfTurnBack = Math.sin(halfTurnBack);
+  let turnBackA, factor;
+  if (sineOff > 0) {
+    turnBackA = cosHalfTurnBack;
+    factor = sinHalfTurnBack*1/(Math.sqrt((-eX*readingY + eY*readingX)*(-eX*readingY + eY*readingX)
+        + (eX*readingZ - eZ*readingX)*(eX*readingZ - eZ*readingX) + (-eY*readingZ +
+        eZ*readingY)*(-eY*readingZ + eZ*readingY)));
+  } else {
+    turnBackA = 1;
+    factor = 0;
+  }
+  const acrossXFactor = acrossX*factor;
+  const factorPredictedC = factor*predictedC;
+  const factorPredictedD = factor*predictedD;
+  const endA = -acrossXFactor*predictedB - acrossY*factorPredictedC - acrossZ*factorPredictedD +
+      predictedA*turnBackA;
+  const endB = acrossXFactor*predictedA - acrossY*factorPredictedD + acrossZ*factorPredictedC +
+      predictedB*turnBackA;
+  const acrossYFactor = acrossY*factor;
+  const acrossZFactor = acrossZ*factor;
+  const endC = acrossXFactor*predictedD + acrossYFactor*predictedA - acrossZFactor*predictedB +
+      predictedC*turnBackA;
+  const endD = -acrossXFactor*predictedC + acrossYFactor*predictedB + acrossZFactor*predictedA +
+      predictedD*turnBackA;
+  const endAMinusC = endA - endC;
+  const endBPlusD = endB + endD;
+  const endAPlusC = endA + endC;
+  const endDMinusB = -endB + endD;
+  const endBelow = endAMinusC*endAMinusC + endBPlusD*endBPlusD;
+  const endAbove = endAPlusC*endAPlusC + endDMinusB*endDMinusB;
+  const endProduct1 = endAPlusC*endBPlusD;
+  const endProduct2 = endAMinusC*endDMinusB;
+  const endProduct3 = endAMinusC*endAPlusC;
+  const endProduct4 = endBPlusD*endDMinusB;
+  const endHalfSine = endA*endC - endB*endD;
+  const endPitch = Math.atan2(2*endHalfSine, Math.sqrt(endAbove)*Math.sqrt(endBelow));
+  const endLocked = Math.abs(endPitch) > 1.5707963267948948;
+  let endRoll, endYaw;
+  if (!endLocked) {
+    endRoll = Math.atan2(endProduct1 - endProduct2, endProduct3 + endProduct4);
+    endYaw = Math.atan2(endProduct1 + endProduct2, endProduct3 - endProduct4);
+  } else {
+    endRoll = 0;
+    endYaw = Math.atan2(2*endA*endD - 2*endB*endC, endA*endA - (endB*endB) + endC*endC -
+        (endD*endD));
+  }
+  return [endRoll, endPitch, endYaw];
+}
+
+/**
+ * Roll, pitch and yaw one period later by the notes' step, angle by angle, radians (3).
  * @param {number} roll roll about the body x-axis, radians
  * @param {number} pitch pitch about the vehicle-1 y-axis, radians
  * @param {number} yaw yaw about the inertial z-axis, radians
@@ -917,70 +1248,64 @@ export function gyroStep(roll, pitch, yaw, p, q, r, dt) {
  * @returns {number[]}
  * Ledger: estimation.4.1, estimation.4.2, estimation.4.3, estimation.4.4.
  */
-export function observerStep(roll, pitch, yaw, p, q, r, accelX, accelY, accelZ, dt, gain) {
+export function eulerObserverStep(roll, pitch, yaw, p, q, r, accelX, accelY, accelZ, dt, gain) {
   const cosPitch = Math.cos(pitch);
   const tanPitch = Math.tan(pitch);
-  const secPitch = 1 / cosPitch;
+  const secPitch = 1/cosPitch;
   const sinRoll = Math.sin(roll);
   const cosRoll = Math.cos(roll);
-  const rateAcross = cosRoll * r + q * sinRoll;
-  const predictedRoll = dt * (p + rateAcross * tanPitch) + roll;
-  const predictedPitch = dt * (cosRoll * q - r * sinRoll) + pitch;
-  const rollToMeasured = Math.atan2(-accelY, -accelZ) - predictedRoll;
-  const pitchToMeasured = Math.atan2(accelX, Math.hypot(accelY, accelZ)) - predictedPitch;
-  const rollOff = rollToMeasured
-      - 6.283185307179586 * Math.floor(0.15915494309189535 * rollToMeasured + 0.5);
-  const pitchOff = pitchToMeasured
-      - 6.283185307179586 * Math.floor(0.15915494309189535 * pitchToMeasured + 0.5);
-  return [
-    predictedRoll + rollOff * gain,
-    pitchOff * gain + predictedPitch,
-    dt * rateAcross * secPitch + yaw,
-  ];
-}
-
-/**
- * Roll and pitch, radians, moved by the gain towards those that the accelerometer shows (2).
- * @param {number} roll roll about the body x-axis, radians
- * @param {number} pitch pitch about the vehicle-1 y-axis, radians
- * @param {number} rollAccel roll that the accelerometer shows, radians
- * @param {number} pitchAccel pitch that the accelerometer shows, radians
- * @param {number} gain weight of the accelerometer, from 0 to 1
- * @returns {number[]}
- * Ledger: estimation.4.3, estimation.4.4.
- */
-export function correctTilt(roll, pitch, rollAccel, pitchAccel, gain) {
-  const turn = rollAccel - roll;
-  let shortestTurn;
-  if (turn > 3.141592653589793 || turn < -3.141592653589793) {
-    shortestTurn = turn - 6.283185307179586 * Math.floor(0.15915494309189535 * turn + 0.5);
+  const absP = Math.abs(p);
+  const absQ = Math.abs(q);
+  const absR = Math.abs(r);
+  const wholeTurn = dt*(absP + absQ + absR);
+  const moves = wholeTurn <= 1.7976931348623157e+308 && absP < 1000000000000 && absQ < 1000000000000
+      && absR < 1000000000000;
+  let rateX, rateY, rateZ;
+  if (moves) {
+    rateX = p;
+    rateY = q;
+    rateZ = r;
   } else {
-    shortestTurn = turn;
+    rateX = 0;
+    rateY = 0;
+    rateZ = 0;
   }
-  return [shortestTurn * gain + roll, gain * (pitchAccel - pitch) + pitch];
-}
-
-/**
- * Roll and pitch, radians, so moved, and yaw, changed so that the heading stays (3).
- * @param {number} roll roll about the body x-axis, radians
- * @param {number} pitch pitch about the vehicle-1 y-axis, radians
- * @param {number} yaw yaw about the inertial z-axis, radians
- * @param {number} rollAccel roll that the accelerometer shows, radians
- * @param {number} pitchAccel pitch that the accelerometer shows, radians
- * @param {number} gain weight of the accelerometer, from 0 to 1
- * @returns {number[]}
- */
-export function correctSteepTilt(roll, pitch, yaw, rollAccel, pitchAccel, gain) {
-  const sinPitch = Math.sin(pitch);
-  const turn = rollAccel - roll;
-  let shortestTurn;
-  if (turn > 3.141592653589793 || turn < -3.141592653589793) {
-    shortestTurn = turn - 6.283185307179586 * Math.floor(0.15915494309189535 * turn + 0.5);
+  const rateAcross = cosRoll*rateZ + rateY*sinRoll;
+  const seenSize = Math.abs(accelX) + Math.abs(accelY) + Math.abs(accelZ);
+  const seenHasDirection = seenSize <= 1.7976931348623157e+308 && seenSize > 0;
+  const seenAcross = Math.hypot(accelY, accelZ);
+  const seenRollSeen = Math.atan2(-accelY, -accelZ);
+  let seenRoll;
+  if (!seenHasDirection) {
+    seenRoll = NaN;
+  } else if (seenAcross <= 0) {
+    seenRoll = 0;
+  } else if (seenRollSeen <= -3.141592653589793) {
+    seenRoll = 3.141592653589793;
   } else {
-    shortestTurn = turn;
+    seenRoll = seenRollSeen;
   }
-  const rollChange = shortestTurn * gain;
-  return [roll + rollChange, gain * (pitchAccel - pitch) + pitch, rollChange * sinPitch + yaw];
+  let seenPitch;
+  if (seenHasDirection) {
+    seenPitch = Math.atan2(accelX, seenAcross);
+  } else {
+    seenPitch = NaN;
+  }
+  const predictedRoll = dt*(rateAcross*tanPitch + rateX) + roll;
+  const predictedPitch = dt*(cosRoll*rateY - rateZ*sinRoll) + pitch;
+  const rollToMeasured = -predictedRoll + seenRoll;
+  const pitchToMeasured = -predictedPitch + seenPitch;
+  let rollOff, pitchOff;
+  if (seenHasDirection) {
+    rollOff = gain*(rollToMeasured - 6.283185307179586*Math.floor(0.15915494309189535*rollToMeasured
+        + 0.5));
+    pitchOff = gain*(pitchToMeasured -
+        6.283185307179586*Math.floor(0.15915494309189535*pitchToMeasured + 0.5));
+  } else {
+    rollOff = 0;
+    pitchOff = 0;
+  }
+  return [predictedRoll + rollOff, pitchOff + predictedPitch, dt*rateAcross*secPitch + yaw];
 }
 
 /**
@@ -993,6 +1318,7 @@ export function correctSteepTilt(roll, pitch, yaw, rollAccel, pitchAccel, gain) 
  * @param {number} north horizontal field at yaw 0 along x, any unit
  * @param {number} east horizontal field at yaw 0 along y, any unit
  * @returns {number}
+ * Right as long as the length squared neither overflows nor vanishes.
  * Ledger: validation.12, validation.16.
  */
 export function headingFromMagnetometer(magX, magY, magZ, roll, pitch, north, east) {
@@ -1000,9 +1326,17 @@ export function headingFromMagnetometer(magX, magY, magZ, roll, pitch, north, ea
   const cosPitch = Math.cos(pitch);
   const sinRoll = Math.sin(roll);
   const cosRoll = Math.cos(roll);
-  const levelX = cosPitch * magX + cosRoll * magZ * sinPitch + magY * sinPitch * sinRoll;
-  const levelY = cosRoll * magY - magZ * sinRoll;
-  return Math.atan2(east * levelX - levelY * north, east * levelY + levelX * north);
+  const size = Math.abs(magX) + Math.abs(magY) + Math.abs(magZ);
+  const hasDirection = size <= 1.7976931348623157e+308 && size > 0;
+  const levelX = cosPitch*magX + cosRoll*magZ*sinPitch + magY*sinPitch*sinRoll;
+  const levelY = cosRoll*magY - magZ*sinRoll;
+  let result;
+  if (hasDirection) {
+    result = Math.atan2(east*levelX - levelY*north, east*levelY + levelX*north);
+  } else {
+    result = NaN;
+  }
+  return result;
 }
 
 /**
@@ -1014,7 +1348,6 @@ export function headingFromMagnetometer(magX, magY, magZ, roll, pitch, north, ea
  * @param {number} pitch pitch about the vehicle-1 y-axis, radians
  * @param {number} referenceDown part of the field that points down, the whole field being 1
  * @returns {number}
- * Right as long as the field squared neither overflows nor vanishes.
  * Ledger: validation.17.
  */
 export function validationFactor(magX, magY, magZ, roll, pitch, referenceDown) {
@@ -1022,9 +1355,27 @@ export function validationFactor(magX, magY, magZ, roll, pitch, referenceDown) {
   const cosPitch = Math.cos(pitch);
   const sinRoll = Math.sin(roll);
   const cosRoll = Math.cos(roll);
-  const fieldSquared = magX * magX + magY * magY + magZ * magZ;
-  const levelZ = cosPitch * cosRoll * magZ + cosPitch * magY * sinRoll - magX * sinPitch;
-  return Math.abs(referenceDown - levelZ / Math.sqrt(fieldSquared));
+  const size = Math.abs(magX) + Math.abs(magY) + Math.abs(magZ);
+  const hasDirection = size <= 1.7976931348623157e+308 && size > 0;
+  let readingX, readingY, readingZ;
+  if (hasDirection) {
+    readingX = magX/size;
+    readingY = magY/size;
+    readingZ = magZ/size;
+  } else {
+    readingX = 0;
+    readingY = 0;
+    readingZ = 0;
+  }
+  const lengthSquared = readingX*readingX + readingY*readingY + readingZ*readingZ;
+  const levelZ = cosPitch*cosRoll*readingZ + cosPitch*readingY*sinRoll - readingX*sinPitch;
+  let result;
+  if (hasDirection) {
+    result = Math.abs(referenceDown - levelZ/Math.sqrt(lengthSquared));
+  } else {
+    result = NaN;
+  }
+  return result;
 }
 
 /**
@@ -1046,17 +1397,17 @@ export function inertialAcceleration(accelX, accelY, accelZ, roll, pitch, yaw, g
   const cosRoll = Math.cos(roll);
   const sinYaw = Math.sin(yaw);
   const cosYaw = Math.cos(yaw);
-  const cosYawSinRoll = cosYaw * sinRoll;
-  const accelXCosPitch = accelX * cosPitch;
-  const sinRollSinYaw = sinRoll * sinYaw;
-  const cosRollCosYaw = cosRoll * cosYaw;
-  const cosRollSinYaw = cosRoll * sinYaw;
+  const cosYawSinRoll = cosYaw*sinRoll;
+  const accelXCosPitch = accelX*cosPitch;
+  const sinRollSinYaw = sinRoll*sinYaw;
+  const cosRollCosYaw = cosRoll*cosYaw;
+  const cosRollSinYaw = cosRoll*sinYaw;
   return [
-    accelXCosPitch * cosYaw + accelY * (cosYawSinRoll * sinPitch - cosRollSinYaw)
-        + accelZ * (cosRollCosYaw * sinPitch + sinRollSinYaw),
-    accelXCosPitch * sinYaw + accelY * (cosRollCosYaw + sinPitch * sinRollSinYaw)
-        + accelZ * (cosRollSinYaw * sinPitch - cosYawSinRoll),
-    accelY * cosPitch * sinRoll - accelX * sinPitch + accelZ * cosPitch * cosRoll + gravity,
+    accelXCosPitch*cosYaw + accelY*(-cosRollSinYaw + cosYawSinRoll*sinPitch) +
+        accelZ*(cosRollCosYaw*sinPitch + sinRollSinYaw),
+    accelXCosPitch*sinYaw + accelY*(cosRollCosYaw + sinPitch*sinRollSinYaw) +
+        accelZ*(cosRollSinYaw*sinPitch - cosYawSinRoll),
+    -accelX*sinPitch + accelY*cosPitch*sinRoll + accelZ*cosPitch*cosRoll + gravity,
   ];
 }
 
@@ -1081,65 +1432,69 @@ export function accelerometerFromAcceleration(
   const cosRoll = Math.cos(roll);
   const sinYaw = Math.sin(yaw);
   const cosYaw = Math.cos(yaw);
-  const accelEastSinYaw = accelEast * sinYaw;
-  const accelNorthCosYaw = accelNorth * cosYaw;
-  const cosPitchSinRoll = cosPitch * sinRoll;
-  const accelEastCosYaw = accelEast * cosYaw;
-  const accelNorthSinYaw = accelNorth * sinYaw;
-  const sinPitchSinRoll = sinPitch * sinRoll;
-  const cosPitchCosRoll = cosPitch * cosRoll;
-  const cosRollSinPitch = cosRoll * sinPitch;
+  const accelEastSinYaw = accelEast*sinYaw;
+  const accelNorthCosYaw = accelNorth*cosYaw;
+  const cosPitchSinRoll = cosPitch*sinRoll;
+  const accelEastCosYaw = accelEast*cosYaw;
+  const accelNorthSinYaw = accelNorth*sinYaw;
+  const sinPitchSinRoll = sinPitch*sinRoll;
+  const cosPitchCosRoll = cosPitch*cosRoll;
+  const cosRollSinPitch = cosRoll*sinPitch;
   return [
-    accelEastSinYaw * cosPitch - accelDown * sinPitch + accelNorthCosYaw * cosPitch
-        + gravity * sinPitch,
-    accelDown * cosPitchSinRoll + accelEastCosYaw * cosRoll + accelEastSinYaw * sinPitchSinRoll
-        + accelNorthCosYaw * sinPitchSinRoll - accelNorthSinYaw * cosRoll
-            - cosPitchSinRoll * gravity,
-    accelDown * cosPitchCosRoll - accelEastCosYaw * sinRoll + accelEastSinYaw * cosRollSinPitch
-        + accelNorthCosYaw * cosRollSinPitch + accelNorthSinYaw * sinRoll
-            - cosPitchCosRoll * gravity,
+    -accelDown*sinPitch + accelEastSinYaw*cosPitch + accelNorthCosYaw*cosPitch + gravity*sinPitch,
+    accelDown*cosPitchSinRoll + accelEastCosYaw*cosRoll + accelEastSinYaw*sinPitchSinRoll +
+        accelNorthCosYaw*sinPitchSinRoll - accelNorthSinYaw*cosRoll - cosPitchSinRoll*gravity,
+    accelDown*cosPitchCosRoll - accelEastCosYaw*sinRoll + accelEastSinYaw*cosRollSinPitch +
+        accelNorthCosYaw*cosRollSinPitch + accelNorthSinYaw*sinRoll - cosPitchCosRoll*gravity,
   ];
 }
 
 /**
- * Velocity north, east, down one period later by the notes' step, m/s (3).
+ * Velocity north, east, down (m/s), then position (m), one period later by the notes' step (6).
  * @param {number} velocityNorth velocity north, m/s
  * @param {number} velocityEast velocity east, m/s
  * @param {number} velocityDown velocity down, m/s
+ * @param {number} positionNorth position north, m
+ * @param {number} positionEast position east, m
+ * @param {number} positionDown position down, m
  * @param {number} accelNorth acceleration north now, m/s²
  * @param {number} accelEast acceleration east now, m/s²
  * @param {number} accelDown acceleration down now, m/s²
  * @param {number} dt time that passes, s
  * @returns {number[]}
- * Ledger: dead_reckoning.3.3.
+ * Ledger: dead_reckoning.3.3, dead_reckoning.3.4.
  */
-export function velocityStep(
-  velocityNorth, velocityEast, velocityDown, accelNorth, accelEast, accelDown, dt
+export function deadReckoningHeld(
+  velocityNorth,
+  velocityEast,
+  velocityDown,
+  positionNorth,
+  positionEast,
+  positionDown,
+  accelNorth,
+  accelEast,
+  accelDown,
+  dt,
 ) {
+  const known = Math.abs(accelDown) <= 1.7976931348623157e+308 && Math.abs(accelEast) <=
+      1.7976931348623157e+308 && Math.abs(accelNorth) <= 1.7976931348623157e+308;
+  let heldNorth, heldEast, heldDown;
+  if (known) {
+    heldNorth = accelNorth;
+    heldEast = accelEast;
+    heldDown = accelDown;
+  } else {
+    heldNorth = 0;
+    heldEast = 0;
+    heldDown = 0;
+  }
   return [
-    accelNorth * dt + velocityNorth, accelEast * dt + velocityEast, accelDown * dt + velocityDown
-  ];
-}
-
-/**
- * Position north, east, down one period later by the notes' step, m (3).
- * @param {number} positionNorth position north, m
- * @param {number} positionEast position east, m
- * @param {number} positionDown position down, m
- * @param {number} velocityNorth velocity north, m/s
- * @param {number} velocityEast velocity east, m/s
- * @param {number} velocityDown velocity down, m/s
- * @param {number} dt time that passes, s
- * @returns {number[]}
- * Ledger: dead_reckoning.3.4.
- */
-export function positionStep(
-  positionNorth, positionEast, positionDown, velocityNorth, velocityEast, velocityDown, dt
-) {
-  return [
-    dt * velocityNorth + positionNorth,
-    dt * velocityEast + positionEast,
-    dt * velocityDown + positionDown,
+    dt*heldNorth + velocityNorth,
+    dt*heldEast + velocityEast,
+    dt*heldDown + velocityDown,
+    dt*velocityNorth + positionNorth,
+    dt*velocityEast + positionEast,
+    dt*velocityDown + positionDown,
   ];
 }
 
@@ -1176,14 +1531,17 @@ export function deadReckoningStep(
   nextDown,
   dt,
 ) {
-  const dtSquared = dt * dt;
+  const dtSquared = dt*dt;
   return [
-    dt * (0.5 * accelNorth + 0.5 * nextNorth) + velocityNorth,
-    dt * (0.5 * accelEast + 0.5 * nextEast) + velocityEast,
-    dt * (0.5 * accelDown + 0.5 * nextDown) + velocityDown,
-    dt * velocityNorth + dtSquared * (accelNorth / 3 + nextNorth / 6) + positionNorth,
-    dt * velocityEast + dtSquared * (accelEast / 3 + nextEast / 6) + positionEast,
-    dt * velocityDown + dtSquared * (accelDown / 3 + nextDown / 6) + positionDown,
+    dt*(0.5*accelNorth + 0.5*nextNorth) + velocityNorth,
+    dt*(0.5*accelEast + 0.5*nextEast) + velocityEast,
+    dt*(0.5*accelDown + 0.5*nextDown) + velocityDown,
+    dt*velocityNorth + dtSquared*(0.3333333333333333*accelNorth + 0.16666666666666666*nextNorth) +
+        positionNorth,
+    dt*velocityEast + dtSquared*(0.3333333333333333*accelEast + 0.16666666666666666*nextEast) +
+        positionEast,
+    dt*velocityDown + dtSquared*(0.3333333333333333*accelDown + 0.16666666666666666*nextDown) +
+        positionDown,
   ];
 }
 
@@ -1197,10 +1555,8 @@ export function deadReckoningStep(
  */
 export function driftFromTiltError(angleError, time, gravity) {
   const sinAngleError = Math.sin(angleError);
-  const gravitySinAngleError = gravity * sinAngleError;
-  return [
-    gravitySinAngleError, gravitySinAngleError * time, 0.5 * gravitySinAngleError * (time * time)
-  ];
+  const gravitySinAngleError = gravity*sinAngleError;
+  return [gravitySinAngleError, gravitySinAngleError*time, 0.5*gravitySinAngleError*(time*time)];
 }
 
 /**
@@ -1212,5 +1568,5 @@ export function driftFromTiltError(angleError, time, gravity) {
  */
 export function positionAtLastVelocity(angleError, time, gravity) {
   const sinAngleError = Math.sin(angleError);
-  return gravity * sinAngleError * (time * time);
+  return gravity*sinAngleError*(time*time);
 }

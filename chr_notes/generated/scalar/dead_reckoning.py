@@ -34,18 +34,17 @@ def inertial_acceleration(
     cos_roll = cos(roll)
     sin_yaw = sin(yaw)
     cos_yaw = cos(yaw)
-    cos_yaw_sin_roll = cos_yaw * sin_roll
-    accel_x_cos_pitch = accel_x * cos_pitch
-    sin_roll_sin_yaw = sin_roll * sin_yaw
-    cos_roll_cos_yaw = cos_roll * cos_yaw
-    cos_roll_sin_yaw = cos_roll * sin_yaw
+    cos_yaw_sin_roll = cos_yaw*sin_roll
+    accel_x_cos_pitch = accel_x*cos_pitch
+    sin_roll_sin_yaw = sin_roll*sin_yaw
+    cos_roll_cos_yaw = cos_roll*cos_yaw
+    cos_roll_sin_yaw = cos_roll*sin_yaw
     return (
-        accel_x_cos_pitch * cos_yaw + accel_y * (cos_yaw_sin_roll * sin_pitch - cos_roll_sin_yaw)
-            + accel_z * (cos_roll_cos_yaw * sin_pitch + sin_roll_sin_yaw),
-        accel_x_cos_pitch * sin_yaw + accel_y * (cos_roll_cos_yaw + sin_pitch * sin_roll_sin_yaw)
-            + accel_z * (cos_roll_sin_yaw * sin_pitch - cos_yaw_sin_roll),
-        accel_y * cos_pitch * sin_roll - accel_x * sin_pitch + accel_z * cos_pitch * cos_roll
-            + gravity,
+        accel_x_cos_pitch*cos_yaw + accel_y*(-cos_roll_sin_yaw + cos_yaw_sin_roll*sin_pitch) +
+            accel_z*(cos_roll_cos_yaw*sin_pitch + sin_roll_sin_yaw),
+        accel_x_cos_pitch*sin_yaw + accel_y*(cos_roll_cos_yaw + sin_pitch*sin_roll_sin_yaw) +
+            accel_z*(cos_roll_sin_yaw*sin_pitch - cos_yaw_sin_roll),
+        -accel_x*sin_pitch + accel_y*cos_pitch*sin_roll + accel_z*cos_pitch*cos_roll + gravity,
     )
 
 
@@ -76,79 +75,72 @@ def accelerometer_from_acceleration(
     cos_roll = cos(roll)
     sin_yaw = sin(yaw)
     cos_yaw = cos(yaw)
-    accel_east_sin_yaw = accel_east * sin_yaw
-    accel_north_cos_yaw = accel_north * cos_yaw
-    cos_pitch_sin_roll = cos_pitch * sin_roll
-    accel_east_cos_yaw = accel_east * cos_yaw
-    accel_north_sin_yaw = accel_north * sin_yaw
-    sin_pitch_sin_roll = sin_pitch * sin_roll
-    cos_pitch_cos_roll = cos_pitch * cos_roll
-    cos_roll_sin_pitch = cos_roll * sin_pitch
+    accel_east_sin_yaw = accel_east*sin_yaw
+    accel_north_cos_yaw = accel_north*cos_yaw
+    cos_pitch_sin_roll = cos_pitch*sin_roll
+    accel_east_cos_yaw = accel_east*cos_yaw
+    accel_north_sin_yaw = accel_north*sin_yaw
+    sin_pitch_sin_roll = sin_pitch*sin_roll
+    cos_pitch_cos_roll = cos_pitch*cos_roll
+    cos_roll_sin_pitch = cos_roll*sin_pitch
     return (
-        accel_east_sin_yaw * cos_pitch - accel_down * sin_pitch + accel_north_cos_yaw * cos_pitch
-            + gravity * sin_pitch,
-        accel_down * cos_pitch_sin_roll + accel_east_cos_yaw * cos_roll
-            + accel_east_sin_yaw * sin_pitch_sin_roll + accel_north_cos_yaw * sin_pitch_sin_roll
-                - accel_north_sin_yaw * cos_roll - cos_pitch_sin_roll * gravity,
-        accel_down * cos_pitch_cos_roll - accel_east_cos_yaw * sin_roll
-            + accel_east_sin_yaw * cos_roll_sin_pitch + accel_north_cos_yaw * cos_roll_sin_pitch
-                + accel_north_sin_yaw * sin_roll - cos_pitch_cos_roll * gravity,
+        -accel_down*sin_pitch + accel_east_sin_yaw*cos_pitch + accel_north_cos_yaw*cos_pitch +
+            gravity*sin_pitch,
+        accel_down*cos_pitch_sin_roll + accel_east_cos_yaw*cos_roll +
+            accel_east_sin_yaw*sin_pitch_sin_roll + accel_north_cos_yaw*sin_pitch_sin_roll -
+            accel_north_sin_yaw*cos_roll - cos_pitch_sin_roll*gravity,
+        accel_down*cos_pitch_cos_roll - accel_east_cos_yaw*sin_roll +
+            accel_east_sin_yaw*cos_roll_sin_pitch + accel_north_cos_yaw*cos_roll_sin_pitch +
+            accel_north_sin_yaw*sin_roll - cos_pitch_cos_roll*gravity,
     )
 
 
-def velocity_step(
+def dead_reckoning_held(
     velocity_north: float,
     velocity_east: float,
     velocity_down: float,
+    position_north: float,
+    position_east: float,
+    position_down: float,
     accel_north: float,
     accel_east: float,
     accel_down: float,
     dt: float,
-) -> tuple[float, float, float]:
-    """Velocity north, east, down one period later by the notes' step, m/s (3).
+) -> tuple[float, float, float, float, float, float]:
+    """Velocity north, east, down (m/s), then position (m), one period later by the notes' step (6).
 
     velocity_north: velocity north, m/s
     velocity_east: velocity east, m/s
     velocity_down: velocity down, m/s
+    position_north: position north, m
+    position_east: position east, m
+    position_down: position down, m
     accel_north: acceleration north now, m/s²
     accel_east: acceleration east now, m/s²
     accel_down: acceleration down now, m/s²
     dt: time that passes, s
 
-    Ledger: dead_reckoning.3.3.
+    Ledger: dead_reckoning.3.3, dead_reckoning.3.4.
     """
-    return (
-        accel_north * dt + velocity_north,
-        accel_east * dt + velocity_east,
-        accel_down * dt + velocity_down,
+    known = (
+        abs(accel_down) <= 1.7976931348623157e+308 and abs(accel_east) <= 1.7976931348623157e+308
+            and abs(accel_north) <= 1.7976931348623157e+308
     )
-
-
-def position_step(
-    position_north: float,
-    position_east: float,
-    position_down: float,
-    velocity_north: float,
-    velocity_east: float,
-    velocity_down: float,
-    dt: float,
-) -> tuple[float, float, float]:
-    """Position north, east, down one period later by the notes' step, m (3).
-
-    position_north: position north, m
-    position_east: position east, m
-    position_down: position down, m
-    velocity_north: velocity north, m/s
-    velocity_east: velocity east, m/s
-    velocity_down: velocity down, m/s
-    dt: time that passes, s
-
-    Ledger: dead_reckoning.3.4.
-    """
+    if known:
+        held_north = accel_north
+        held_east = accel_east
+        held_down = accel_down
+    else:
+        held_north = 0.0
+        held_east = 0.0
+        held_down = 0.0
     return (
-        dt * velocity_north + position_north,
-        dt * velocity_east + position_east,
-        dt * velocity_down + position_down,
+        dt*held_north + velocity_north,
+        dt*held_east + velocity_east,
+        dt*held_down + velocity_down,
+        dt*velocity_north + position_north,
+        dt*velocity_east + position_east,
+        dt*velocity_down + position_down,
     )
 
 
@@ -185,14 +177,17 @@ def dead_reckoning_step(
 
     Ledger: dead_reckoning.3.1, dead_reckoning.3.2.
     """
-    dt_squared = dt * dt
+    dt_squared = dt*dt
     return (
-        dt * (0.5 * accel_north + 0.5 * next_north) + velocity_north,
-        dt * (0.5 * accel_east + 0.5 * next_east) + velocity_east,
-        dt * (0.5 * accel_down + 0.5 * next_down) + velocity_down,
-        dt * velocity_north + dt_squared * (accel_north / 3.0 + next_north / 6.0) + position_north,
-        dt * velocity_east + dt_squared * (accel_east / 3.0 + next_east / 6.0) + position_east,
-        dt * velocity_down + dt_squared * (accel_down / 3.0 + next_down / 6.0) + position_down,
+        dt*(0.5*accel_north + 0.5*next_north) + velocity_north,
+        dt*(0.5*accel_east + 0.5*next_east) + velocity_east,
+        dt*(0.5*accel_down + 0.5*next_down) + velocity_down,
+        dt*velocity_north + dt_squared*(0.3333333333333333*accel_north +
+            0.16666666666666666*next_north) + position_north,
+        dt*velocity_east + dt_squared*(0.3333333333333333*accel_east +
+            0.16666666666666666*next_east) + position_east,
+        dt*velocity_down + dt_squared*(0.3333333333333333*accel_down +
+            0.16666666666666666*next_down) + position_down,
     )
 
 
@@ -208,11 +203,11 @@ def drift_from_tilt_error(
     Ledger: dead_reckoning.4.g.
     """
     sin_angle_error = sin(angle_error)
-    gravity_sin_angle_error = gravity * sin_angle_error
+    gravity_sin_angle_error = gravity*sin_angle_error
     return (
         gravity_sin_angle_error,
-        gravity_sin_angle_error * time,
-        0.5 * gravity_sin_angle_error * (time * time),
+        gravity_sin_angle_error*time,
+        0.5*gravity_sin_angle_error*(time*time),
     )
 
 
@@ -224,4 +219,4 @@ def position_at_last_velocity(angle_error: float, time: float, gravity: float) -
     gravity: magnitude of gravity, m/s²
     """
     sin_angle_error = sin(angle_error)
-    return gravity * sin_angle_error * (time * time)
+    return gravity*sin_angle_error*(time*time)

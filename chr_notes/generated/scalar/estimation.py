@@ -3,7 +3,7 @@ From the derivations behind the ledger entries estimation.2.5, estimation.2.6, e
 estimation.3.2, estimation.3.3, estimation.4.1, estimation.4.2, estimation.4.3, estimation.4.4.
 """
 
-from math import atan2, cos, hypot, sin, tan
+from math import atan2, cos, hypot, sin, sqrt, tan, nan
 
 
 def tilt_from_accelerometer(accel_x: float, accel_y: float, accel_z: float) -> tuple[float, float]:
@@ -13,9 +13,23 @@ def tilt_from_accelerometer(accel_x: float, accel_y: float, accel_z: float) -> t
     accel_y: reading of the accelerometer along y, m/s²
     accel_z: reading of the accelerometer along z, m/s²
 
+    Right as long as the length squared neither overflows nor vanishes.
     Ledger: estimation.2.5, estimation.2.6.
     """
-    return (atan2(-accel_y, -accel_z), atan2(accel_x, hypot(accel_y, accel_z)))
+    size = abs(accel_x) + abs(accel_y) + abs(accel_z)
+    has_direction = size <= 1.7976931348623157e+308 and size > 0.0
+    across = hypot(accel_y, accel_z)
+    roll_seen = atan2(-accel_y, -accel_z)
+    if not has_direction:
+        roll = nan
+    elif across <= 0.0:
+        roll = 0.0
+    elif roll_seen <= -3.141592653589793:
+        roll = 3.141592653589793
+    else:
+        roll = roll_seen
+    pitch = atan2(accel_x, across) if has_direction else nan
+    return (roll, pitch)
 
 
 def gyro_step(
@@ -35,14 +49,191 @@ def gyro_step(
     """
     cos_pitch = cos(pitch)
     tan_pitch = tan(pitch)
-    sec_pitch = 1.0 / cos_pitch
+    sec_pitch = 1.0/cos_pitch
     sin_roll = sin(roll)
     cos_roll = cos(roll)
-    rate_across = cos_roll * r + q * sin_roll
+    abs_p = abs(p)
+    abs_q = abs(q)
+    abs_r = abs(r)
+    whole_turn = dt*(abs_p + abs_q + abs_r)
+    moves = (
+        whole_turn <= 1.7976931348623157e+308 and abs_p < 1000000000000.0 and abs_q <
+            1000000000000.0 and abs_r < 1000000000000.0
+    )
+    if moves:
+        rate_x = p
+        rate_y = q
+        rate_z = r
+    else:
+        rate_x = 0.0
+        rate_y = 0.0
+        rate_z = 0.0
+    rate_across = cos_roll*rate_z + rate_y*sin_roll
     return (
-        dt * (p + rate_across * tan_pitch) + roll,
-        dt * (cos_roll * q - r * sin_roll) + pitch,
-        dt * rate_across * sec_pitch + yaw,
+        dt*(rate_across*tan_pitch + rate_x) + roll,
+        dt*(cos_roll*rate_y - rate_z*sin_roll) + pitch,
+        dt*rate_across*sec_pitch + yaw,
+    )
+
+
+def gyro_turn(
+    a: float, b: float, c: float, d: float, p: float, q: float, r: float, dt: float
+) -> tuple[float, float, float, float]:
+    """Attitude quaternion one period later, by a turn at constant rates (4).
+
+    a: scalar part of the attitude quaternion
+    b: factor of i of the attitude quaternion
+    c: factor of j of the attitude quaternion
+    d: factor of k of the attitude quaternion
+    p: body rate about x, rad/s
+    q: body rate about y, rad/s
+    r: body rate about z, rad/s
+    dt: time that passes, s
+    """
+    abs_p = abs(p)
+    abs_q = abs(q)
+    abs_r = abs(r)
+    whole_turn = dt*(abs_p + abs_q + abs_r)
+    moves = (
+        whole_turn <= 1.7976931348623157e+308 and abs_p < 1000000000000.0 and abs_q <
+            1000000000000.0 and abs_r < 1000000000000.0
+    )
+    if moves:
+        rate_x = p
+        rate_y = q
+        rate_z = r
+    else:
+        rate_x = 0.0
+        rate_y = 0.0
+        rate_z = 0.0
+    half_turn = 0.5*dt*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z)
+    sin_half_turn = sin(half_turn)
+    if half_turn > 0.0:
+        ratio = sin_half_turn/half_turn
+    else:
+        ratio = 1.0
+    cos_half_turn = cos(half_turn)
+    turn_a = cos_half_turn
+    common_5 = 0.5*dt*ratio
+    turn_b = common_5*rate_x
+    turn_c = common_5*rate_y
+    turn_d = common_5*rate_z
+    return (
+        a*turn_a - b*turn_b - c*turn_c - d*turn_d,
+        a*turn_b + b*turn_a + c*turn_d - d*turn_c,
+        a*turn_c - b*turn_d + c*turn_a + d*turn_b,
+        a*turn_d + b*turn_c - c*turn_b + d*turn_a,
+    )
+
+
+def observer_turn(
+    a: float,
+    b: float,
+    c: float,
+    d: float,
+    p: float,
+    q: float,
+    r: float,
+    accel_x: float,
+    accel_y: float,
+    accel_z: float,
+    dt: float,
+    gain: float,
+) -> tuple[float, float, float, float]:
+    """Attitude quaternion one period later, the accelerometer heard with a fixed gain (4).
+
+    a: scalar part of the attitude quaternion
+    b: factor of i of the attitude quaternion
+    c: factor of j of the attitude quaternion
+    d: factor of k of the attitude quaternion
+    p: body rate about x, rad/s
+    q: body rate about y, rad/s
+    r: body rate about z, rad/s
+    accel_x: reading of the accelerometer along x, m/s²
+    accel_y: reading of the accelerometer along y, m/s²
+    accel_z: reading of the accelerometer along z, m/s²
+    dt: time that passes, s
+    gain: weight of the accelerometer, from 0 to 1
+    """
+    abs_p = abs(p)
+    abs_q = abs(q)
+    abs_r = abs(r)
+    whole_turn = dt*(abs_p + abs_q + abs_r)
+    moves = (
+        whole_turn <= 1.7976931348623157e+308 and abs_p < 1000000000000.0 and abs_q <
+            1000000000000.0 and abs_r < 1000000000000.0
+    )
+    if moves:
+        rate_x = p
+        rate_y = q
+        rate_z = r
+    else:
+        rate_x = 0.0
+        rate_y = 0.0
+        rate_z = 0.0
+    half_turn = 0.5*dt*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z)
+    sin_half_turn = sin(half_turn)
+    if half_turn > 0.0:
+        ratio = sin_half_turn/half_turn
+    else:
+        ratio = 1.0
+    cos_half_turn = cos(half_turn)
+    turn_a = cos_half_turn
+    common_7 = 0.5*dt*ratio
+    turn_b = common_7*rate_x
+    turn_c = common_7*rate_y
+    turn_d = common_7*rate_z
+    predicted_a = a*turn_a - b*turn_b - c*turn_c - d*turn_d
+    predicted_b = a*turn_b + b*turn_a + c*turn_d - d*turn_c
+    predicted_c = a*turn_c - b*turn_d + c*turn_a + d*turn_b
+    predicted_d = a*turn_d + b*turn_c - c*turn_b + d*turn_a
+    e_x = 2.0*predicted_a*predicted_c - 2.0*predicted_b*predicted_d
+    e_y = -2.0*predicted_a*predicted_b - 2.0*predicted_c*predicted_d
+    e_z = (
+        -(predicted_a*predicted_a) + predicted_b*predicted_b + predicted_c*predicted_c -
+            (predicted_d*predicted_d)
+    )
+    size = abs(accel_x) + abs(accel_y) + abs(accel_z)
+    has_direction = size <= 1.7976931348623157e+308 and size > 0.0
+    if has_direction:
+        reading_x = accel_x/size
+        reading_y = accel_y/size
+        reading_z = accel_z/size
+    else:
+        reading_x = 0.0
+        reading_y = 0.0
+        reading_z = 0.0
+    across_x = -e_y*reading_z + e_z*reading_y
+    across_y = e_x*reading_z - e_z*reading_x
+    across_z = -e_x*reading_y + e_y*reading_x
+    sine_off = sqrt(across_x*across_x + across_y*across_y + across_z*across_z)
+    half_turn_back = 0.5*gain*atan2(sine_off, e_x*reading_x + e_y*reading_y + e_z*reading_z)
+    cos_half_turn_back = cos(half_turn_back)
+    sin_half_turn_back = sin(half_turn_back)
+    if sine_off > 0.0:
+        turn_back_a = cos_half_turn_back
+        factor = (
+            sin_half_turn_back*1.0/(sqrt((-e_x*reading_y + e_y*reading_x)*(-e_x*reading_y +
+                e_y*reading_x) + (e_x*reading_z - e_z*reading_x)*(e_x*reading_z - e_z*reading_x) +
+                (-e_y*reading_z + e_z*reading_y)*(-e_y*reading_z + e_z*reading_y)))
+        )
+    else:
+        turn_back_a = 1.0
+        factor = 0.0
+    across_x_factor = across_x*factor
+    factor_predicted_c = factor*predicted_c
+    factor_predicted_d = factor*predicted_d
+    across_y_factor = across_y*factor
+    across_z_factor = across_z*factor
+    return (
+        -across_x_factor*predicted_b - across_y*factor_predicted_c - across_z*factor_predicted_d +
+            predicted_a*turn_back_a,
+        across_x_factor*predicted_a - across_y*factor_predicted_d + across_z*factor_predicted_c +
+            predicted_b*turn_back_a,
+        across_x_factor*predicted_d + across_y_factor*predicted_a - across_z_factor*predicted_b +
+            predicted_c*turn_back_a,
+        -across_x_factor*predicted_c + across_y_factor*predicted_b + across_z_factor*predicted_a +
+            predicted_d*turn_back_a,
     )
 
 
@@ -59,7 +250,176 @@ def observer_step(
     dt: float,
     gain: float,
 ) -> tuple[float, float, float]:
-    """Roll, pitch and yaw one period later, yaw from the gyros alone, radians (3).
+    """Roll, pitch and yaw one period later, the accelerometer heard with a fixed gain, radians (3).
+
+    roll: roll about the body x-axis, radians
+    pitch: pitch about the vehicle-1 y-axis, radians
+    yaw: yaw about the inertial z-axis, radians
+    p: body rate about x, rad/s
+    q: body rate about y, rad/s
+    r: body rate about z, rad/s
+    accel_x: reading of the accelerometer along x, m/s²
+    accel_y: reading of the accelerometer along y, m/s²
+    accel_z: reading of the accelerometer along z, m/s²
+    dt: time that passes, s
+    gain: weight of the accelerometer, from 0 to 1
+    """
+    sin_half_pitch = sin(0.5*pitch)
+    cos_half_pitch = cos(0.5*pitch)
+    sin_half_roll = sin(0.5*roll)
+    cos_half_roll = cos(0.5*roll)
+    sin_half_yaw = sin(0.5*yaw)
+    cos_half_yaw = cos(0.5*yaw)
+    cos_half_pitch_cos_half_yaw = cos_half_pitch*cos_half_yaw
+    sin_half_pitch_sin_half_yaw = sin_half_pitch*sin_half_yaw
+    start_a = cos_half_pitch_cos_half_yaw*cos_half_roll + sin_half_pitch_sin_half_yaw*sin_half_roll
+    start_b = cos_half_pitch_cos_half_yaw*sin_half_roll - cos_half_roll*sin_half_pitch_sin_half_yaw
+    cos_half_pitch_sin_half_yaw = cos_half_pitch*sin_half_yaw
+    cos_half_yaw_sin_half_pitch = cos_half_yaw*sin_half_pitch
+    start_c = cos_half_pitch_sin_half_yaw*sin_half_roll + cos_half_roll*cos_half_yaw_sin_half_pitch
+    start_d = cos_half_pitch_sin_half_yaw*cos_half_roll - cos_half_yaw_sin_half_pitch*sin_half_roll
+    start_sign = 1.0 if start_a >= 0.0 else -1.0
+    abs_p = abs(p)
+    abs_q = abs(q)
+    abs_r = abs(r)
+    whole_turn = dt*(abs_p + abs_q + abs_r)
+    moves = (
+        whole_turn <= 1.7976931348623157e+308 and abs_p < 1000000000000.0 and abs_q <
+            1000000000000.0 and abs_r < 1000000000000.0
+    )
+    if moves:
+        rate_x = p
+        rate_y = q
+        rate_z = r
+    else:
+        rate_x = 0.0
+        rate_y = 0.0
+        rate_z = 0.0
+    half_turn = 0.5*dt*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z)
+    sin_half_turn = sin(half_turn)
+    if half_turn > 0.0:
+        ratio = sin_half_turn/half_turn
+    else:
+        ratio = 1.0
+    cos_half_turn = cos(half_turn)
+    turn_a = cos_half_turn
+    common_17 = 0.5*dt*ratio
+    turn_b = common_17*rate_x
+    turn_c = common_17*rate_y
+    turn_d = common_17*rate_z
+    start_b_start_sign = start_b*start_sign
+    start_c_start_sign = start_c*start_sign
+    start_d_start_sign = start_d*start_sign
+    predicted_a = (
+        start_a*start_sign*turn_a - start_b_start_sign*turn_b - start_c_start_sign*turn_c -
+            start_d_start_sign*turn_d
+    )
+    start_a_start_sign = start_a*start_sign
+    predicted_b = (
+        start_a_start_sign*turn_b + start_b_start_sign*turn_a + start_c_start_sign*turn_d -
+            start_d_start_sign*turn_c
+    )
+    predicted_c = (
+        start_a_start_sign*turn_c - start_b_start_sign*turn_d + start_c_start_sign*turn_a +
+            start_d_start_sign*turn_b
+    )
+    predicted_d = (
+        start_a_start_sign*turn_d + start_b_start_sign*turn_c - start_c_start_sign*turn_b +
+            start_d_start_sign*turn_a
+    )
+    e_x = 2.0*predicted_a*predicted_c - 2.0*predicted_b*predicted_d
+    e_y = -2.0*predicted_a*predicted_b - 2.0*predicted_c*predicted_d
+    e_z = (
+        -(predicted_a*predicted_a) + predicted_b*predicted_b + predicted_c*predicted_c -
+            (predicted_d*predicted_d)
+    )
+    size = abs(accel_x) + abs(accel_y) + abs(accel_z)
+    has_direction = size <= 1.7976931348623157e+308 and size > 0.0
+    if has_direction:
+        reading_x = accel_x/size
+        reading_y = accel_y/size
+        reading_z = accel_z/size
+    else:
+        reading_x = 0.0
+        reading_y = 0.0
+        reading_z = 0.0
+    across_x = -e_y*reading_z + e_z*reading_y
+    across_y = e_x*reading_z - e_z*reading_x
+    across_z = -e_x*reading_y + e_y*reading_x
+    sine_off = sqrt(across_x*across_x + across_y*across_y + across_z*across_z)
+    half_turn_back = 0.5*gain*atan2(sine_off, e_x*reading_x + e_y*reading_y + e_z*reading_z)
+    cos_half_turn_back = cos(half_turn_back)
+    sin_half_turn_back = sin(half_turn_back)
+    if sine_off > 0.0:
+        turn_back_a = cos_half_turn_back
+        factor = (
+            sin_half_turn_back*1.0/(sqrt((-e_x*reading_y + e_y*reading_x)*(-e_x*reading_y +
+                e_y*reading_x) + (e_x*reading_z - e_z*reading_x)*(e_x*reading_z - e_z*reading_x) +
+                (-e_y*reading_z + e_z*reading_y)*(-e_y*reading_z + e_z*reading_y)))
+        )
+    else:
+        turn_back_a = 1.0
+        factor = 0.0
+    across_x_factor = across_x*factor
+    factor_predicted_c = factor*predicted_c
+    factor_predicted_d = factor*predicted_d
+    end_a = (
+        -across_x_factor*predicted_b - across_y*factor_predicted_c - across_z*factor_predicted_d +
+            predicted_a*turn_back_a
+    )
+    end_b = (
+        across_x_factor*predicted_a - across_y*factor_predicted_d + across_z*factor_predicted_c +
+            predicted_b*turn_back_a
+    )
+    across_y_factor = across_y*factor
+    across_z_factor = across_z*factor
+    end_c = (
+        across_x_factor*predicted_d + across_y_factor*predicted_a - across_z_factor*predicted_b +
+            predicted_c*turn_back_a
+    )
+    end_d = (
+        -across_x_factor*predicted_c + across_y_factor*predicted_b + across_z_factor*predicted_a +
+            predicted_d*turn_back_a
+    )
+    end_a_minus_c = end_a - end_c
+    end_b_plus_d = end_b + end_d
+    end_a_plus_c = end_a + end_c
+    end_d_minus_b = -end_b + end_d
+    end_below = end_a_minus_c*end_a_minus_c + end_b_plus_d*end_b_plus_d
+    end_above = end_a_plus_c*end_a_plus_c + end_d_minus_b*end_d_minus_b
+    end_product_1 = end_a_plus_c*end_b_plus_d
+    end_product_2 = end_a_minus_c*end_d_minus_b
+    end_product_3 = end_a_minus_c*end_a_plus_c
+    end_product_4 = end_b_plus_d*end_d_minus_b
+    end_half_sine = end_a*end_c - end_b*end_d
+    end_pitch = atan2(2.0*end_half_sine, sqrt(end_above)*sqrt(end_below))
+    end_locked = abs(end_pitch) > 1.5707963267948948
+    if not end_locked:
+        end_roll = atan2(end_product_1 - end_product_2, end_product_3 + end_product_4)
+        end_yaw = atan2(end_product_1 + end_product_2, end_product_3 - end_product_4)
+    else:
+        end_roll = 0.0
+        end_yaw = (
+            atan2(2.0*end_a*end_d - 2.0*end_b*end_c, end_a*end_a - (end_b*end_b) + end_c*end_c -
+                (end_d*end_d))
+        )
+    return (end_roll, end_pitch, end_yaw)
+
+
+def euler_observer_step(
+    roll: float,
+    pitch: float,
+    yaw: float,
+    p: float,
+    q: float,
+    r: float,
+    accel_x: float,
+    accel_y: float,
+    accel_z: float,
+    dt: float,
+    gain: float,
+) -> tuple[float, float, float]:
+    """Roll, pitch and yaw one period later by the notes' step, angle by angle, radians (3).
 
     roll: roll about the body x-axis, radians
     pitch: pitch about the vehicle-1 y-axis, radians
@@ -77,67 +437,56 @@ def observer_step(
     """
     cos_pitch = cos(pitch)
     tan_pitch = tan(pitch)
-    sec_pitch = 1.0 / cos_pitch
+    sec_pitch = 1.0/cos_pitch
     sin_roll = sin(roll)
     cos_roll = cos(roll)
-    rate_across = cos_roll * r + q * sin_roll
-    predicted_roll = dt * (p + rate_across * tan_pitch) + roll
-    predicted_pitch = dt * (cos_roll * q - r * sin_roll) + pitch
-    roll_to_measured = atan2(-accel_y, -accel_z) - predicted_roll
-    pitch_to_measured = atan2(accel_x, hypot(accel_y, accel_z)) - predicted_pitch
-    roll_off = (
-        roll_to_measured
-            - 6.283185307179586 * ((0.15915494309189535 * roll_to_measured + 0.5) // 1.0)
+    abs_p = abs(p)
+    abs_q = abs(q)
+    abs_r = abs(r)
+    whole_turn = dt*(abs_p + abs_q + abs_r)
+    moves = (
+        whole_turn <= 1.7976931348623157e+308 and abs_p < 1000000000000.0 and abs_q <
+            1000000000000.0 and abs_r < 1000000000000.0
     )
-    pitch_off = (
-        pitch_to_measured
-            - 6.283185307179586 * ((0.15915494309189535 * pitch_to_measured + 0.5) // 1.0)
-    )
-    return (
-        predicted_roll + roll_off * gain,
-        pitch_off * gain + predicted_pitch,
-        dt * rate_across * sec_pitch + yaw,
-    )
-
-
-def correct_tilt(
-    roll: float, pitch: float, roll_accel: float, pitch_accel: float, gain: float
-) -> tuple[float, float]:
-    """Roll and pitch, radians, moved by the gain towards those that the accelerometer shows (2).
-
-    roll: roll about the body x-axis, radians
-    pitch: pitch about the vehicle-1 y-axis, radians
-    roll_accel: roll that the accelerometer shows, radians
-    pitch_accel: pitch that the accelerometer shows, radians
-    gain: weight of the accelerometer, from 0 to 1
-
-    Ledger: estimation.4.3, estimation.4.4.
-    """
-    turn = roll_accel - roll
-    if turn > 3.141592653589793 or turn < -3.141592653589793:
-        shortest_turn = turn - 6.283185307179586 * ((0.15915494309189535 * turn + 0.5) // 1.0)
+    if moves:
+        rate_x = p
+        rate_y = q
+        rate_z = r
     else:
-        shortest_turn = turn
-    return (shortest_turn * gain + roll, gain * (pitch_accel - pitch) + pitch)
-
-
-def correct_steep_tilt(
-    roll: float, pitch: float, yaw: float, roll_accel: float, pitch_accel: float, gain: float
-) -> tuple[float, float, float]:
-    """Roll and pitch, radians, so moved, and yaw, changed so that the heading stays (3).
-
-    roll: roll about the body x-axis, radians
-    pitch: pitch about the vehicle-1 y-axis, radians
-    yaw: yaw about the inertial z-axis, radians
-    roll_accel: roll that the accelerometer shows, radians
-    pitch_accel: pitch that the accelerometer shows, radians
-    gain: weight of the accelerometer, from 0 to 1
-    """
-    sin_pitch = sin(pitch)
-    turn = roll_accel - roll
-    if turn > 3.141592653589793 or turn < -3.141592653589793:
-        shortest_turn = turn - 6.283185307179586 * ((0.15915494309189535 * turn + 0.5) // 1.0)
+        rate_x = 0.0
+        rate_y = 0.0
+        rate_z = 0.0
+    rate_across = cos_roll*rate_z + rate_y*sin_roll
+    seen_size = abs(accel_x) + abs(accel_y) + abs(accel_z)
+    seen_has_direction = seen_size <= 1.7976931348623157e+308 and seen_size > 0.0
+    seen_across = hypot(accel_y, accel_z)
+    seen_roll_seen = atan2(-accel_y, -accel_z)
+    if not seen_has_direction:
+        seen_roll = nan
+    elif seen_across <= 0.0:
+        seen_roll = 0.0
+    elif seen_roll_seen <= -3.141592653589793:
+        seen_roll = 3.141592653589793
     else:
-        shortest_turn = turn
-    roll_change = shortest_turn * gain
-    return (roll + roll_change, gain * (pitch_accel - pitch) + pitch, roll_change * sin_pitch + yaw)
+        seen_roll = seen_roll_seen
+    if seen_has_direction:
+        seen_pitch = atan2(accel_x, seen_across)
+    else:
+        seen_pitch = nan
+    predicted_roll = dt*(rate_across*tan_pitch + rate_x) + roll
+    predicted_pitch = dt*(cos_roll*rate_y - rate_z*sin_roll) + pitch
+    roll_to_measured = -predicted_roll + seen_roll
+    pitch_to_measured = -predicted_pitch + seen_pitch
+    if seen_has_direction:
+        roll_off = (
+            gain*(roll_to_measured - 6.283185307179586*((0.15915494309189535*roll_to_measured + 0.5)
+                // 1.0))
+        )
+        pitch_off = (
+            gain*(pitch_to_measured - 6.283185307179586*((0.15915494309189535*pitch_to_measured +
+                0.5) // 1.0))
+        )
+    else:
+        roll_off = 0.0
+        pitch_off = 0.0
+    return (predicted_roll + roll_off, pitch_off + predicted_pitch, dt*rate_across*sec_pitch + yaw)

@@ -3,7 +3,7 @@ From the derivations behind the ledger entries euler.5.2, euler.5.3, euler.7.2, 
 euler.7.a, euler.7.c, euler.7.d.
 """
 
-from math import atan2, cos, fmod, hypot, sin, tan
+from math import atan2, cos, hypot, sin, sqrt, tan
 
 
 def matrix_from_euler(
@@ -23,20 +23,20 @@ def matrix_from_euler(
     cos_roll = cos(roll)
     sin_yaw = sin(yaw)
     cos_yaw = cos(yaw)
-    cos_yaw_sin_roll = cos_yaw * sin_roll
-    cos_roll_sin_yaw = cos_roll * sin_yaw
-    cos_roll_cos_yaw = cos_roll * cos_yaw
-    sin_roll_sin_yaw = sin_roll * sin_yaw
+    cos_yaw_sin_roll = cos_yaw*sin_roll
+    cos_roll_sin_yaw = cos_roll*sin_yaw
+    cos_roll_cos_yaw = cos_roll*cos_yaw
+    sin_roll_sin_yaw = sin_roll*sin_yaw
     return (
-        cos_pitch * cos_yaw,
-        cos_pitch * sin_yaw,
+        cos_pitch*cos_yaw,
+        cos_pitch*sin_yaw,
         -sin_pitch,
-        cos_yaw_sin_roll * sin_pitch - cos_roll_sin_yaw,
-        cos_roll_cos_yaw + sin_pitch * sin_roll_sin_yaw,
-        cos_pitch * sin_roll,
-        cos_roll_cos_yaw * sin_pitch + sin_roll_sin_yaw,
-        cos_roll_sin_yaw * sin_pitch - cos_yaw_sin_roll,
-        cos_pitch * cos_roll,
+        -cos_roll_sin_yaw + cos_yaw_sin_roll*sin_pitch,
+        cos_roll_cos_yaw + sin_pitch*sin_roll_sin_yaw,
+        cos_pitch*sin_roll,
+        cos_roll_cos_yaw*sin_pitch + sin_roll_sin_yaw,
+        cos_roll_sin_yaw*sin_pitch - cos_yaw_sin_roll,
+        cos_pitch*cos_roll,
     )
 
 
@@ -68,12 +68,49 @@ def euler_from_matrix(
     pitch = atan2(-r13, hypot(r11, r12))
     locked = abs(pitch) > 1.5707963267948948
     if not locked:
-        roll = atan2(r12 * r31 - r11 * r32, r11 * r22 - r12 * r21)
+        roll = atan2(-r11*r32 + r12*r31, r11*r22 - r12*r21)
         yaw = atan2(r12, r11)
     else:
         roll = 0.0
         yaw = atan2(-r21, r22)
     return (roll, pitch, yaw, locked)
+
+
+def rotation_defect(
+    r11: float,
+    r12: float,
+    r13: float,
+    r21: float,
+    r22: float,
+    r23: float,
+    r31: float,
+    r32: float,
+    r33: float,
+) -> tuple[float, float]:
+    """How far a matrix is from a rotation: root mean square of R Rᵀ - 1, and the determinant (2).
+
+    r11: row 1, column 1 of the matrix from the inertial to the body frame
+    r12: row 1, column 2 of the matrix from the inertial to the body frame
+    r13: row 1, column 3 of the matrix from the inertial to the body frame
+    r21: row 2, column 1 of the matrix from the inertial to the body frame
+    r22: row 2, column 2 of the matrix from the inertial to the body frame
+    r23: row 2, column 3 of the matrix from the inertial to the body frame
+    r31: row 3, column 1 of the matrix from the inertial to the body frame
+    r32: row 3, column 2 of the matrix from the inertial to the body frame
+    r33: row 3, column 3 of the matrix from the inertial to the body frame
+    """
+    off_11 = -1.0 + r11*r11 + r12*r12 + r13*r13
+    off_21 = r11*r21 + r12*r22 + r13*r23
+    off_22 = -1.0 + r21*r21 + r22*r22 + r23*r23
+    off_31 = r11*r31 + r12*r32 + r13*r33
+    off_32 = r21*r31 + r22*r32 + r23*r33
+    off_33 = -1.0 + r31*r31 + r32*r32 + r33*r33
+    return (
+        sqrt(0.1111111111111111*(off_11*off_11) + 0.2222222222222222*(off_21*off_21) +
+            0.1111111111111111*(off_22*off_22) + 0.2222222222222222*(off_31*off_31) +
+            0.2222222222222222*(off_32*off_32) + 0.1111111111111111*(off_33*off_33)),
+        r31*(r12*r23 - r13*r22) + r32*(-r11*r23 + r13*r21) + r33*(r11*r22 - r12*r21),
+    )
 
 
 def euler_rates_matrix(
@@ -88,19 +125,19 @@ def euler_rates_matrix(
     """
     cos_pitch = cos(pitch)
     tan_pitch = tan(pitch)
-    sec_pitch = 1.0 / cos_pitch
+    sec_pitch = 1.0/cos_pitch
     sin_roll = sin(roll)
     cos_roll = cos(roll)
     return (
         1.0,
-        sin_roll * tan_pitch,
-        cos_roll * tan_pitch,
+        sin_roll*tan_pitch,
+        cos_roll*tan_pitch,
         0.0,
         cos_roll,
         -sin_roll,
         0.0,
-        sec_pitch * sin_roll,
-        cos_roll * sec_pitch,
+        sec_pitch*sin_roll,
+        cos_roll*sec_pitch,
     )
 
 
@@ -119,11 +156,11 @@ def euler_rates_from_body_rates(
     """
     cos_pitch = cos(pitch)
     tan_pitch = tan(pitch)
-    sec_pitch = 1.0 / cos_pitch
+    sec_pitch = 1.0/cos_pitch
     sin_roll = sin(roll)
     cos_roll = cos(roll)
-    rate_across = cos_roll * r + q * sin_roll
-    return (p + rate_across * tan_pitch, cos_roll * q - r * sin_roll, rate_across * sec_pitch)
+    rate_across = cos_roll*r + q*sin_roll
+    return (p + rate_across*tan_pitch, cos_roll*q - r*sin_roll, rate_across*sec_pitch)
 
 
 def body_rates_from_euler_rates(
@@ -143,11 +180,11 @@ def body_rates_from_euler_rates(
     cos_pitch = cos(pitch)
     sin_roll = sin(roll)
     cos_roll = cos(roll)
-    cos_pitch_yaw_rate = cos_pitch * yaw_rate
+    cos_pitch_yaw_rate = cos_pitch*yaw_rate
     return (
-        roll_rate - sin_pitch * yaw_rate,
-        cos_pitch_yaw_rate * sin_roll + cos_roll * pitch_rate,
-        cos_pitch_yaw_rate * cos_roll - pitch_rate * sin_roll,
+        roll_rate - sin_pitch*yaw_rate,
+        cos_pitch_yaw_rate*sin_roll + cos_roll*pitch_rate,
+        cos_pitch_yaw_rate*cos_roll - pitch_rate*sin_roll,
     )
 
 
@@ -159,7 +196,7 @@ def euler_rates_determinant(pitch: float) -> float:
     Ledger: euler.7.c.
     """
     cos_pitch = cos(pitch)
-    sec_pitch = 1.0 / cos_pitch
+    sec_pitch = 1.0/cos_pitch
     return sec_pitch
 
 
@@ -172,8 +209,8 @@ def euler_rates_condition(pitch: float) -> float:
     """
     sin_pitch = sin(pitch)
     cos_pitch = cos(pitch)
-    sec_pitch = 1.0 / cos_pitch
-    return (abs(sin_pitch) + 1.0) * abs(sec_pitch)
+    sec_pitch = 1.0/cos_pitch
+    return (abs(sin_pitch) + 1.0)*abs(sec_pitch)
 
 
 def wrap_angle(angle: float) -> float:
@@ -181,11 +218,13 @@ def wrap_angle(angle: float) -> float:
 
     angle: angle, radians
     """
-    rest = fmod(angle, 6.283185307179586)
-    if rest >= 3.141592653589793:
-        wrapped = rest - 6.283185307179586
-    elif rest < -3.141592653589793:
-        wrapped = rest + 6.283185307179586
+    sin_angle = sin(angle)
+    cos_angle = cos(angle)
+    principal = atan2(sin_angle, cos_angle)
+    if angle >= -3.141592653589793 and angle < 3.141592653589793:
+        wrapped = angle
+    elif principal >= 3.141592653589793:
+        wrapped = -3.141592653589793
     else:
-        wrapped = rest
+        wrapped = principal
     return wrapped

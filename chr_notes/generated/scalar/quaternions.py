@@ -20,32 +20,32 @@ def matrix_from_quaternion(
     Right as long as the norm squared neither overflows nor vanishes.
     Ledger: quaternions.3.3.
     """
-    norm_squared = a * a + b * b + c * c + d * d
-    factor = 2.0 / norm_squared
-    scaled_b = b * factor
-    scaled_c = c * factor
-    scaled_d = d * factor
-    c_scaled_c = c * scaled_c
-    d_scaled_d = d * scaled_d
+    norm_squared = a*a + b*b + c*c + d*d
+    factor = 2.0/norm_squared
+    scaled_b = b*factor
+    scaled_c = c*factor
+    scaled_d = d*factor
+    c_scaled_c = c*scaled_c
+    d_scaled_d = d*scaled_d
     one_minus_r11 = c_scaled_c + d_scaled_d
-    b_scaled_b = b * scaled_b
+    b_scaled_b = b*scaled_b
     one_minus_r22 = b_scaled_b + d_scaled_d
     one_minus_r33 = b_scaled_b + c_scaled_c
-    c_scaled_b = c * scaled_b
-    a_scaled_d = a * scaled_d
-    d_scaled_b = d * scaled_b
-    a_scaled_c = a * scaled_c
-    d_scaled_c = d * scaled_c
-    a_scaled_b = a * scaled_b
+    c_scaled_b = c*scaled_b
+    a_scaled_d = a*scaled_d
+    d_scaled_b = d*scaled_b
+    a_scaled_c = a*scaled_c
+    d_scaled_c = d*scaled_c
+    a_scaled_b = a*scaled_b
     return (
         1.0 - one_minus_r11,
         a_scaled_d + c_scaled_b,
-        d_scaled_b - a_scaled_c,
-        c_scaled_b - a_scaled_d,
+        -a_scaled_c + d_scaled_b,
+        -a_scaled_d + c_scaled_b,
         1.0 - one_minus_r22,
         a_scaled_b + d_scaled_c,
         a_scaled_c + d_scaled_b,
-        d_scaled_c - a_scaled_b,
+        -a_scaled_b + d_scaled_c,
         1.0 - one_minus_r33,
     )
 
@@ -81,24 +81,24 @@ def quaternion_from_matrix(
         c = r12 + r21
         d = r13 + r31
     elif r33 < 0.0:
-        a = r31 - r13
+        a = -r13 + r31
         b = r12 + r21
-        c = r22 - r11 - r33 + 1.0
+        c = -r11 + r22 - r33 + 1.0
         d = r23 + r32
     elif r11 < -r22:
         a = r12 - r21
         b = r13 + r31
         c = r23 + r32
-        d = r33 - r11 - r22 + 1.0
+        d = -r11 - r22 + r33 + 1.0
     else:
         a = r11 + r22 + r33 + 1.0
         b = r23 - r32
-        c = r31 - r13
+        c = -r13 + r31
         d = r12 - r21
-    norm_squared = a * a + b * b + c * c + d * d
+    norm_squared = a*a + b*b + c*c + d*d
     sign = 1.0 if a >= 0.0 else -1.0
-    common_0 = sign / sqrt(norm_squared)
-    return (a * common_0, b * common_0, c * common_0, common_0 * d)
+    common_0 = sign/sqrt(norm_squared)
+    return (a*common_0, b*common_0, c*common_0, common_0*d)
 
 
 def quaternion_from_euler(
@@ -110,22 +110,22 @@ def quaternion_from_euler(
     pitch: pitch about the vehicle-1 y-axis, radians
     yaw: yaw about the inertial z-axis, radians
     """
-    sin_half_pitch = sin(0.5 * pitch)
-    cos_half_pitch = cos(0.5 * pitch)
-    sin_half_roll = sin(0.5 * roll)
-    cos_half_roll = cos(0.5 * roll)
-    sin_half_yaw = sin(0.5 * yaw)
-    cos_half_yaw = cos(0.5 * yaw)
-    cos_half_pitch_cos_half_yaw = cos_half_pitch * cos_half_yaw
-    sin_half_pitch_sin_half_yaw = sin_half_pitch * sin_half_yaw
-    a = cos_half_pitch_cos_half_yaw * cos_half_roll + sin_half_pitch_sin_half_yaw * sin_half_roll
-    b = cos_half_pitch_cos_half_yaw * sin_half_roll - cos_half_roll * sin_half_pitch_sin_half_yaw
-    cos_half_pitch_sin_half_yaw = cos_half_pitch * sin_half_yaw
-    cos_half_yaw_sin_half_pitch = cos_half_yaw * sin_half_pitch
-    c = cos_half_pitch_sin_half_yaw * sin_half_roll + cos_half_roll * cos_half_yaw_sin_half_pitch
-    d = cos_half_pitch_sin_half_yaw * cos_half_roll - cos_half_yaw_sin_half_pitch * sin_half_roll
+    sin_half_pitch = sin(0.5*pitch)
+    cos_half_pitch = cos(0.5*pitch)
+    sin_half_roll = sin(0.5*roll)
+    cos_half_roll = cos(0.5*roll)
+    sin_half_yaw = sin(0.5*yaw)
+    cos_half_yaw = cos(0.5*yaw)
+    cos_half_pitch_cos_half_yaw = cos_half_pitch*cos_half_yaw
+    sin_half_pitch_sin_half_yaw = sin_half_pitch*sin_half_yaw
+    a = cos_half_pitch_cos_half_yaw*cos_half_roll + sin_half_pitch_sin_half_yaw*sin_half_roll
+    b = cos_half_pitch_cos_half_yaw*sin_half_roll - cos_half_roll*sin_half_pitch_sin_half_yaw
+    cos_half_pitch_sin_half_yaw = cos_half_pitch*sin_half_yaw
+    cos_half_yaw_sin_half_pitch = cos_half_yaw*sin_half_pitch
+    c = cos_half_pitch_sin_half_yaw*sin_half_roll + cos_half_roll*cos_half_yaw_sin_half_pitch
+    d = cos_half_pitch_sin_half_yaw*cos_half_roll - cos_half_yaw_sin_half_pitch*sin_half_roll
     sign = 1.0 if a >= 0.0 else -1.0
-    return (a * sign, b * sign, c * sign, d * sign)
+    return (a*sign, b*sign, c*sign, d*sign)
 
 
 def euler_from_quaternion(
@@ -146,22 +146,22 @@ def euler_from_quaternion(
     a_minus_c = a - c
     b_plus_d = b + d
     a_plus_c = a + c
-    d_minus_b = d - b
-    below = a_minus_c * a_minus_c + b_plus_d * b_plus_d
-    above = a_plus_c * a_plus_c + d_minus_b * d_minus_b
-    product_1 = a_plus_c * b_plus_d
-    product_2 = a_minus_c * d_minus_b
-    product_3 = a_minus_c * a_plus_c
-    product_4 = b_plus_d * d_minus_b
-    half_sine = a * c - b * d
-    pitch = atan2(2.0 * half_sine, sqrt(above) * sqrt(below))
+    d_minus_b = -b + d
+    below = a_minus_c*a_minus_c + b_plus_d*b_plus_d
+    above = a_plus_c*a_plus_c + d_minus_b*d_minus_b
+    product_1 = a_plus_c*b_plus_d
+    product_2 = a_minus_c*d_minus_b
+    product_3 = a_minus_c*a_plus_c
+    product_4 = b_plus_d*d_minus_b
+    half_sine = a*c - b*d
+    pitch = atan2(2.0*half_sine, sqrt(above)*sqrt(below))
     locked = abs(pitch) > 1.5707963267948948
     if not locked:
         roll = atan2(product_1 - product_2, product_3 + product_4)
         yaw = atan2(product_1 + product_2, product_3 - product_4)
     else:
         roll = 0.0
-        yaw = atan2(2.0 * a * d - 2.0 * b * c, a * a - b * b + c * c - d * d)
+        yaw = atan2(2.0*a*d - 2.0*b*c, a*a - (b*b) + c*c - (d*d))
     return (roll, pitch, yaw, locked)
 
 
@@ -178,12 +178,12 @@ def quaternion_from_axis_angle(
     Right as long as the length squared neither overflows nor vanishes.
     Ledger: quaternions.2.2.
     """
-    sin_half_angle = sin(0.5 * angle)
-    cos_half_angle = cos(0.5 * angle)
-    length_squared = x * x + y * y + z * z
+    sin_half_angle = sin(0.5*angle)
+    cos_half_angle = cos(0.5*angle)
+    length_squared = x*x + y*y + z*z
     sign = 1.0 if cos_half_angle >= 0.0 else -1.0
-    common_2 = sign * sin_half_angle / sqrt(length_squared)
-    return (cos_half_angle * sign, common_2 * x, common_2 * y, common_2 * z)
+    common_2 = sign*sin_half_angle/sqrt(length_squared)
+    return (cos_half_angle*sign, common_2*x, common_2*y, common_2*z)
 
 
 def axis_angle_from_quaternion(
@@ -199,7 +199,7 @@ def axis_angle_from_quaternion(
     Right as long as the norm squared neither overflows nor vanishes.
     Ledger: quaternions.2.2.
     """
-    length_squared = b * b + c * c + d * d
+    length_squared = b*b + c*c + d*d
     length = sqrt(length_squared)
     sign = 1.0 if a >= 0.0 else -1.0
     if length <= 0.0:
@@ -207,10 +207,10 @@ def axis_angle_from_quaternion(
         y = 0.0
         z = 0.0
     else:
-        x = b * sign / length
-        y = c * sign / length
-        z = d * sign / length
-    return (x, y, z, 2.0 * atan2(length, abs(a)))
+        x = b*sign/length
+        y = c*sign/length
+        z = d*sign/length
+    return (x, y, z, 2.0*atan2(length, abs(a)))
 
 
 def quaternion_multiply(
@@ -230,10 +230,10 @@ def quaternion_multiply(
     Ledger: quaternions.3.2.
     """
     return (
-        a1 * a2 - b1 * b2 - c1 * c2 - d1 * d2,
-        a1 * b2 + a2 * b1 + c1 * d2 - c2 * d1,
-        a1 * c2 + a2 * c1 - b1 * d2 + b2 * d1,
-        a1 * d2 + a2 * d1 + b1 * c2 - b2 * c1,
+        a1*a2 - b1*b2 - c1*c2 - d1*d2,
+        a1*b2 + a2*b1 + c1*d2 - c2*d1,
+        a1*c2 + a2*c1 - b1*d2 + b2*d1,
+        a1*d2 + a2*d1 + b1*c2 - b2*c1,
     )
 
 
@@ -263,13 +263,13 @@ def quaternion_inverse(a: float, b: float, c: float, d: float) -> tuple[float, f
     Right as long as the norm squared neither overflows nor vanishes.
     Ledger: quaternions.3.a.
     """
-    norm_squared = a * a + b * b + c * c + d * d
-    inverse_norm_squared = 1.0 / norm_squared
+    norm_squared = a*a + b*b + c*c + d*d
+    inverse_norm_squared = 1.0/norm_squared
     return (
-        a * inverse_norm_squared,
-        -b * inverse_norm_squared,
-        -c * inverse_norm_squared,
-        -d * inverse_norm_squared,
+        a*inverse_norm_squared,
+        -b*inverse_norm_squared,
+        -c*inverse_norm_squared,
+        -d*inverse_norm_squared,
     )
 
 
@@ -289,15 +289,15 @@ def rotate_to_inertial(
     Right as long as the norm squared neither overflows nor vanishes.
     Ledger: quaternions.3.1.
     """
-    norm_squared = a * a + b * b + c * c + d * d
-    factor = 2.0 / norm_squared
-    across_x = c * z - d * y
-    across_y = d * x - b * z
-    across_z = b * y - c * x
+    norm_squared = a*a + b*b + c*c + d*d
+    factor = 2.0/norm_squared
+    across_x = c*z - d*y
+    across_y = -b*z + d*x
+    across_z = b*y - c*x
     return (
-        factor * (a * across_x - across_y * d + across_z * c) + x,
-        factor * (a * across_y + across_x * d - across_z * b) + y,
-        factor * (a * across_z - across_x * c + across_y * b) + z,
+        factor*(a*across_x - across_y*d + across_z*c) + x,
+        factor*(a*across_y + across_x*d - across_z*b) + y,
+        factor*(a*across_z - across_x*c + across_y*b) + z,
     )
 
 
@@ -317,15 +317,15 @@ def rotate_to_body(
     Right as long as the norm squared neither overflows nor vanishes.
     Ledger: quaternions.3.1, quaternions.3.4.
     """
-    norm_squared = a * a + b * b + c * c + d * d
-    factor = 2.0 / norm_squared
-    across_x = d * y - c * z
-    across_y = b * z - d * x
-    across_z = c * x - b * y
+    norm_squared = a*a + b*b + c*c + d*d
+    factor = 2.0/norm_squared
+    across_x = -c*z + d*y
+    across_y = b*z - d*x
+    across_z = -b*y + c*x
     return (
-        factor * (a * across_x + across_y * d - across_z * c) + x,
-        factor * (a * across_y - across_x * d + across_z * b) + y,
-        factor * (a * across_z + across_x * c - across_y * b) + z,
+        factor*(a*across_x + across_y*d - across_z*c) + x,
+        factor*(a*across_y - across_x*d + across_z*b) + y,
+        factor*(a*across_z + across_x*c - across_y*b) + z,
     )
 
 
@@ -343,20 +343,23 @@ def quaternion_after_constant_rates(
     r: body rate about z, rad/s
     dt: time that passes, s
     """
-    half_turn = 0.5 * dt * sqrt(p * p + q * q + r * r)
+    half_turn = 0.5*dt*sqrt(p*p + q*q + r*r)
     sin_half_turn = sin(half_turn)
-    ratio = sin_half_turn / half_turn if half_turn > 0.0 else 1.0
+    if half_turn > 0.0:
+        ratio = sin_half_turn/half_turn
+    else:
+        ratio = 1.0
     cos_half_turn = cos(half_turn)
     turn_a = cos_half_turn
-    common_2 = 0.5 * dt * ratio
-    turn_b = common_2 * p
-    turn_c = common_2 * q
-    turn_d = common_2 * r
+    common_2 = 0.5*dt*ratio
+    turn_b = common_2*p
+    turn_c = common_2*q
+    turn_d = common_2*r
     return (
-        a * turn_a - b * turn_b - c * turn_c - d * turn_d,
-        a * turn_b + b * turn_a + c * turn_d - d * turn_c,
-        a * turn_c - b * turn_d + c * turn_a + d * turn_b,
-        a * turn_d + b * turn_c - c * turn_b + d * turn_a,
+        a*turn_a - b*turn_b - c*turn_c - d*turn_d,
+        a*turn_b + b*turn_a + c*turn_d - d*turn_c,
+        a*turn_c - b*turn_d + c*turn_a + d*turn_b,
+        a*turn_d + b*turn_c - c*turn_b + d*turn_a,
     )
 
 
@@ -374,8 +377,8 @@ def quaternion_rates(
     r: body rate about z, rad/s
     """
     return (
-        -(0.5 * b * p) - 0.5 * c * q - 0.5 * d * r,
-        0.5 * a * p + 0.5 * c * r - 0.5 * d * q,
-        0.5 * a * q - 0.5 * b * r + 0.5 * d * p,
-        0.5 * a * r + 0.5 * b * q - 0.5 * c * p,
+        -0.5*b*p - 0.5*c*q - 0.5*d*r,
+        0.5*a*p + 0.5*c*r - 0.5*d*q,
+        0.5*a*q - 0.5*b*r + 0.5*d*p,
+        0.5*a*r + 0.5*b*q - 0.5*c*p,
     )

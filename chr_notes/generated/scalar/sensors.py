@@ -19,8 +19,8 @@ def accelerometer_at_rest(roll: float, pitch: float, gravity: float) -> tuple[fl
     cos_pitch = cos(pitch)
     sin_roll = sin(roll)
     cos_roll = cos(roll)
-    cos_pitch_gravity = cos_pitch * gravity
-    return (gravity * sin_pitch, -cos_pitch_gravity * sin_roll, -cos_pitch_gravity * cos_roll)
+    cos_pitch_gravity = cos_pitch*gravity
+    return (gravity*sin_pitch, -cos_pitch_gravity*sin_roll, -cos_pitch_gravity*cos_roll)
 
 
 def sensor_measures(
@@ -66,13 +66,13 @@ def sensor_measures(
 
     Ledger: sensors.2.3, sensors.2.4.
     """
-    own_x = sensitivity_x * x - bias_x
-    own_y = sensitivity_y * y - bias_y
-    own_z = sensitivity_z * z - bias_z
+    own_x = -bias_x + sensitivity_x*x
+    own_y = -bias_y + sensitivity_y*y
+    own_z = -bias_z + sensitivity_z*z
     return (
-        m11 * own_x + m12 * own_y + m13 * own_z,
-        m21 * own_x + m22 * own_y + m23 * own_z,
-        m31 * own_x + m32 * own_y + m33 * own_z,
+        m11*own_x + m12*own_y + m13*own_z,
+        m21*own_x + m22*own_y + m23*own_z,
+        m31*own_x + m32*own_y + m33*own_z,
     )
 
 
@@ -120,9 +120,9 @@ def sensor_corrected(
     Ledger: sensors.2.5, sensors.2.e, sensors.4.1.
     """
     return (
-        (bias_x + n11 * x + n12 * y + n13 * z) / sensitivity_x,
-        (bias_y + n21 * x + n22 * y + n23 * z) / sensitivity_y,
-        (bias_z + n31 * x + n32 * y + n33 * z) / sensitivity_z,
+        (bias_x + n11*x + n12*y + n13*z)/sensitivity_x,
+        (bias_y + n21*x + n22*y + n23*z)/sensitivity_y,
+        (bias_z + n31*x + n32*y + n33*z)/sensitivity_z,
     )
 
 
@@ -193,13 +193,13 @@ def gyro_measures(
 
     Ledger: sensors.3.2.
     """
-    own_x = accel_x * c11 + accel_y * c12 + accel_z * c13 - bias_x + sensitivity_x * x
-    own_y = accel_x * c21 + accel_y * c22 + accel_z * c23 - bias_y + sensitivity_y * y
-    own_z = accel_x * c31 + accel_y * c32 + accel_z * c33 - bias_z + sensitivity_z * z
+    own_x = accel_x*c11 + accel_y*c12 + accel_z*c13 - bias_x + sensitivity_x*x
+    own_y = accel_x*c21 + accel_y*c22 + accel_z*c23 - bias_y + sensitivity_y*y
+    own_z = accel_x*c31 + accel_y*c32 + accel_z*c33 - bias_z + sensitivity_z*z
     return (
-        m11 * own_x + m12 * own_y + m13 * own_z,
-        m21 * own_x + m22 * own_y + m23 * own_z,
-        m31 * own_x + m32 * own_y + m33 * own_z,
+        m11*own_x + m12*own_y + m13*own_z,
+        m21*own_x + m22*own_y + m23*own_z,
+        m31*own_x + m32*own_y + m33*own_z,
     )
 
 
@@ -271,12 +271,9 @@ def gyro_corrected(
     Ledger: sensors.3.2.
     """
     return (
-        (bias_x - accel_x * c11 - accel_y * c12 - accel_z * c13 + n11 * x + n12 * y
-            + n13 * z) / sensitivity_x,
-        (bias_y - accel_x * c21 - accel_y * c22 - accel_z * c23 + n21 * x + n22 * y
-            + n23 * z) / sensitivity_y,
-        (bias_z - accel_x * c31 - accel_y * c32 - accel_z * c33 + n31 * x + n32 * y
-            + n33 * z) / sensitivity_z,
+        (-accel_x*c11 - accel_y*c12 - accel_z*c13 + bias_x + n11*x + n12*y + n13*z)/sensitivity_x,
+        (-accel_x*c21 - accel_y*c22 - accel_z*c23 + bias_y + n21*x + n22*y + n23*z)/sensitivity_y,
+        (-accel_x*c31 - accel_y*c32 - accel_z*c33 + bias_z + n31*x + n32*y + n33*z)/sensitivity_z,
     )
 
 
@@ -318,9 +315,9 @@ def iron_removed(
     Ledger: sensors.4.2.
     """
     return (
-        d11 * x + d12 * y + d13 * z - hard_x,
-        d21 * x + d22 * y + d23 * z - hard_y,
-        d31 * x + d32 * y + d33 * z - hard_z,
+        d11*x + d12*y + d13*z - hard_x,
+        d21*x + d22*y + d23*z - hard_y,
+        d31*x + d32*y + d33*z - hard_z,
     )
 
 
@@ -362,7 +359,7 @@ def iron_added(
     Ledger: sensors.4.2.
     """
     return (
-        hard_x * n11 + hard_y * n12 + hard_z * n13 + n11 * x + n12 * y + n13 * z,
-        hard_x * n21 + hard_y * n22 + hard_z * n23 + n21 * x + n22 * y + n23 * z,
-        hard_x * n31 + hard_y * n32 + hard_z * n33 + n31 * x + n32 * y + n33 * z,
+        hard_x*n11 + hard_y*n12 + hard_z*n13 + n11*x + n12*y + n13*z,
+        hard_x*n21 + hard_y*n22 + hard_z*n23 + n21*x + n22*y + n23*z,
+        hard_x*n31 + hard_y*n32 + hard_z*n33 + n31*x + n32*y + n33*z,
     )

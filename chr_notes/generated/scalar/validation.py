@@ -2,7 +2,7 @@
 From the derivations behind the ledger entries validation.12, validation.16, validation.17.
 """
 
-from math import atan2, cos, sin, sqrt
+from math import atan2, cos, sin, sqrt, nan
 
 
 def heading_from_magnetometer(
@@ -18,15 +18,22 @@ def heading_from_magnetometer(
     north: horizontal field at yaw 0 along x, any unit
     east: horizontal field at yaw 0 along y, any unit
 
+    Right as long as the length squared neither overflows nor vanishes.
     Ledger: validation.12, validation.16.
     """
     sin_pitch = sin(pitch)
     cos_pitch = cos(pitch)
     sin_roll = sin(roll)
     cos_roll = cos(roll)
-    level_x = cos_pitch * mag_x + cos_roll * mag_z * sin_pitch + mag_y * sin_pitch * sin_roll
-    level_y = cos_roll * mag_y - mag_z * sin_roll
-    return atan2(east * level_x - level_y * north, east * level_y + level_x * north)
+    size = abs(mag_x) + abs(mag_y) + abs(mag_z)
+    has_direction = size <= 1.7976931348623157e+308 and size > 0.0
+    level_x = cos_pitch*mag_x + cos_roll*mag_z*sin_pitch + mag_y*sin_pitch*sin_roll
+    level_y = cos_roll*mag_y - mag_z*sin_roll
+    if has_direction:
+        result = atan2(east*level_x - level_y*north, east*level_y + level_x*north)
+    else:
+        result = nan
+    return result
 
 
 def validation_factor(
@@ -41,13 +48,26 @@ def validation_factor(
     pitch: pitch about the vehicle-1 y-axis, radians
     reference_down: part of the field that points down, the whole field being 1
 
-    Right as long as the field squared neither overflows nor vanishes.
     Ledger: validation.17.
     """
     sin_pitch = sin(pitch)
     cos_pitch = cos(pitch)
     sin_roll = sin(roll)
     cos_roll = cos(roll)
-    field_squared = mag_x * mag_x + mag_y * mag_y + mag_z * mag_z
-    level_z = cos_pitch * cos_roll * mag_z + cos_pitch * mag_y * sin_roll - mag_x * sin_pitch
-    return abs(reference_down - level_z / sqrt(field_squared))
+    size = abs(mag_x) + abs(mag_y) + abs(mag_z)
+    has_direction = size <= 1.7976931348623157e+308 and size > 0.0
+    if has_direction:
+        reading_x = mag_x/size
+        reading_y = mag_y/size
+        reading_z = mag_z/size
+    else:
+        reading_x = 0.0
+        reading_y = 0.0
+        reading_z = 0.0
+    length_squared = reading_x*reading_x + reading_y*reading_y + reading_z*reading_z
+    level_z = cos_pitch*cos_roll*reading_z + cos_pitch*reading_y*sin_roll - reading_x*sin_pitch
+    if has_direction:
+        result = abs(reference_down - level_z/sqrt(length_squared))
+    else:
+        result = nan
+    return result

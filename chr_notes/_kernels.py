@@ -1,0 +1,71 @@
+"""The kernels: functions of arrays in compiled C, where they were built.
+
+The environment variable `CHR_NOTES_KERNELS` says `off` to compute with NumPy alone, and `require`
+to fail where the kernels cannot be used.
+"""
+
+import os
+import warnings
+from collections.abc import Callable
+from importlib import import_module
+from types import ModuleType
+from typing import Any
+
+from chr_notes.generated.stamp import STAMP
+
+VARIABLE = "CHR_NOTES_KERNELS"
+
+
+def _load() -> ModuleType | None:
+    choice = os.environ.get(VARIABLE, "")
+    if choice not in ("", "off", "require"):
+        msg = f"{VARIABLE}: expected off or require, got {choice!r}"
+        raise ValueError(msg)
+    if choice == "off":
+        return None
+    try:
+        module = import_module("chr_notes._compiled")
+    except ImportError as error:
+        if choice == "require":
+            msg = "expected the kernels, but they were not built: is there a C compiler?"
+            raise ImportError(msg) from error
+        return None
+    if module.stamp != STAMP:
+        msg = "the kernels were built from other sources than these: install chr_notes again"
+        if choice == "require":
+            raise ImportError(msg)
+        warnings.warn(f"{msg}; until then NumPy computes", RuntimeWarning, stacklevel=2)
+        return None
+    return module
+
+
+_MODULE = _load()
+
+
+def kernel(name: str) -> Callable[..., Any] | None:
+    """Find a kernel by the name of its function, None where NumPy has to do.
+
+    It takes arrays, and None or an array for the result. It returns the result; or the result and
+    a byte for each row that is left to the general way; or None where the arrays are not of
+    float64 in C order, or would have to be broadcast.
+    """
+    return getattr(_MODULE, name, None)
+
+
+def kernels_in_use() -> bool:
+    """Say whether compiled kernels do the work, or NumPy.
+
+    They are built when chr_notes is installed, where there is a C compiler. The environment
+    variable `CHR_NOTES_KERNELS` says `off` to do without, and `require` to fail without.
+
+    Returns
+    -------
+    bool
+        Whether they are at work.
+
+    Examples
+    --------
+    >>> isinstance(kernels_in_use(), bool)
+    True
+    """
+    return _MODULE is not None

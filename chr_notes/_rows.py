@@ -1,0 +1,256 @@
+"""Functions that take each row of their arrays by itself: by a kernel, and by NumPy."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import reduce
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from chr_notes._arrays import Floats, common_shape, floats
+from chr_notes._kernels import kernel
+from chr_notes.generated.arrays.euler import rotation_defect
+from chr_notes.generated.arrays.shapes import SHAPES
+
+Bools = NDArray[np.bool_]
+Places = NDArray[np.intp]
+
+ROTATION_TOLERANCE = 1e-4
+"""How far `R Rᵀ` may be off the identity, as the root mean square over its elements.
+
+Matrices that are printed with four digits still pass.
+"""
+BLOCK = 8192
+"""Rows that NumPy works on at a time: few enough to stay in cache."""
+# A number between these has a square that lost nothing.
+_LEAST, _MOST = 2.0**-190, 2.0**190
+
+
+@dataclass(frozen=True)
+class Locked:
+    """Attitudes at gimbal lock.
+
+    Parameters
+    ----------
+    count
+        How many there are.
+    places
+        Their indices in C order: the first one, or all of them if they were asked for.
+    """
+
+    count: int
+    places: Places
+
+
+NONE_LOCKED = Locked(0, np.empty(0, dtype=np.intp))
+
+
+class Rows:
+    """A function that takes each row of its arrays by itself, and broadcasts.
+
+    A kernel computes where there is one. What it leaves, such as NaN, very large angles or
+    quaternions, and attitudes at gimbal lock, and everything where there is none, NumPy does.
+
+    Parameters
+    ----------
+    general
+        The function from `chr_notes.generated.arrays`.
+    rotation
+        Whether the first array has to be a rotation.
+    scaled
+        What a row of zeros means in the first array, if its length does not matter: it is
+        "refused", or "nothing" comes out, NaN.
+    degree
+        Power of that length to which the result is proportional nevertheless.
+    """
+
+    def __init__(
+        self,
+        general: Callable[..., Bools | None],
+        *,
+        rotation: bool = False,
+        scaled: Literal["refused", "nothing"] | None = None,
+        degree: int = 0,
+    ) -> None:
+        self._general = general
+        self._kernel = kernel(general.__name__)
+        arrays, self._result = SHAPES[general.__name__]
+        self._names, self._lasts = tuple(arrays), tuple(arrays.values())
+        self._rotation, self._scaled, self._degree = rotation, scaled, degree
+
+    def __call__(self, *given: ArrayLike, out: Floats | None = None) -> Floats:
+        """Compute; the arguments come in the order of the general function's."""
+        return self.located(*given, out=out)[0]
+
+    def located(
+        self,
+        *given: ArrayLike,
+        out: Floats | None = None,
+        names: tuple[str, ...] | None = None,
+        every_place: bool = False,
+    ) -> tuple[Floats, Locked]:
+        """Compute, and tell where attitudes are at gimbal lock.
+
+        Parameters
+        ----------
+        *given
+            The arguments.
+        out
+            For the result, if it is to go there.
+        names
+            Of the arguments for errors, where they are not those of the general function.
+        every_place
+            Keep the index of each attitude at gimbal lock, for which memory grows with their
+            number, instead of the first one's.
+
+        Returns
+        -------
+        result
+            Of shape (..., *last axes).
+        locked
+            The attitudes at gimbal lock.
+
+        Raises
+        ------
+        ValueError
+            If a shape is wrong, a row of zeros is refused, or a matrix is no rotation.
+        TypeError
+            If an argument holds no real numbers.
+        """
+        done = self._kernel(*given, out) if self._kernel is not None else None
+        if done.__class__ is np.ndarray:
+            return done, NONE_LOCKED
+        names = names or self._names
+        arrays = [floats(n, g, *last) for n, g, last in zip(names, given, self._lasts, strict=True)]
+        axes = map(len, self._lasts)
+        leading = common_shape(*zip(names, arrays, axes, strict=True))
+        _check_out(out, (*leading, *self._result))
+        rows = [_rows(a, leading, last) for a, last in zip(arrays, self._lasts, strict=True)]
+        if done is None and self._kernel is not None:
+            done = self._kernel(*rows, None)
+        shape, locked = (*leading, *self._result), NONE_LOCKED
+        if isinstance(done, np.ndarray):
+            result = done.reshape(shape)
+        else:
+            result, left = done or (np.empty(shape), None)
+            result = result.reshape(shape)
+            locked = self._complete(result, left, rows, leading, names[0], every_place=every_place)
+        if out is None or out is result:
+            return result, locked
+        np.copyto(out, result, casting="same_kind")
+        return out, locked
+
+    def _complete(  # noqa: PLR0913 (what there is, and what to say of it)
+        self,
+        result: Floats,
+        left: bytes | None,
+        rows: list[Floats],
+        leading: tuple[int, ...],
+        name: str,
+        *,
+        every_place: bool,
+    ) -> Locked:
+        """Compute what the kernel has left, block by block."""
+        count = int(np.prod(leading, dtype=np.intp))
+        flat = result.reshape(count, *self._result)
+        odd = None if left is None else np.frombuffer(left, dtype=np.bool_)
+        locked, places = 0, list[Places]()
+        with np.errstate(all="ignore"):
+            for start in range(0, count, BLOCK):
+                block: slice | Places = slice(start, min(start + BLOCK, count))
+                if odd is not None:
+                    block = start + np.flatnonzero(odd[block])
+                    if not block.size:
+                        continue
+                parts = [array if len(array) == 1 else array[block] for array in rows]
+                try:
+                    flat[block], lock = self._block(parts, len(flat[block]))
+                except _WrongRow as wrong:
+                    several = len(rows[0]) > 1
+                    index = np.unravel_index(np.r_[block][wrong.row], leading) if several else ()
+                    msg = wrong.message.format(f"{name}: ", tuple(map(int, index)))
+                    raise ValueError(msg) from None
+                if lock is not None and lock.any():
+                    if every_place or not places:
+                        places.append(np.r_[block][lock][: None if every_place else 1])
+                    locked += int(np.count_nonzero(lock))
+        return Locked(locked, np.concatenate(places)) if places else NONE_LOCKED
+
+    def _block(self, parts: list[Floats], size: int) -> tuple[Floats, Bools | None]:
+        missing = reduce(np.logical_or, map(_missing, parts))
+        if self._rotation:
+            _check_rotations(parts[0], missing)
+        exponent = None
+        if self._scaled is not None:
+            parts[0], exponent = _scaled(parts[0], refused=self._scaled == "refused")
+        values = np.empty((size, *self._result))
+        lock = self._general(*parts, values)
+        if exponent is not None and self._degree:
+            exponent = self._degree * exponent
+            values = np.ldexp(values, exponent.reshape(-1, *[1] * len(self._result)))
+        values[np.broadcast_to(missing, size)] = np.nan
+        return values, lock
+
+
+class _WrongRow(Exception):  # noqa: N818 (it becomes an error once its place is known)
+    """A row that is refused: its number in the block, and what to say."""
+
+    def __init__(self, row: int, message: str) -> None:
+        super().__init__(message)
+        self.row, self.message = row, message
+
+
+def _check_out(out: Floats | None, shape: tuple[int, ...]) -> None:
+    if out is not None and (not isinstance(out, np.ndarray) or out.shape != shape):
+        got = out.shape if isinstance(out, np.ndarray) else type(out).__name__
+        msg = f"out: expected an array of shape {shape}, got {got}"
+        raise ValueError(msg)
+
+
+def _rows(array: Floats, leading: tuple[int, ...], last: tuple[int, ...]) -> Floats:
+    """Write an array as rows: as many as there are results, or one for all."""
+    if array.size == np.prod(last, dtype=np.intp):
+        return array.reshape(1, *last)
+    return np.ascontiguousarray(np.broadcast_to(array, (*leading, *last))).reshape(-1, *last)
+
+
+def _missing(part: Floats) -> Bools:
+    """Say which rows have NaN: what comes of them is NaN as a whole."""
+    return np.asarray(np.isnan(part).reshape(len(part), -1).any(axis=1))
+
+
+def _scaled(rows: Floats, *, refused: bool) -> tuple[Floats, NDArray[np.intc] | None]:
+    """Bring each row's largest element to between 1/2 and 1, exactly, if one needs it.
+
+    Returns
+    -------
+    rows
+        The scaled rows.
+    exponent
+        Power of two by which each was divided; None if none was.
+    """
+    largest = reduce(np.maximum, np.abs(rows).T)
+    if refused and (largest == 0).any():
+        row = int(np.argmax(largest == 0))
+        raise _WrongRow(row, "{}expected no row of zeros, got one at index {}")
+    if ((largest > _LEAST) & (largest < _MOST)).all():
+        return rows, None
+    exponent = np.where(np.isfinite(largest), np.frexp(largest)[1], 0)
+    return np.ldexp(rows, -exponent[:, np.newaxis]), exponent
+
+
+def _check_rotations(matrix: Floats, missing: Bools) -> None:
+    """Refuse matrices that are not rotations; those with NaN are passed over."""
+    defects = np.empty((len(matrix), 2))
+    rotation_defect(matrix, defects)
+    off_by, determinant = defects.T
+    wrong = np.flatnonzero(~((off_by <= ROTATION_TOLERANCE) & (determinant >= 0)) & ~missing)
+    if wrong.size:
+        first = int(wrong[0])
+        raise _WrongRow(
+            first,
+            f"{{}}expected rotations (R Rᵀ = I within {ROTATION_TOLERANCE:g}, determinant 1), got "
+            f"one at index {{}} with R Rᵀ off by {off_by[first]:.2g} and determinant "
+            f"{determinant[first]:.4g}",
+        )

@@ -1,0 +1,171 @@
+"""Printer of C functions of arrays: loops over columns, and loops over samples for filters."""
+
+from sympy import Basic, cos, sin
+from sympy.core.relational import Relational
+from sympy.logic.boolalg import BooleanFunction
+
+from chr_notes.codegen.expressions import ColumnC, Spelling, StepC
+from chr_notes.codegen.header import folded, made_how
+from chr_notes.codegen.lowering import Program, expressions
+from chr_notes.derivations.computation import Choice, Let
+
+COLUMN, STEP = ColumnC(), StepC()
+RUN = "(ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,"
+
+
+def source(columns: tuple[Program, ...], steps: tuple[Program, ...]) -> str:
+    """Print the kernels, and a table of them.
+
+    Parameters
+    ----------
+    columns
+        Functions of rows, lowered with guard and validity.
+    steps
+        Steps of filters.
+    """
+    lines = ["/*", *(f" * {line}" for line in made_how((*columns, *steps))), " */"]
+    lines += ['#include "../../native/columns.h"', ""]
+    for program in columns:
+        lines += [*_columns(program), ""]
+    for program in steps:
+        lines += [*_samples(program), ""]
+    lines.append("const Kernel KERNELS[] = {")
+    for program in (*columns, *steps):
+        sizes = [0 if len(e) == 1 else len(e) for _, e in program.target.arrays]
+        size = len(program.results) if program.shape else 0
+        name = program.target.name
+        lines.append(
+            f'    {{"{name}", {name}, {size}, {len(sizes)}, {{{", ".join(map(str, sizes))}}}}},'
+        )
+    return "\n".join([*lines, "    {0},", "};", ""])
+
+
+def _columns(program: Program) -> list[str]:
+    """Print a kernel that computes each row by itself."""
+    target = program.target
+    size = len(program.results)
+    lines = [
+        f"EVERY_INSTRUCTION_SET static int64_t {target.name}",
+        f"    {RUN}",
+        "     unsigned char *odd)",
+        "{",
+        "    int64_t any = 0;",
+        "    FOR_EACH_BLOCK(rows) {",
+        *(f"        double {name}_in[{len(each)}][BLOCK];" for name, each in target.arrays),
+        f"        double results[{size}][BLOCK];",
+        "        int64_t left[BLOCK], some = 0;",
+        *(
+            f"        LOAD({name}_in, {place}, {len(each)})"
+            for place, (name, each) in enumerate(target.arrays)
+        ),
+        "        for (ptrdiff_t row = 0; row < padded; row++) {",
+    ]
+    used = _used(program)
+    inner: list[str] = []
+    for name, elements in target.arrays:
+        inner += [
+            f"const double {element.name} = {name}_in[{place}][row];"
+            for place, element in enumerate(elements)
+            if element.name in used
+        ]
+    for step in program.steps:
+        inner += _branchless(step, program)
+    inner += [f"results[{p}][row] = {COLUMN.written(v)};" for p, v in enumerate(program.results)]
+    kept = " & ".join(_handled(program, used))
+    inner += [f"left[row] = !({kept});", "some |= left[row];"]
+    lines += [part for line in inner for part in folded(f"            {line}")]
+    return [
+        *lines,
+        "        }",
+        f"        STORE(results, {size})",
+        "        if (some) {",
+        "            any = 1;",
+        "            for (ptrdiff_t row = 0; row < count; row++)",
+        "                odd[start + row] = left[row] != 0;",
+        "        }",
+        "    }",
+        "    return any;",
+        "}",
+    ]
+
+
+def _used(program: Program) -> set[str]:
+    values = expressions(program.steps, program.results)
+    return {symbol.name for value in values for symbol in value.free_symbols}
+
+
+def _handled(program: Program, used: set[str]) -> list[str]:
+    """List the conditions under which a row is right: what is not met goes the general way."""
+    names = [a.name for a in program.target.arguments if a.name in used]
+    conditions = [f"FINITE({' + '.join(names)})"]
+    angles = {
+        call.args[0]
+        for value in expressions(program.steps, program.results)
+        for call in value.atoms(sin, cos)
+    }
+    conditions += [
+        f"(fabs({COLUMN.written(angle)}) < LARGEST_ANGLE)" for angle in sorted(angles, key=str)
+    ]
+    if program.guard is not None:
+        conditions.append(f"IN_RANGE({program.guard})")
+    if program.valid is not None:
+        conditions.append(f"{program.valid}")
+    if program.flag is not None:
+        conditions.append(f"!{program.flag}")
+    return conditions
+
+
+def _branchless(step: Let | Choice, program: Program) -> list[str]:
+    if isinstance(step, Let):
+        return [f"const {_kind(step.value)} {step.name} = {COLUMN.written(step.value)};"]
+    # Rows at gimbal lock go the general way.
+    first, values = step.branches[0]
+    if program.flag is not None and first == ~program.flag:
+        pairs = zip(step.names, values, strict=True)
+        return [f"const double {name} = {COLUMN.written(value)};" for name, value in pairs]
+    return [f"const double {name} = {COLUMN.conditional(step, name)};" for name in step.names]
+
+
+def _kind(value: Basic) -> str:
+    return "int" if isinstance(value, BooleanFunction | Relational) else "double"
+
+
+def _samples(program: Program) -> list[str]:
+    """Print a kernel that goes from sample to sample, with a state that each one changes."""
+    target = program.target
+    (_, state), *samples = target.arrays
+    used = _used(program)
+    lines = [
+        f"static int64_t {target.name}",
+        f"    {RUN}",
+        "     unsigned char *odd)",
+        "{",
+        *(f"    double {e.name} = in[0][{place}];" for place, e in enumerate(state)),
+        "    (void)odd;",
+        "    for (ptrdiff_t row = 0; row < rows; row++) {",
+    ]
+    inner: list[str] = []
+    for array, (_, elements) in enumerate(samples, start=1):
+        inner += [
+            f"const double {element.name} = in[{array}][row * step[{array}] + {place}];"
+            for place, element in enumerate(elements)
+            if element.name in used
+        ]
+    for step in program.steps:
+        inner += _with_branches(step, STEP)
+    inner += [
+        f"const double next_{e.name} = {STEP.written(value)};"
+        for e, value in zip(state, program.results, strict=True)
+    ]
+    inner += [
+        f"out[row * {len(state)} + {place}] = {e.name} = next_{e.name};"
+        for place, e in enumerate(state)
+    ]
+    lines += [part for line in inner for part in folded(f"        {line}")]
+    return [*lines, "    }", "    return 0;", "}"]
+
+
+def _with_branches(step: Let | Choice, language: Spelling) -> list[str]:
+    if isinstance(step, Let):
+        return [f"const {_kind(step.value)} {step.name} = {language.written(step.value)};"]
+    return [f"const double {name} = {language.conditional(step, name)};" for name in step.names]

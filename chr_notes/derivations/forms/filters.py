@@ -1,0 +1,148 @@
+"""Forms of one step of each filter, with all that a sample may bring.
+
+A sample with NaN, infinity or a rate that no gyro reads is held out: the estimate stays as if the
+body had not turned. A reading of the accelerometer without a direction is not heard.
+"""
+
+from functools import cache
+
+from sympy import Abs, And, ImmutableMatrix, Symbol, atan2, cos, sqrt, symbols
+
+from chr_notes.derivations import estimation, hamilton
+from chr_notes.derivations.computation import (
+    LARGEST,
+    Choice,
+    Computation,
+    Let,
+    otherwise,
+)
+from chr_notes.derivations.forms import estimation as forms
+from chr_notes.derivations.forms import quaternions as quaternion_forms
+from chr_notes.derivations.forms.euler import euler_rates
+from chr_notes.symbols import ACCELEROMETER, BODY_RATES, EULER, QUATERNION, Angle, T
+
+WILD_RATE = 10**12
+"""No gyro reads as much, rad/s: such rates come from damaged logs, and leave angles no digits."""
+RATES = symbols("rate_x rate_y rate_z", real=True)
+
+
+def _steps_of_rates() -> tuple[Let | Choice, ...]:
+    """Take the rates where they are rates, none elsewhere."""
+    whole = Symbol("whole_turn", real=True)
+    moves = Symbol("moves", real=True)
+    within = [Abs(rate) < WILD_RATE for rate in BODY_RATES]
+    return (
+        Let(whole, T * sum(map(Abs, BODY_RATES))),
+        Let(moves, And(*within, whole <= LARGEST)),
+        Choice(RATES, ((moves, BODY_RATES), otherwise(*(0 * rate for rate in BODY_RATES)))),
+    )
+
+
+@cache
+def gyro_turn() -> Computation:
+    """Attitude quaternion one period later: an exact turn by rates that are held for it."""
+    rates = dict(zip(BODY_RATES, RATES, strict=True))
+    turn = quaternion_forms.constant_rate_step().of(rates)
+    return Computation((*_steps_of_rates(), *turn.steps), turn.results)
+
+
+@cache
+def gyro_step() -> Computation:
+    """Euler angles one period later, by Euler integration of the gyros' readings."""
+    rates = euler_rates().of(dict(zip(BODY_RATES, RATES, strict=True)))
+    angles = zip(EULER, rates.results, strict=True)
+    return Computation(
+        (*_steps_of_rates(), *rates.steps),
+        ImmutableMatrix([estimation.euler_step(angle, rate) for angle, rate in angles]),
+    )
+
+
+@cache
+def observer_turn() -> Computation:
+    """Attitude quaternion one period later: the gyros predict, the accelerometer corrects.
+
+    The correction turns the body by the share L of the angle between the reading that is expected
+    of a body at rest and the one that was taken. Where the two point in opposite directions, no
+    axis is better than another, and none is taken.
+    """
+    step = gyro_turn()
+    predicted = symbols("predicted_a predicted_b predicted_c predicted_d", real=True)
+    expected = estimation.gravity_seen().xreplace(dict(zip(QUATERNION, predicted, strict=True)))
+    # In units in which no square overflows or vanishes.
+    reading = symbols("reading_x reading_y reading_z", real=True)
+    size, known = symbols("size has_direction", real=True)
+    scaled = tuple(element / size for element in ACCELEROMETER)
+    # The derived turn, with what its parts have in common under a name.
+    turn = estimation.turn_towards().xreplace(dict(zip(ACCELEROMETER, reading, strict=True)))
+    off = ImmutableMatrix(reading).cross(ImmutableMatrix(estimation.EXPECTED))
+    across = symbols("across_x across_y across_z", real=True)
+    length, half, stays, factor = symbols("sine_off half_turn_back turn_back_a factor", real=True)
+    angle = turn[0].args[0]
+    lengths = {next(iter(angle.atoms(atan2))).args[0]: length}
+    common = (turn[1] / off[0]).subs({angle: half}).subs(lengths)
+    back = ImmutableMatrix([stays, *(factor * name for name in across)])
+    return Computation(
+        (
+            *step.steps,
+            *map(Let, predicted, step.results),
+            *map(Let, estimation.EXPECTED, expected),
+            Let(size, sum(map(Abs, ACCELEROMETER))),
+            Let(known, And(size > 0, size <= LARGEST)),
+            Choice(reading, ((known, scaled), otherwise(*(0 * element for element in scaled)))),
+            *map(Let, across, off),
+            Let(length, sqrt(sum(name**2 for name in across))),
+            Let(half, angle.subs(lengths)),
+            Choice(
+                (stays, factor), ((length > 0, (cos(half), common)), otherwise(size**0, 0 * size))
+            ),
+        ),
+        hamilton.multiply(ImmutableMatrix(predicted), back),
+    )
+
+
+@cache
+def observer_step() -> Computation:
+    """`observer_turn` from Euler angles to Euler angles."""
+    before = quaternion_forms.quaternion_from_euler().of({}, "start_")
+    turn = observer_turn().of(dict(zip(QUATERNION, before.results, strict=True)))
+    end = symbols("end_a end_b end_c end_d", real=True)
+    after = quaternion_forms.euler_from_quaternion().of(
+        dict(zip(QUATERNION, end, strict=True)), "end_"
+    )
+    steps = (*before.steps, *turn.steps, *map(Let, end, turn.results), *after.steps)
+    return Computation(steps, after.results)
+
+
+@cache
+def euler_observer_step() -> Computation:
+    """Euler angles one period later as the notes have it, angle by angle.
+
+    The gyros predict by Euler integration, the accelerometer corrects roll and pitch, the shorter
+    way round. Yaw comes from the gyros alone.
+    """
+    step = gyro_step()
+    tilt = forms.tilt().of({}, "seen_")
+    predicted = symbols("predicted_roll predicted_pitch", real=True, cls=Angle)
+    turns = symbols("roll_to_measured pitch_to_measured", real=True, cls=Angle)
+    shortest = symbols("roll_off pitch_off", real=True, cls=Angle)
+    known = Symbol(f"seen_{forms.KNOWN.name}", real=True)
+    off = [estimation.update(0, estimation.shortest_turn(turn)) for turn in turns]
+    return Computation(
+        (
+            *step.steps,
+            *tilt.steps,
+            *map(Let, predicted, step.results),
+            *map(
+                Let,
+                turns,
+                (seen - guess for guess, seen in zip(predicted, tilt.results, strict=True)),
+            ),
+            Choice(shortest, ((known, tuple(off)), otherwise(*(0 * turn for turn in turns)))),
+        ),
+        ImmutableMatrix(
+            [
+                *(guess + change for guess, change in zip(predicted, shortest, strict=True)),
+                step.results[2],
+            ]
+        ),
+    )

@@ -1,1 +1,0 @@
-"""Functions of recordings, sample after sample."""
