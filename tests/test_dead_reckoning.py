@@ -142,7 +142,7 @@ def test_drift_broadcasts() -> None:
     assert [part.shape for part in parts] == [(2, 3)] * 3
 
 
-def test_a_recorded_walk_ends_tens_of_metres_off(recordings: Path) -> None:
+def test_a_recorded_walk_ends_metres_off(recordings: Path) -> None:
     walk = np.loadtxt(recordings / "xio_gait_short_walk.csv", delimiter=",", skiprows=1)
     # The times are those of arrival, in bursts; the samples were taken evenly.
     step = (walk[-1, 0] - walk[0, 0]) / (len(walk) - 1)
@@ -156,7 +156,7 @@ def test_a_recorded_walk_ends_tens_of_metres_off(recordings: Path) -> None:
     euler = fixed_gain_observer(rates, heard, step, 0.02)
     velocity, position = dead_reckon(forces, euler, step)
     # It ended where it began.
-    assert 20 < np.linalg.norm(position[-1]) < 35
+    assert 10 < np.linalg.norm(position[-1]) < 20
     # Why: a foot that stands does not move, but each step leaves a velocity that stays.
     assert np.linalg.norm(velocity[stands], axis=1).mean() > 0.2
 

@@ -306,7 +306,7 @@ def at(formula: Any, **values: float) -> float:  # noqa: ANN401
 def test_a_gyro_bias_leaves_the_error_that_is_derived() -> None:
     bias = 0.02
     rates = np.tile([bias, 0.0, 0.0], (500, 1))
-    found = fixed_gain_observer(rates, np.tile(LEVEL, (500, 1)), PERIOD, GAIN)
+    found = fixed_gain_observer(rates, np.tile(LEVEL, (500, 1)), PERIOD, GAIN, (0, 0, 0))
     assert_allclose(found[-1, 0], at(derived.steady_bias_error(), bias=bias), rtol=1e-9)
     on_the_way = derived.error_after().subs({derived.n: 7, derived.start_error: 0})
     assert_allclose(found[6, 0], at(on_the_way, bias=bias), rtol=1e-12)
