@@ -46,8 +46,7 @@ class _Printer(LatexPrinter):
             self._print(index + 1 if isinstance(index, Integer) else index)
             for index in (element.i, element.j)
         )
-        matrix = self.parenthesize(element.parent, 1000, strict=True)
-        return rf"\left[{matrix}\right]_{{{row}{column}}}"
+        return rf"\left[{self._print(element.parent)}\right]_{{{row}{column}}}"
 
     def _print_And(self, statement: And) -> str:  # noqa: N802 (SymPy's hook)
         chain = _chain(statement.args)

@@ -1,7 +1,7 @@
 """LaTeX as one writes it by hand."""
 
 import pytest
-from sympy import And, Basic, Eq, Function, Integral, Symbol, atan2, pi, symbols
+from sympy import And, Basic, Eq, Function, Integral, Symbol, atan2, evaluate, pi, sqrt, symbols
 
 from chr_notes.typeset import latex
 
@@ -22,6 +22,26 @@ x, y, z = symbols("x y z", real=True)
 )
 def test_expressions(expression: Basic, expected: str) -> None:
     assert latex(expression) == expected
+
+
+with evaluate(x=False):
+    AS_WRITTEN = [
+        (y + x - z, "y + x - z"),
+        (-y + x, "- y + x"),
+        (z * y * x, "z y x"),
+        (z - (y - x), r"z - \left(y - x\right)"),
+        ((y + x) * (y + x), r"\left(y + x\right) \left(y + x\right)"),
+        (-(y + x) * z, r"- \left(y + x\right) z"),
+        (2 * (y * x) / (z - x), r"\frac{2 y x}{z - x}"),
+        (-1 / y, r"- \frac{1}{y}"),
+        (z * (-2 * x), r"z \left(- 2 x\right)"),
+        (x / sqrt(y), r"\frac{x}{\sqrt{y}}"),
+    ]
+
+
+@pytest.mark.parametrize(("expression", "expected"), AS_WRITTEN)
+def test_as_written_terms_and_factors_keep_their_places(expression: Basic, expected: str) -> None:
+    assert latex(expression, as_written=True) == expected
 
 
 @pytest.mark.parametrize(

@@ -76,7 +76,7 @@ def _card(entry: Entry) -> Iterator[str]:
     # Blank lines end an HTML block, so that what stands between is read as Markdown.
     yield f'<div class="entry" id="entry-{entry.id}">\n<div class="entry-head"><p>'
     yield f'<span class="entry-id">{entry.id}</span> <strong>{badge(entry.verdict)}</strong> '
-    yield f'<span class="entry-kind">{entry.kind}, {entry.place}</span>'
+    yield f'<span class="entry-kind">{_where(entry)}</span>'
     yield '</p></div>\n<div class="entry-body">\n'
     yield f"{entry.says}\n"
     # Words have no formula to print: what stands here is how they are read.
@@ -100,6 +100,11 @@ def _card(entry: Entry) -> Iterator[str]:
             yield display(_once(latex))
         yield "</details>\n"
     yield "</div>\n</div>\n"
+
+
+def _where(entry: Entry) -> str:
+    """Say what it is and where it stands; a numbered equation says both at once."""
+    return entry.place if entry.place.startswith(entry.kind) else f"{entry.kind}, {entry.place}"
 
 
 def _readings(entry: Entry) -> Iterator[str]:

@@ -77,8 +77,10 @@ class Chain(InOrder):
     """A chain of equalities, `a = b = c`: the equations `a = b` and `a = c`."""
 
     def _latex(self, printer: LatexPrinter) -> str:
-        sides = (self.args[0].lhs, *(part.rhs for part in self.args))
-        return " {}= ".join(printer.doprint(side) for side in sides)
+        first, *others = self.args
+        # The further signs have nothing on their left, so that a page can break lines there.
+        ends = (rf" {{}}= {printer.doprint(part.rhs)}" for part in others)
+        return f"{printer.doprint(first.lhs)} = {printer.doprint(first.rhs)}{''.join(ends)}"
 
 
 def chain(first: Basic, *others: Basic) -> Chain:
