@@ -31,8 +31,9 @@ def lint(session: nox.Session) -> None:
 
 @nox.session
 def quick(session: nox.Session) -> None:
-    """Run what takes no browser, no book and no notebook, in less than a minute."""
-    pytest(session, "tests", "-m", "not browser and not book and not slow")
+    """Run what needs neither browser, book, notebooks nor the verdicts of the whole ledger."""
+    aside = ("--ignore=tests/book", "--ignore=tests/ledger")
+    pytest(session, "tests", "-m", "not browser and not slow", *aside)
 
 
 @nox.session
