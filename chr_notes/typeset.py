@@ -179,7 +179,7 @@ def latex(expression: Basic | MatrixBase, *, as_written: bool = False) -> str:
     Returns
     -------
     str
-        LaTeX without delimiters, for MathJax with the AMS packages.
+        LaTeX without delimiters, with the commands of the AMS packages.
     """
     printer = _AsWritten() if as_written else _Printer(_SETTINGS)
     return str(printer.doprint(expression))

@@ -14,10 +14,8 @@ ROOT = Path(__file__).resolve().parents[2]
 SOURCES = ROOT / "book"
 GENERATED = SOURCES / "_generated"
 
-_MATHJAX = "sphinx-mathjax-offline"
-_MATHJAX_PARTS = ("tex-chtml-full.js", "output/chtml/fonts/woff-v2")
 _JUPYTER_BOOK = "from jupyter_book.cli.main import main; main()"
-_NEEDED = ("jupyter_book", "anywidget", _MATHJAX)
+_NEEDED = ("jupyter_book", "anywidget", "math_core", "fontTools", "brotli", "ziamath")
 
 
 def build(*, open_browser: bool = False, output: Path = SOURCES) -> Path:
@@ -72,30 +70,18 @@ def _write_generated() -> None:
     from chr_notes.demos.base import BUILT, styles  # noqa: PLC0415
 
     static = GENERATED / "static"
+    shutil.rmtree(static, ignore_errors=True)  # each script in it would go into every page
     for name, text in pages.generated().items():
         _write(GENERATED / name, text)
-    _write(static / "pages.css", styles() + (SOURCES / "pages.css").read_text(encoding="utf-8"))
+    sheets = [(SOURCES / name).read_text(encoding="utf-8") for name in ("pages.css", "icons.css")]
+    _write(static / "pages.css", "".join([styles(), *sheets]))
+    shutil.copy2(SOURCES / "copy_formulas.js", static)
     _write(static / "pages.js", (BUILT / "pages.js").read_text(encoding="utf-8"))
-    _copy_mathjax(static / "mathjax")
 
 
 def _write(path: Path, text: str) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(text, encoding="utf-8")
-
-
-def _copy_mathjax(target: Path) -> None:
-    """Copy one script and its fonts, 2 MB, out of a package that has all 24."""
-    spec = importlib.util.find_spec(_MATHJAX)
-    assert spec is not None  # noqa: S101 - _require has looked
-    assert spec.origin is not None  # noqa: S101 - a regular package has a file
-    source = Path(spec.origin).parent / "static" / "mathjax"
-    for part in _MATHJAX_PARTS:
-        if (source / part).is_dir():
-            shutil.copytree(source / part, target / part, dirs_exist_ok=True)
-        else:
-            target.mkdir(parents=True, exist_ok=True)
-            shutil.copy2(source / part, target / part)
 
 
 def _run_jupyter_book(output: Path) -> None:

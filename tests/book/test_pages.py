@@ -1,8 +1,8 @@
 """Every page of the book in a browser without a network, from a server and from the disk."""
 
 import re
+import sys
 from collections.abc import Callable
-from html.parser import HTMLParser
 from pathlib import Path
 
 import pytest
@@ -26,42 +26,25 @@ MADE = ["genindex", "py-modindex", "search"]
 PAGES = [f"{name}.html" for name in (TOC["root"], *CHAPTERS, *MADE)]
 
 
-class Formulas(HTMLParser):
-    """Counts the formulas that a page asks MathJax to typeset."""
+# What a page may load, uncompressed. The first that fits counts.
+LIGHT = 900_000  # without formulas
+LIMITS = {"notebooks/euler.html": 1_400_000}
+LARGEST = 2_200_000
 
-    def __init__(self) -> None:
-        super().__init__()
-        self.count = 0
-
-    def handle_starttag(self, _tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        classes = (dict(attrs).get("class") or "").split()
-        self.count += "math" in classes and "notranslate" in classes
-
-
-def formulas(path: Path) -> int:
-    parser = Formulas()
-    parser.feed(path.read_text(encoding="utf-8"))
-    return parser.count
-
-
-def typeset(page: Page) -> Page:
-    """Wait for MathJax, where a page has it."""
-    if page.locator("script[src*=mathjax]").count() > 0:
-        page.wait_for_function("window.MathJax?.startup?.promise")
-        page.evaluate("async () => { await MathJax.startup.promise; }")
-    return page
-
+WEIGHT = """() => ["navigation", "resource"]
+  .flatMap((type) => performance.getEntriesByType(type))
+  .reduce((sum, entry) => sum + entry.decodedBodySize, 0)"""
 
 LEFT_OVER = """() => {
   const article = document.querySelector(".bd-article")?.cloneNode(true);
   if (!article) return "";
-  for (const each of article.querySelectorAll("pre, code, script, mjx-container")) each.remove();
+  for (const each of article.querySelectorAll("pre, code, script, math")) each.remove();
   return article.textContent;
 }"""
 
 TOO_WIDE = """() => [...document.querySelectorAll(".bd-article *")].filter((element) => {
   const { right, width } = element.getBoundingClientRect();
-  const scrolls = element.closest("div.math, pre, .cell_output, table, mjx-container");
+  const scrolls = element.closest(".math, pre, .cell_output, table");
   return width > 0 && right > innerWidth + 1 && !scrolls;
 }).map((element) => element.outerHTML.slice(0, 80))"""
 
@@ -73,12 +56,10 @@ def test_each_chapter_is_a_page_and_nothing_else_is(book: Path) -> None:
 
 
 @pytest.mark.parametrize("name", PAGES)
-def test_page_stands_by_itself(visit: Visit, book: Path, address: str, name: str) -> None:
+def test_page_stands_by_itself(visit: Visit, address: str, name: str) -> None:
     # `visit` fails on any request to elsewhere, missing file or error on the console.
     theme = "light" if address.startswith("http") else "dark"
-    page = typeset(visit(address + name, color_scheme=theme))
-    assert page.locator("mjx-container").count() == formulas(book / name)
-    assert page.locator("mjx-merror").count() == 0
+    page = visit(address + name, color_scheme=theme)
     left_over = page.evaluate(LEFT_OVER)
     assert "$" not in left_over
     assert "\\" not in left_over
@@ -92,10 +73,21 @@ def test_page_stands_by_itself(visit: Visit, book: Path, address: str, name: str
         assert page.evaluate(TOO_WIDE) == []
 
 
-def test_book_is_full_of_formulas(book: Path) -> None:
-    """Otherwise the test above has lost its point."""
-    assert formulas(book / "notebooks" / "euler.html") > 10
-    assert formulas(book / "book" / "ledger" / "euler.html") > 50
+@pytest.mark.parametrize("name", PAGES)
+def test_page_is_light(
+    visit: Visit,
+    book: Path,
+    serve: Callable[[Path], str],
+    name: str,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    page = visit(serve(book) + name)
+    weight = page.evaluate(WEIGHT)
+    with capsys.disabled():
+        sys.stdout.write(f"\n{name} loads {weight / 1000:.0f} kB ")
+    assert weight > 500_000  # or else the browser has counted nothing
+    plain = page.locator("math").count() == 0
+    assert weight <= LIMITS.get(name, LIGHT if plain else LARGEST)
 
 
 def test_first_page_leads_to_the_book(visit: Visit, address: str) -> None:
@@ -134,8 +126,8 @@ def test_ledger_has_an_anchor_and_a_worded_verdict_for_each_entry(book: Path) ->
 
 
 def test_link_to_an_entry_goes_there(visit: Visit, book: Path) -> None:
-    page = typeset(visit((book / "book" / "ledger.html").as_uri() + "#euler.7.d"))
+    page = visit((book / "book" / "ledger.html").as_uri() + "#euler.7.d")
     expect(page.locator('[id="euler.7.d"]')).to_be_in_viewport()
     page.get_by_role("link", name="euler.7.d").click()
     expect(page).to_have_url(re.compile(r"ledger/euler\.html#euler-7-d$"))
-    expect(typeset(page).locator('[id="euler.7.d"]')).to_be_in_viewport()
+    expect(page.locator('[id="euler.7.d"]')).to_be_in_viewport()

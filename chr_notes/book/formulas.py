@@ -1,0 +1,87 @@
+"""The formulas of the book, set as MathML when it is built: a Sphinx extension.
+
+A browser sets MathML by itself: a page needs no script for its formulas, and they stand at the
+first paint where they stay.
+"""
+
+import base64
+from pathlib import Path
+from typing import Any, Final
+
+from docutils import nodes
+from sphinx.application import Sphinx
+from sphinx.domains.math import MathDomain
+from sphinx.environment import BuildEnvironment
+from sphinx.errors import SphinxError
+from sphinx.util.nodes import get_node_line, get_node_source
+from sphinx.writers.html5 import HTML5Translator
+
+from chr_notes.book.mathfont import characters, font
+from chr_notes.book.mathml import mathml
+
+__all__ = ["FormulaError", "setup"]
+
+_STYLES: Final = "formulas.css"
+
+
+class FormulaError(SphinxError):
+    """A formula that cannot be set; the message has its place and its LaTeX."""
+
+    category = "A formula cannot be set"
+
+
+def _converted(node: nodes.Node) -> str:
+    latex = node.astext()
+    try:
+        return mathml(latex, display=isinstance(node, nodes.math_block))
+    except ValueError as error:
+        msg = f"{get_node_source(node)}:{get_node_line(node)}: {error}\n{latex}"
+        raise FormulaError(msg) from error
+
+
+def _write_styles(app: Sphinx, env: BuildEnvironment) -> None:
+    """Convert all formulas and write the font, before any page is written that names it."""
+    formulas = {
+        _converted(node)
+        for name in sorted(env.found_docs)
+        for node in env.get_doctree(name).findall(
+            lambda node: isinstance(node, nodes.math | nodes.math_block)
+        )
+    }
+    data = base64.b64encode(font(sorted(characters(formulas)))).decode("ascii")
+    static = Path(app.outdir) / "_static"
+    static.mkdir(parents=True, exist_ok=True)
+    # Within the style sheet: Firefox loads no font from a file for a page read from the disk.
+    (static / _STYLES).write_text(
+        "/* STIX Two Math, copyright 2001-2020 The STIX Fonts Project Authors, under the SIL Open\n"
+        "   Font License 1.1 (https://scripts.sil.org/OFL), cut down to what occurs. */\n"
+        '@font-face { font-family: "STIX Two Math"; '
+        f'src: url("data:font/woff2;base64,{data}") format("woff2"); }}\n',
+        encoding="utf-8",
+    )
+
+
+def _add_styles(app: Sphinx, name: str, *_: object) -> None:
+    domain = app.env.get_domain("math")
+    if isinstance(domain, MathDomain) and domain.has_equations(name):
+        app.add_css_file(_STYLES)
+
+
+def _visit_inline(translator: HTML5Translator, node: nodes.math) -> None:
+    translator.body.append(translator.starttag(node, "span", "", CLASS="math"))
+    translator.body.append(f"{_converted(node)}</span>")
+    raise nodes.SkipNode
+
+
+def _visit_display(translator: HTML5Translator, node: nodes.math_block) -> None:
+    translator.body.append(translator.starttag(node, "div", "", CLASS="math"))
+    translator.body.append(f"{_converted(node)}</div>\n")
+    raise nodes.SkipNode
+
+
+def setup(app: Sphinx) -> dict[str, Any]:
+    """Register the renderer with Sphinx."""
+    app.add_html_math_renderer("mathml", (_visit_inline, None), (_visit_display, None))
+    app.connect("env-updated", _write_styles)
+    app.connect("html-page-context", _add_styles)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -1,0 +1,56 @@
+"""What the theme brings and no page needs, taken out of the built book: a Sphinx extension."""
+
+import re
+import shutil
+from pathlib import Path
+from typing import Any, Final
+
+from sphinx.application import Sphinx
+
+__all__ = ["setup"]
+
+# Icons are in book/icons.css, and what is searched for is found on the page of the search.
+_ICONS: Final = ("fontawesome",)
+_SEARCH: Final = ("searchtools", "language_data", "searchindex")
+
+_ICON_RULES: Final = re.compile(
+    r"(?<=[}/])(?:(?:\.fa[-\w.:]*(?:>[\w.]+)?,?)+\{[^{}]*\}|:host,:root\{--fa-[^{}]*\})"
+    r"|@font-face\{[^{}]*Font Awesome[^{}]*\}"
+)
+_UNUSED: Final = (
+    "_static/scripts/fontawesome.js",
+    "_static/scripts/fontawesome.js.LICENSE.txt",
+    "_static/vendor/fontawesome",
+)
+
+
+def _without_scripts(page: str, names: tuple[str, ...]) -> str:
+    choice = "|".join(names)
+    return re.sub(rf'\s*<script[^>]* src="(?:[^"]*/)?(?:{choice})\.js[^"]*"></script>', "", page)
+
+
+def _lighten(app: Sphinx, error: Exception | None) -> None:
+    if error is not None:
+        return
+    built = Path(app.outdir)
+    for page in built.rglob("*.html"):
+        names = _ICONS if page == built / "search.html" else _ICONS + _SEARCH
+        text = page.read_text(encoding="utf-8")
+        page.write_text(_without_scripts(text, names), encoding="utf-8")
+    styles = built / "_static" / "styles" / "pydata-sphinx-theme.css"
+    text = styles.read_text(encoding="utf-8")
+    styles.write_text(_ICON_RULES.sub("", text), encoding="utf-8")
+    for name in _UNUSED:
+        path = built / name
+        if path.is_dir():
+            shutil.rmtree(path)
+        else:
+            path.unlink(missing_ok=True)
+    for source_map in built.rglob("*.map"):
+        source_map.unlink()
+
+
+def setup(app: Sphinx) -> dict[str, Any]:
+    """Register with Sphinx."""
+    app.connect("build-finished", _lighten)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}

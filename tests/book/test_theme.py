@@ -1,0 +1,46 @@
+"""The theme's scripts and fonts are gone, and what they drew is there."""
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+from playwright.sync_api import Page, expect
+
+from chr_notes.book import SOURCES
+
+Visit = Callable[..., Page]
+
+
+def test_nothing_of_the_icon_package_is_left(book: Path) -> None:
+    assert [path for path in book.rglob("*") if "fontawesome" in path.name] == []
+    for page in book.rglob("*.html"):
+        assert "fontawesome" not in page.read_text(encoding="utf-8")
+    styles = (book / "_static" / "styles" / "pydata-sphinx-theme.css").read_text(encoding="utf-8")
+    assert "Font Awesome" not in re.sub(r"/\*.*?\*/", "", styles, flags=re.DOTALL)
+    assert len(styles) > 250_000  # and not more than that
+
+
+def test_each_icon_of_the_pages_is_drawn(book: Path) -> None:
+    drawn = set(re.findall(r"\.(fa-[\w-]+)", (SOURCES / "icons.css").read_text(encoding="utf-8")))
+    for page in book.rglob("*.html"):
+        text = page.read_text(encoding="utf-8")
+        used = {name for names in re.findall(r'class="([^"]*)"', text) for name in names.split()}
+        assert {name for name in used if name.startswith("fa-")} <= drawn, page.name
+
+
+def test_icons_are_seen(visit: Visit, address: str) -> None:
+    page = visit(address + "notebooks/euler.html")
+    for icon in page.locator(".fa-solid:visible").all():
+        assert icon.evaluate("(element) => getComputedStyle(element).maskImage").startswith("url")
+        box = icon.bounding_box()
+        assert box is not None
+        assert box["width"] == box["height"] > 8
+
+
+def test_the_search_finds(visit: Visit, book: Path, serve: Callable[[Path], str]) -> None:
+    page = visit(serve(book) + "notebooks/euler.html")
+    page.keyboard.press("Control+K")
+    page.locator("#pst-search-dialog input[type=search]").fill("aircraft")
+    page.keyboard.press("Enter")
+    expect(page).to_have_url(re.compile(r"search\.html\?q=aircraft"))
+    expect(page.locator("#search-results ul.search li").first).to_be_visible()
