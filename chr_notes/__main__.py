@@ -11,7 +11,7 @@ VERDICTS = ("definition", "proved", "qualified", "corrected", "reported")
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command and return its exit code."""
     options = _parser().parse_args(arguments)
-    # Each command loads what it needs: the book wants Sphinx, the ledger wants SymPy.
+    # Each command loads what it needs: the book wants Sphinx, judging wants SymPy.
     if options.command == "book":
         from chr_notes.book import build  # noqa: PLC0415
 
@@ -23,9 +23,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             return 1
         return 0
     if options.command == "ledger":
-        from chr_notes.ledger import report  # noqa: PLC0415
-
-        return report.run(options.document, options.verdict, as_json=options.json)
+        return _ledger(options)
     from chr_notes.export import export  # noqa: PLC0415
 
     try:
@@ -39,6 +37,17 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return 0
 
 
+def _ledger(options: argparse.Namespace) -> int:
+    """Print, check or refresh the stored verdicts."""
+    from chr_notes.ledger import report  # noqa: PLC0415
+
+    if options.write:
+        return report.refresh(options.document)
+    if options.check:
+        return report.check(options.document)
+    return report.run(options.document, options.verdict, as_json=options.json)
+
+
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="chr-notes", description="The CH Robotics notes, checked."
@@ -50,6 +59,8 @@ def _parser() -> argparse.ArgumentParser:
     ledger.add_argument("--document", help="only this one, such as euler")
     ledger.add_argument("--verdict", choices=VERDICTS, help="only entries with this one")
     ledger.add_argument("--json", action="store_true", help="a list of objects, not a table")
+    ledger.add_argument("--write", action="store_true", help="judge what changed, and store it")
+    ledger.add_argument("--check", action="store_true", help="judge all, compare with the stored")
     code = commands.add_parser("export", help="write the generated code for another program")
     code.add_argument("language", choices=("c", "js"))
     code.add_argument("folder", type=Path, help="written to; made if it is not there")

@@ -8,7 +8,8 @@ from sympy import Basic, preorder_traversal
 
 from chr_notes import symbols as ours
 from chr_notes.derivations import estimation as observer
-from chr_notes.ledger import CASES, Case
+from chr_notes.ledger.case import Case
+from chr_notes.ledger.cases import CASES
 from chr_notes.printed import dead_reckoning, estimation, euler, sensors, validation
 from chr_notes.printed import quaternions as quaternion
 from chr_notes.typeset import latex
@@ -200,8 +201,8 @@ def _printed(case: Case) -> tuple[Basic, ...]:
 
 def _brought(case: Case) -> tuple[Basic, ...]:
     found = [*case.witness, *(step.statement for step in case.steps)]
-    if case.correction is not None:
-        found.append(case.correction)
+    if case.right is not None:
+        found.append(case.right)
     if case.condition is not None:
         found.append(case.condition.holds)
     return tuple(found)

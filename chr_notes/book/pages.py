@@ -115,7 +115,8 @@ def _errata(ledger: Iterable[Entry]) -> Iterator[str]:
         if entry.correction_latex is not None:
             yield f"should read\n\n{display(entry.correction_latex)}"
         if entry.condition is not None:
-            yield f"holds when\n\n{display(entry.condition)}"
+            holds = "holds exactly when" if entry.exact else "holds if"
+            yield f"{holds}\n\n{display(entry.condition)}"
         if entry.remark is not None:
             yield f"{entry.remark}\n"
         yield f"[The entry with its witness and derivation](#{entry.id})\n"

@@ -58,6 +58,12 @@ def frame_rotation(axis: int, angle: Expr) -> ImmutableMatrix:
     return ImmutableMatrix(3, 3, lambda row, column: turned[row].dot(old[column]))
 
 
+def yaw_last() -> ImmutableMatrix:
+    """Matrix from inertial to body frame when the same three turns come as roll, pitch, yaw."""
+    matrices = [frame_rotation(axis, angle) for axis, angle in TURNS.values()]
+    return ImmutableMatrix(matrices[0] * matrices[1] * matrices[2])
+
+
 @cache
 def rotation(source: str, target: str) -> ImmutableMatrix:
     """Compose the frame rotations that lead from one frame to another.

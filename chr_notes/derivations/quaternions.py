@@ -33,7 +33,7 @@ from sympy import (
     symbols,
 )
 
-from chr_notes.derivations.euler import TURNS, rotation
+from chr_notes.derivations.euler import TURNS, rotation, yaw_last
 from chr_notes.derivations.hamilton import conjugate, multiply, norm_squared, sandwich, vector_part
 from chr_notes.symbols import BODY_RATES, QUATERNION, VECTOR, T, a, b, c, d, phi, psi, theta
 
@@ -129,6 +129,17 @@ def euler_from_matrix(matrix: ImmutableMatrix) -> ImmutableMatrix:
     yaw = [matrix[_place(cos(theta) * part(psi), euler)] for part in (sin, cos)]
     pitch_cosine = sqrt(factor(expand(yaw[0] ** 2 + yaw[1] ** 2)))
     return ImmutableMatrix([atan2(*roll), atan2(pitch_sine(matrix), pitch_cosine), atan2(*yaw)])
+
+
+def roll_turned_first(matrix: ImmutableMatrix) -> Expr:
+    """Roll of a matrix from inertial to body frame, if it is the first of the turns, yaw the last.
+
+    As in `euler_from_matrix`: sine and cosine of roll stand in it, times the cosine of pitch.
+    """
+    euler = yaw_last()
+    places = (-cos(theta) * sin(phi), cos(theta) * cos(phi))
+    sine, cosine = (matrix[_place(part, euler)] for part in places)
+    return atan2(-sine, cosine)
 
 
 def yaw_without_roll(matrix: ImmutableMatrix) -> Expr:

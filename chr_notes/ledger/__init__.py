@@ -1,20 +1,35 @@
-"""The ledger: every printed statement with a verdict that was computed."""
+"""The ledger: every printed statement with a verdict that was computed.
+
+The verdicts are stored, see `chr_notes.ledger.stored`; nothing here needs SymPy.
+`chr_notes.ledger.cases` has what was brought, `chr_notes.ledger.judgement` reaches the verdicts.
+"""
 
 from functools import cache
 
-from chr_notes.derivations.steps import Step
-from chr_notes.ledger import dead_reckoning, estimation, euler, quaternions, sensors, validation
-from chr_notes.ledger.case import CannotJudgeError, Case
-from chr_notes.ledger.entry import Entry, Verdict, Witness
-from chr_notes.ledger.judgement import judge
+from chr_notes.ledger import stored
+from chr_notes.ledger.entry import Entry, Verdict, Weight, Witness
+from chr_notes.ledger.stored import StaleError
 
-TOPICS = (euler, quaternions, sensors, estimation, dead_reckoning, validation)
-CASES: dict[str, Case] = {case.printed.id: case for topic in TOPICS for case in topic.CASES}
+
+def entries() -> tuple[Entry, ...]:
+    """Return all entries, in the order in which the documents print them.
+
+    Raises
+    ------
+    StaleError
+        If the stored verdicts are not those of the present sources.
+    """
+    return tuple(entry for document in stored.DOCUMENTS for entry in stored.read(document))
 
 
 @cache
+def _by_id(document: str) -> dict[str, Entry]:
+    known = document in stored.DOCUMENTS
+    return {entry.id: entry for entry in stored.read(document)} if known else {}
+
+
 def entry(name: str) -> Entry:
-    """Judge one entry.
+    """Return one entry.
 
     Parameters
     ----------
@@ -25,26 +40,14 @@ def entry(name: str) -> Entry:
     ------
     KeyError
         If no document prints anything under that id.
+    StaleError
+        If the stored verdicts are not those of the present sources.
     """
-    if name not in CASES:
-        msg = f"expected the id of an entry, such as {next(iter(CASES))!r}, got {name!r}"
+    found = _by_id(name.partition(".")[0])
+    if name not in found:
+        msg = f"expected the id of an entry, such as 'euler.5.5', got {name!r}"
         raise KeyError(msg)
-    return judge(CASES[name])
+    return found[name]
 
 
-def entries() -> tuple[Entry, ...]:
-    """Judge all entries, in the order in which the documents print them."""
-    return tuple(entry(name) for name in CASES)
-
-
-__all__ = [
-    "CASES",
-    "CannotJudgeError",
-    "Case",
-    "Entry",
-    "Step",
-    "Verdict",
-    "Witness",
-    "entries",
-    "entry",
-]
+__all__ = ["Entry", "StaleError", "Verdict", "Weight", "Witness", "entries", "entry"]

@@ -1,15 +1,24 @@
 """What is brought before the judgement with one printed statement."""
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 
-from sympy import Basic
+from sympy import Basic, ImmutableMatrix, pi
 from sympy.logic.boolalg import Boolean
 
 from chr_notes.derivations.steps import Step
-from chr_notes.printed.statement import Printed
+from chr_notes.ledger.edits import Edit, edited
+from chr_notes.ledger.entry import Weight
+from chr_notes.ledger.reading import Read
+from chr_notes.ledger.rules import substitutions
+from chr_notes.printed import BY_ID, Printed
 
-Read = Callable[[Basic], Basic]
+DEGREE = pi / 180
+NOTHING = ImmutableMatrix.zeros(3, 1)
+
+# Documents whose cases are still brought in the old way: corrections typed, no root, no weight,
+# a reading for each case.
+UNCONVERTED = frozenset({"euler", "sensors", "estimation", "dead_reckoning", "validation"})
 
 
 class CannotJudgeError(Exception):
@@ -23,15 +32,28 @@ class Condition:
     Parameters
     ----------
     holds
-        The condition, for the reader and for the check that the witness lies outside it.
-    by
-        Substitutions that state it, one mapping a case; the statement must hold in all of them.
-        An inequality `Ne` needs none: it is proved where a component of the difference is the
-        difference that the condition excludes.
+        The condition: what the reader sees, and what the proof is made under.
     """
 
     holds: Boolean
-    by: tuple[Mapping[Basic, Basic], ...] = ({},)
+
+    def __post_init__(self) -> None:
+        """Refuse a condition that says nothing, or that no rule can state.
+
+        Raises
+        ------
+        ValueError
+            Then.
+        """
+        if not self.holds.args:
+            msg = f"expected a relation or several as condition, got {self.holds}"
+            raise ValueError(msg)
+        substitutions(self.holds)
+
+    @property
+    def by(self) -> tuple[Mapping[Basic, Basic], ...]:
+        """Substitutions that reach all of it, one mapping a case, by `chr_notes.ledger.rules`."""
+        return substitutions(self.holds)
 
 
 @dataclass(frozen=True)
@@ -59,36 +81,75 @@ class Case:
 
     Parameters
     ----------
-    printed
-        What the document prints.
+    id
+        Of the printed statement.
     read
-        Replaces the document's symbols by the derived quantities that they name, unevaluated.
+        The document's symbols as derived quantities; the document's own reading if left out.
     given
         What the document itself, or the convention, presumes: the range of an angle, a gain
-        between 0 and 1. Everything is judged within it, the witness included.
+        between 0 and 1, free fall. Everything is judged within it, the witness included.
     condition
         For a statement that holds only under it.
-    correction
-        For a wrong statement: the right one, in the document's notation.
+    edits
+        For a wrong statement: which parts of the print to replace by what; the rest is kept.
     witness
-        Values at which the statement fails, angles in radians.
+        Values at which the statement fails, angles in radians. None for words without symbols.
+    root, weight
+        For a statement that does not hold as printed: which error it is one place of, see
+        `chr_notes.ledger.roots`, and how much that matters.
+    replaces
+        For a definition of a name that the document had given another meaning before: the entry
+        that did so.
+    reported
+        For a fact about a product: the statement once more, written down independently.
     readings
         For statements that contradict one another: the readings under which some of them hold.
     steps
         The derivation of the right form or of the condition.
     remark
         Markdown for the reader.
+    correction
+        A correction typed as a whole; for documents in `UNCONVERTED` only.
     """
 
-    printed: Printed
-    read: Read
+    id: str
+    read: Read | None = None
     given: tuple[Condition, ...] = ()
     condition: Condition | None = None
-    correction: Boolean | None = None
+    edits: tuple[Edit, ...] = ()
     witness: Mapping[Basic, Basic] = field(default_factory=dict)
+    root: str | None = None
+    weight: Weight | None = None
+    replaces: str | None = None
+    reported: Boolean | None = None
     readings: tuple[Reading, ...] = ()
     steps: tuple[Step, ...] = ()
     remark: str | None = None
+    correction: Boolean | None = None
+
+    @property
+    def printed(self) -> Printed:
+        """What the document prints."""
+        return BY_ID[self.id]
+
+    @property
+    def reading(self) -> Read:
+        """How the document's symbols are read."""
+        if self.read is None:
+            msg = f"{self.id}: no reading; `complete` gives the document's own"
+            raise CannotJudgeError(msg)
+        return self.read
+
+    @property
+    def right(self) -> Boolean | None:
+        """The corrected statement: the printed one, edited. Nothing if there are no edits."""
+        if not self.edits:
+            return self.correction
+        try:
+            return edited(self.printed.statement, self.edits)
+        except ValueError as error:
+            msg = f"{self.id}: {error}"
+            raise CannotJudgeError(msg) from error
 
 
 def complete(
@@ -101,9 +162,29 @@ def complete(
     printed
         All statements of the document.
     read
-        The reading for the statements that are not in `settled`.
+        The document's reading, for all statements that bring none.
     settled
-        Cases with a condition, a correction, or a reading of their own.
+        Cases with a condition, a correction, steps, or more names than the document's reading.
+
+    Raises
+    ------
+    CannotJudgeError
+        If a case has no printed statement, or reads a symbol otherwise than the document.
     """
-    by_id = {case.printed.id: case for case in settled}
-    return tuple(by_id.get(statement.id, Case(statement, read)) for statement in printed)
+    by_id = {case.id: case for case in settled}
+    names = {statement.id for statement in printed}
+    if len(by_id) < len(settled) or by_id.keys() - names:
+        seen = [case.id for case in settled]
+        odd = sorted({name for name in seen if name not in names or seen.count(name) > 1})
+        msg = f"expected one case at most for a printed statement, got {', '.join(odd)}"
+        raise CannotJudgeError(msg)
+    cases = []
+    for statement in printed:
+        case = by_id.get(statement.id, Case(statement.id))
+        if case.read is None:
+            case = replace(case, read=read)
+        elif statement.document not in UNCONVERTED and not case.read.extends(read):
+            msg = f"{case.id}: read otherwise than the document; give more names by `READ.also`"
+            raise CannotJudgeError(msg)
+        cases.append(case)
+    return tuple(cases)

@@ -22,8 +22,9 @@ from sympy import (
 
 from chr_notes.derivations import euler as derived
 from chr_notes.derivations.steps import Step
-from chr_notes.ledger.case import Case, Condition, complete
+from chr_notes.ledger.case import DEGREE, Case, Condition, complete
 from chr_notes.ledger.reading import elements, reading
+from chr_notes.printed import BY_ID
 from chr_notes.printed import euler as printed
 from chr_notes.printed.statement import Rotation, words
 from chr_notes.symbols import (
@@ -44,44 +45,42 @@ from chr_notes.symbols import (
 GROUND = Symbol(r"z_{\text{ground}}", real=True)
 FRAME_NAMES = {"v1": words("vehicle-1"), "v2": words("vehicle-2"), "B": words("body")}
 VECTOR = ImmutableMatrix(symbols("v_N v_E v_D", real=True))
-DEGREE = pi / 180
 
 
 def _other_arguments_of_d() -> Set:
     return FiniteSet(*derived.euler_rates_matrix().free_symbols - set(EULER))
 
 
-READ = reading(
-    {
-        printed.Z_I: GROUND - printed.ALTITUDE,
-        printed.PITCH_AXIS: derived.rotation("v1", "I") * derived.Y,
-        printed.FIGURE_3_FRAME: FRAME_NAMES[derived.FRAMES[2]],
-        printed.LOCK_PITCHES: derived.lock_pitches,
-        printed.ROLL_FOR_YAW: -psi,
-        # One vector in two frames: its body components come from its inertial ones.
-        printed.V_I: VECTOR,
-        printed.V_B: ImmutableMatrix(derived.rotation("I", "B") * VECTOR),
-        printed.D: derived.euler_rates_matrix,
-        printed.OTHER_ARGUMENTS: _other_arguments_of_d,
-        **elements(EULER_RATES, derived.euler_rates),
-    }
-)
+MEANING = {
+    printed.Z_I: GROUND - printed.ALTITUDE,
+    printed.PITCH_AXIS: derived.rotation("v1", "I") * derived.Y,
+    printed.FIGURE_3_FRAME: FRAME_NAMES[derived.FRAMES[2]],
+    printed.LOCK_PITCHES: derived.lock_pitches,
+    printed.ROLL_FOR_YAW: -psi,
+    # One vector in two frames: its body components come from its inertial ones.
+    printed.V_I: VECTOR,
+    printed.V_B: ImmutableMatrix(derived.rotation("I", "B") * VECTOR),
+    printed.D: derived.euler_rates_matrix,
+    printed.OTHER_ARGUMENTS: _other_arguments_of_d,
+    **elements(EULER_RATES, derived.euler_rates),
+}
+READ = reading(MEANING)
+READ_UPWARDS = reading({**MEANING, printed.LOCK_PITCHES: derived.lock_pitches(Interval(0, pi / 2))})
 
-_BY_ID = {statement.id: statement for statement in printed.PRINTED}
 _SINE, _COSINE = (Symbol(name, positive=True) for name in ("s", "c"))
 
 SETTLED = (
     Case(
-        _BY_ID["euler.2.a"],
+        "euler.2.a",
         READ,
-        condition=Condition(Eq(GROUND, 0), ({GROUND: 0},)),
+        condition=Condition(Eq(GROUND, 0)),
         witness={GROUND: 100, printed.ALTITUDE: 30},
         remark="The sign is right: down is positive. But a coordinate counts from the frame's "
         "origin, and altitude above ground from the ground. With the origin 100 m above the "
         "ground, a point 30 m above the ground lies at z = +70 m.",
     ),
     Case(
-        _BY_ID["euler.4.a"],
+        "euler.4.a",
         READ,
         condition=Condition(Ne(cos(psi), 1)),
         witness={psi: 0},
@@ -89,15 +88,15 @@ SETTLED = (
         "y-axis as long as there is no yaw.",
     ),
     Case(
-        _BY_ID["euler.4.b"],
+        "euler.4.b",
         READ,
         correction=Eq(printed.FIGURE_3_FRAME, FRAME_NAMES["v2"]),
         remark="There are four frames in all, and no vehicle-3 among them.",
     ),
     Case(
-        _BY_ID["euler.5.5"],
+        "euler.5.5",
         READ,
-        correction=Eq(printed.R_BI, _BY_ID["euler.5.5"].statement.rhs),
+        correction=Eq(printed.R_BI, BY_ID["euler.5.5"].statement.rhs),
         witness={phi: 30 * DEGREE, theta: 20 * DEGREE, psi: 60 * DEGREE},
         steps=(
             Step(
@@ -115,12 +114,9 @@ SETTLED = (
         "it says; the symbol on the left repeats the one of the opposite direction.",
     ),
     Case(
-        _BY_ID["euler.6.a"],
-        READ,
-        condition=Condition(
-            Ge(theta, 0), ({printed.LOCK_PITCHES: derived.lock_pitches(Interval(0, pi / 2))},)
-        ),
-        witness={theta: -pi / 2},
+        "euler.6.a",
+        READ_UPWARDS,
+        given=(Condition(Ge(theta, 0)),),
         steps=(
             Step(
                 "Euler rates come from body rates by undoing the matrix that leads the other way. "
@@ -131,7 +127,7 @@ SETTLED = (
         remark="Straight down, at −90°, it is locked as well; the note's last section says so.",
     ),
     Case(
-        _BY_ID["euler.6.b"],
+        "euler.6.b",
         READ,
         steps=(
             Step(
@@ -154,7 +150,7 @@ SETTLED = (
         "same line in opposite senses. At −90° they turn it in the same sense.",
     ),
     Case(
-        _BY_ID["euler.7.a"],
+        "euler.7.a",
         READ,
         correction=Eq(
             ImmutableMatrix(BODY_RATES),
@@ -197,22 +193,17 @@ SETTLED = (
         "inverted.",
     ),
     Case(
-        _BY_ID["euler.7.b"],
+        "euler.7.b",
         READ,
         condition=Condition(Ne((q * sin(phi) + r * cos(phi)) * tan(theta), 0)),
         witness={phi: 0, theta: 0, p: 1, q: 2, r: 3},
         remark="In level flight the gyros do report the Euler rates: there D is the identity.",
     ),
     Case(
-        _BY_ID["euler.7.c"],
+        "euler.7.c",
         READ,
         condition=Condition(
             And(Ne(sin(phi), 0), Ne(cos(phi), 0)),
-            tuple(
-                {sin(phi): sign * _SINE, cos(phi): other * _COSINE}
-                for sign in (1, -1)
-                for other in (1, -1)
-            ),
         ),
         witness={phi: 0},
         remark="With no roll the middle element is zero at every pitch and does not diverge; with "
@@ -220,7 +211,7 @@ SETTLED = (
         "for tan(pitch) divides by cos(pitch) too.",
     ),
     Case(
-        _BY_ID["euler.7.d"],
+        "euler.7.d",
         READ,
         steps=(
             Step(

@@ -1,6 +1,7 @@
 """When two formulas are the same for all values of their symbols, and when one is larger."""
 
 from functools import lru_cache
+from typing import Self
 
 from sympy import (
     Abs,
@@ -13,6 +14,7 @@ from sympy import (
     Rational,
     S,
     Set,
+    Symbol,
     cancel,
     cos,
     expand,
@@ -24,11 +26,27 @@ from sympy import (
     sec,
     simplify,
     sin,
+    sqrt,
     tan,
     together,
 )
 
 CLEARLY_NOT_ZERO = 1e-15  # against values computed with 30 digits
+
+
+class OnSphere(Symbol):
+    """One of several numbers whose squares add up to 1."""
+
+    def __new__(cls, name: str, sphere: tuple[str, ...]) -> Self:
+        """Make the symbol that stands for one of the names of a sphere."""
+        symbol = super().__new__(cls, rf"{name}_{{{' '.join(sphere)}}}", real=True)
+        symbol.sphere = sphere
+        return symbol
+
+    @property
+    def all(self) -> tuple["OnSphere", ...]:
+        """All symbols of the sphere."""
+        return tuple(OnSphere(name, self.sphere) for name in self.sphere)
 
 
 def difference(left: Basic, right: Basic) -> tuple[Basic, ...]:
@@ -43,7 +61,14 @@ def sample(expression: Basic) -> Basic:
     """Give the value of an expression at one point of no particular kind, with 30 digits."""
     names = sorted(expression.free_symbols, key=str)
     point = {name: Rational(2 * index + 3, 7 * index + 11) for index, name in enumerate(names)}
+    for sphere in _spheres(expression):
+        length = sqrt(sum(Rational(n + 2, 3) ** 2 for n in range(len(sphere))))
+        point |= {name: Rational(n + 2, 3) / length for n, name in enumerate(sphere)}
     return expression.subs(point).evalf(30, chop=False)
+
+
+def _spheres(expression: Basic) -> set[tuple[OnSphere, ...]]:
+    return {name.all for name in expression.free_symbols if isinstance(name, OnSphere)}
 
 
 @lru_cache(maxsize=4096)
@@ -87,6 +112,9 @@ def _is_zero_on_circles(expression: Expr) -> bool | None:
         return None
     circles = [cosine**2 + sine**2 - 1 for cosine, sine in points]
     unknowns = [coordinate for point in points for coordinate in point]
+    for sphere in _spheres(expression):
+        circles.append(sum(name**2 for name in sphere) - 1)
+        unknowns += sphere
     return bool(reduced(numerator, circles, *unknowns)[1] == 0) if circles else False
 
 
@@ -132,9 +160,10 @@ def equal(left: Basic, right: Basic) -> bool:
         return False
     if left == right:
         return True
-    if isinstance(left, Set) or isinstance(right, Set):
+    if getattr(left, "shape", ()) != getattr(right, "shape", ()):
         return False
-    if {left, right} & {S.Infinity, S.NegativeInfinity}:
+    infinite = {left, right} & {S.Infinity, S.NegativeInfinity}
+    if infinite or isinstance(left, Set) or isinstance(right, Set):
         return False
     if isinstance(left, Abs) and isinstance(right, Abs):
         return any(is_zero(left.args[0] - sign * right.args[0]) for sign in (1, -1))

@@ -2,57 +2,51 @@
 
 The rules, in this order:
 
-- `reported`: the statement is a fact about a product, so no mathematics can check it;
-- `definition`: it introduces a name that no derivation knows and that it does not use itself;
+- `reported`: the statement is a fact about a product, so no mathematics can check it, and it was
+  written down twice with the same result;
+- `definition`: it introduces a name that no derivation and no earlier statement of the document
+  knows, and that it does not use itself;
 - `proved`: read with the derived quantities, it holds for all values, or for all that the
   document or the convention presumes;
 - `qualified`: it holds under the condition brought with it, and fails at a witness outside it;
-- `corrected`: the correction brought with it is proved, and the printed form fails at a witness.
+- `corrected`: the printed statement with the edits brought with it is proved, and as printed it
+  fails at a witness.
 
-Anything else is an error: the ledger has no entry that was not decided.
+Anything else is an error that says which part was not proved and what was left over: the ledger
+has no entry that was not decided.
 """
 
-from collections.abc import Mapping
+from typing import NamedTuple
 
-from sympy import (
-    And,
-    Basic,
-    Eq,
-    Limit,
-    MatrixBase,
-    MatrixExpr,
-    MatrixSymbol,
-    N,
-    S,
-    Set,
-    Symbol,
-    deg,
-    log,
-    sympify,
-)
+from sympy import And, Basic, Eq, Expr, Limit, MatrixBase, MatrixSymbol, Symbol, sympify
 from sympy.core.function import AppliedUndef
 from sympy.logic.boolalg import Boolean
 
-from chr_notes.ledger.case import CannotJudgeError, Case, Reading
-from chr_notes.ledger.entry import Entry, Verdict, Witness
+from chr_notes.ledger.case import UNCONVERTED, CannotJudgeError, Case, Condition, Reading
+from chr_notes.ledger.domain import undefined_where
+from chr_notes.ledger.edits import in_order, marked
+from chr_notes.ledger.entry import Entry, Verdict
+from chr_notes.ledger.evaluation import evaluate, parts, work_out
 from chr_notes.ledger.identities import equal
-from chr_notes.ledger.proof import (
-    evaluate,
-    excludes,
-    fails,
-    ordered,
-    parts,
-    proves,
-    sides,
-    work_out,
-)
+from chr_notes.ledger.proof import Finding, examine, excludes, fails, proves
+from chr_notes.ledger.roots import ROOTS
+from chr_notes.ledger.search import is_exact
+from chr_notes.ledger.witness import number, witness
+from chr_notes.printed import BY_ID, DOCUMENTS
 from chr_notes.printed.statement import Approximately
-from chr_notes.symbols import BODY_RATES, EULER, EULER_RATES, Angle, AngularRate, g, m
+from chr_notes.symbols import BODY_RATES, EULER, EULER_RATES, g, m
 from chr_notes.typeset import latex
 
-GIVEN_IN_DEGREES = {Angle: r"^\circ", AngularRate: r"^\circ/\mathrm{s}"}
-MANY = 3
 DERIVED_NAMES = frozenset((*EULER, *EULER_RATES, *BODY_RATES, g, m))
+LONG = 400  # characters of LaTeX
+
+
+class Judged(NamedTuple):
+    """A verdict, how it was reached, and whether the condition is exact."""
+
+    verdict: Verdict
+    method: str
+    exact: bool | None = None
 
 
 def judge(case: Case) -> Entry:
@@ -74,100 +68,216 @@ def judge(case: Case) -> Entry:
         If the statement is not proved and what was brought does not settle it, or if a condition
         or correction was brought although the statement is true as printed.
     """
-    verdict, method = _verdict(case)
+    verdict, method, exact = _verdict(case)
     printed = case.printed
     failing = verdict in ("qualified", "corrected")
+    not_derived = verdict in ("definition", "reported")
+    _check_root(case, failing=failing)
+    readings = tuple(_reading(case, each) for each in case.readings)
+    if readings and verdict != "corrected" and not readings[0][1]:
+        msg = f"{case.id}: {verdict}, yet it does not hold under the first of its readings"
+        raise CannotJudgeError(msg)
+    if readings and not any(holds for _, holds in readings):
+        msg = f"{case.id}: it holds under none of its readings"
+        raise CannotJudgeError(msg)
     return Entry(
-        id=printed.id,
+        id=case.id,
         document=printed.document,
         kind=printed.kind,
-        place=printed.place,
         says=printed.says,
         verdict=verdict,
+        root=case.root,
+        weight=case.weight,
+        place=printed.place,
         printed_latex=latex(printed.statement, as_written=True),
-        derived_latex=_derived(case),
-        correction_latex=latex(case.correction, as_written=True)
-        if case.correction is not None
-        else None,
+        derived_latex=None if not_derived else _derived(case, verdict),
+        correction_latex=_correction(case),
         given=latex(And(*(g.holds for g in case.given), evaluate=False)) if case.given else None,
         condition=latex(case.condition.holds) if case.condition is not None else None,
-        witness=_witness(case) if failing else None,
-        readings=tuple(_reading(case, each) for each in case.readings),
-        method=method,
+        exact=exact,
+        undefined=undefined_where(case) if verdict == "proved" else None,
+        witness=witness(case) if failing else None,
+        method=method + (", by the first of the readings" if readings else ""),
+        derivation=tuple(_step(case, place) for place in range(len(case.steps))),
+        readings=readings,
         remark=case.remark,
-        derivation=tuple((step.says, latex(step.statement)) for step in case.steps),
     )
 
 
-def _as_written(correction: Boolean | None) -> str | None:
-    return latex(correction, as_written=True) if correction is not None else None
-
-
-def _verdict(case: Case) -> tuple[Verdict, str]:
-    statement, read, name = case.printed.statement, case.read, case.printed.id
-    if introduces_name(case):
-        return "definition", "the name stands in no derivation and not in its own definition"
-    if case.condition is None and case.correction is None:
-        if proves(statement, read, *case.given):
-            return "proved", "derived independently; the difference simplifies to zero"
-        msg = f"{name}: not proved, and neither a condition nor a correction was brought"
+def _verdict(case: Case) -> Judged:
+    if case.condition is not None and case.right is not None:
+        msg = f"{case.id}: expected a condition or a correction, got both"
         raise CannotJudgeError(msg)
+    if case.reported is not None:
+        return _reported(case)
+    if case.condition is None and case.right is None:
+        if introduces_name(case):
+            return Judged("definition", "the name has no meaning before; it is read by this later")
+        findings = _prove(case, case.printed.statement, "not proved as printed", *case.given)
+        return Judged("proved", f"derived independently: {_how(findings)}")
     if any(excludes(given, case.witness) for given in case.given):
-        msg = f"{name}: the witness {case.witness} lies outside what is given"
+        msg = f"{case.id}: the witness {case.witness} lies outside what is given"
         raise CannotJudgeError(msg)
-    if not fails(statement, read, case.witness):
-        msg = f"{name}: the witness {case.witness} does not show that it fails as printed"
+    if not fails(case.printed.statement, case.reading, case.witness):
+        msg = f"{case.id}: the witness {case.witness} does not show that it fails as printed"
         raise CannotJudgeError(msg)
-    if case.condition is not None and case.correction is None:
-        if not excludes(case.condition, case.witness):
-            msg = f"{name}: the witness {case.witness} meets the condition {case.condition.holds}"
+    return _qualified(case, case.condition) if case.condition is not None else _corrected(case)
+
+
+def _reported(case: Case) -> Judged:
+    """Accept a fact about a product: no symbol of it is derived, and it is written down twice."""
+    statement = case.printed.statement
+    if any(case.reading(name) != name for name in statement.free_symbols):
+        msg = f"{case.id}: brought as reported, yet a symbol of it is derived"
+        raise CannotJudgeError(msg)
+    if case.reported is None or in_order(statement) != in_order(case.reported):
+        msg = f"{case.id}: expected in print {case.reported}, found {statement}"
+        raise CannotJudgeError(msg)
+    return Judged("reported", "a fact about a product; it was written down twice and compared")
+
+
+def _qualified(case: Case, condition: Condition) -> Judged:
+    if not excludes(condition, case.witness):
+        msg = f"{case.id}: the witness {case.witness} meets the condition {condition.holds}"
+        raise CannotJudgeError(msg)
+    findings = _prove(
+        case, case.printed.statement, "not proved under the condition", *case.given, condition
+    )
+    exact = is_exact(case, condition)
+    outside = (
+        "at all points that a search tries outside it, it fails"
+        if exact
+        else "a search outside it finds a point at which it holds as well"
+    )
+    return Judged("qualified", f"proved under the condition: {_how(findings)}; {outside}", exact)
+
+
+def _corrected(case: Case) -> Judged:
+    right = case.right
+    findings = _prove(case, right, "the correction is not proved", *case.given)
+    if any(_is_empty(part) for part in parts(right)):
+        msg = f"{case.id}: the correction says nothing: {right}"
+        raise CannotJudgeError(msg)
+    shown = "as printed it fails at the witness" if case.witness else "as printed it fails"
+    return Judged("corrected", f"the correction is proved: {_how(findings)}; {shown}")
+
+
+def _is_empty(relation: Basic) -> bool:
+    """Whether a relation holds whatever its symbols stand for."""
+    if isinstance(relation, Approximately):
+        return not relation.lhs.free_symbols
+    left, right = in_order(relation.lhs), in_order(relation.rhs)
+    return left == right or (isinstance(left, Expr) and not left.is_Matrix and equal(left, right))
+
+
+def _prove(
+    case: Case, statement: Boolean | None, failure: str, *conditions: Condition
+) -> tuple[Finding, ...]:
+    findings = []
+    for finding in examine(statement, case.reading, *conditions):
+        if not finding.holds:
+            msg = f"{case.id}: {failure}: {finding.left_over()}"
             raise CannotJudgeError(msg)
-        if proves(statement, read, *case.given, case.condition):
-            return "qualified", "proved under the condition; fails at the witness outside it"
-    if (
-        case.correction is not None
-        and case.condition is None
-        and proves(case.correction, read, *case.given)
-    ):
-        return "corrected", "the correction is proved; the printed form fails at the witness"
-    msg = f"{name}: what was brought, a condition or a correction, is not proved"
-    raise CannotJudgeError(msg)
+        findings.append(finding)
+    return tuple(findings)
+
+
+def _how(findings: tuple[Finding, ...]) -> str:
+    return "; ".join(dict.fromkeys(finding.how for finding in findings))
+
+
+def _check_root(case: Case, *, failing: bool) -> None:
+    if failing and case.printed.document in UNCONVERTED and case.root is None:
+        return
+    if failing != (case.root is not None) or failing != (case.weight is not None):
+        msg = (
+            f"{case.id}: expected {'a' if failing else 'no'} root and weight, "
+            f"got {case.root!r} and {case.weight!r}"
+        )
+        raise CannotJudgeError(msg)
+    if case.root is not None and case.root not in ROOTS:
+        msg = f"{case.id}: expected one of {', '.join(ROOTS)} as root, got {case.root!r}"
+        raise CannotJudgeError(msg)
 
 
 def introduces_name(case: Case) -> bool:
-    """Whether a statement only gives a name: one that no derivation knows, nor itself uses."""
+    """Whether a statement only gives a name: one that nothing knows yet, nor itself uses.
+
+    Known are the names of the derivations, those that the document's reading gives a meaning
+    otherwise than by this statement, and those that an earlier statement of the document has on
+    its left side, unless the case says that it replaces that one.
+    """
     statement = case.printed.statement
     if not isinstance(statement, Eq):
         return False
+    known = DERIVED_NAMES | _left_sides_before(case)
     names = tuple(statement.lhs) if isinstance(statement.lhs, MatrixBase) else (statement.lhs,)
     return all(
         isinstance(name, Symbol | MatrixSymbol | AppliedUndef)
-        and name not in DERIVED_NAMES
-        and case.read(name) == name
+        and name not in known
+        and case.reading.defines(name, by=case.id)
         and not name.free_symbols & statement.rhs.free_symbols
         for name in names
     )
 
 
-def _derived(case: Case) -> str | None:
+def _left_sides_before(case: Case) -> set[Basic]:
+    names = set()
+    for printed in DOCUMENTS[case.printed.document]:
+        if printed.id == case.id:
+            break
+        names |= {part.lhs for part in parts(printed.statement) if isinstance(part, Eq)}
+    return names - {BY_ID[case.replaces].statement.lhs} if case.replaces else names
+
+
+def _derived(case: Case, verdict: Verdict) -> str | None:
     """Typeset what the derivations give for the left side, where the statement is an equation."""
     statement = case.printed.statement
     if isinstance(statement, Approximately):
-        return _number(evaluate(statement.lhs, case.read, {}))
-    if not isinstance(statement, Eq) or introduces_name(case):
-        return None
-    if statement.lhs.has(Limit):  # it may depend on the range that is given
-        return None
+        return number(evaluate(statement.lhs, case.reading, {}))
+    if not isinstance(statement, Eq) or statement.lhs.has(Limit):
+        return None  # a limit may depend on the range that is given
     by = {
         old: new
         for given in case.given
         for old, new in given.by[0].items()
         if len(given.by) == 1 and sympify(new).is_number
     }
-    derived = work_out(statement.lhs, case.read, by)
-    if derived == ordered(statement.rhs):
+    derived = work_out(statement.lhs, case.reading, by)
+    if derived == statement.lhs:
+        return None
+    if derived == in_order(statement.rhs):
         return latex(statement.rhs, as_written=True)
-    return latex(derived) if derived != statement.lhs else None
+    text = latex(derived)
+    if len(text) > LONG and verdict == "proved":
+        # Both sides are the same, by the proof; the shorter one is the simplified one.
+        return min(text, latex(work_out(statement.rhs, case.reading, by)), key=len)
+    return text
+
+
+def _correction(case: Case) -> str | None:
+    if case.edits:
+        return marked(case.printed.statement, case.edits)
+    return latex(case.right, as_written=True) if case.right is not None else None
+
+
+def _step(case: Case, place: int) -> tuple[str, str]:
+    """Prove a step, and typeset it."""
+    step = case.steps[place]
+    under = (*case.given, *((case.condition,) if case.condition is not None else ()))
+    # What leads to a condition holds without it, what follows from it under it.
+    if not any(
+        proves(step.statement, case.reading, *conditions) for conditions in ((), case.given, under)
+    ):
+        _prove(case, step.statement, f"step {place + 1} is not proved", *under)
+    if case.printed.document not in UNCONVERTED and any(
+        latex(part.lhs) == latex(part.rhs)
+        for part in parts(step.statement)
+        if not isinstance(part, Approximately)
+    ):
+        msg = f"{case.id}: step {place + 1} shows the same on both sides"
+        raise CannotJudgeError(msg)
+    return step.says, latex(step.statement)
 
 
 def _reading(case: Case, each: Reading) -> tuple[str, bool]:
@@ -176,68 +286,6 @@ def _reading(case: Case, each: Reading) -> tuple[str, bool]:
     conditions = (case.condition,) if case.condition is not None else ()
     holds = proves(statement, each.read, *case.given, *conditions)
     if not holds and not fails(statement, each.read, each.point):
-        msg = f"{case.printed.id}: neither proved nor shown to fail under {each.convention}"
+        msg = f"{case.id}: neither proved nor shown to fail under {each.convention}"
         raise CannotJudgeError(msg)
     return latex(each.convention), holds
-
-
-def _witness(case: Case) -> Witness:
-    """Put the numbers of the witness beside each other, where printed and right differ most."""
-    point = case.witness
-    at = _point(point)
-    failing = next(part for part in parts(case.printed.statement) if fails(part, case.read, point))
-    right, printed = sides(failing, case.read, point)
-    if isinstance(failing, Approximately):
-        # Two digits more than printed, so that the difference shows.
-        digits = 2 - round(log(failing.unit, 10))
-        return Witness(at, failing.number, f"{round(float(right), digits):.{max(digits, 0)}f}")
-    if not isinstance(failing, Eq):
-        values = zip((failing.lhs, failing.rhs), (right, printed), strict=True)
-        found = [Eq(side, value, evaluate=False) for side, value in values if side.free_symbols]
-        return Witness(at, latex(failing), latex(And(*found, evaluate=False)))
-    if isinstance(right, MatrixBase) and right.cols == 1:
-        return Witness(at, _column(printed), _column(right))
-    if isinstance(right, MatrixBase):
-        where = max(
-            (index for index in range(len(right)) if not equal(right[index], printed[index])),
-            key=lambda index: abs(N(right[index] - printed[index])),
-        )
-        row, column = divmod(where, right.cols)
-        place = rf"(\ldots)_{{{row + 1}{column + 1}}}"
-        return Witness(
-            at, f"{place} = {_number(printed[where])}", f"{place} = {_number(right[where])}"
-        )
-    of = failing.rhs if isinstance(failing.rhs, Angle) else failing.lhs
-    return Witness(at, _number(printed, of), _number(right, of))
-
-
-def _point(point: Mapping[Basic, Basic]) -> tuple[tuple[str, str], ...]:
-    """Typeset a point; many zeros are put together."""
-    zeros = [symbol for symbol, value in point.items() if value == 0]
-    together = len(zeros) > MANY
-    at = tuple(
-        (latex(symbol), _number(sympify(value), symbol))
-        for symbol, value in point.items()
-        if not (together and value == 0)
-    )
-    return (*at, (r"\text{all others}", "0")) if together else at
-
-
-def _column(values: MatrixBase) -> str:
-    """Typeset a column of numbers in a line."""
-    return r"\left(" + r",\ ".join(_number(value) for value in values) + r"\right)"
-
-
-def _number(value: Basic, of: Basic = S.One) -> str:
-    """Typeset a number with four digits, an angle in degrees; names and sets as they are."""
-    if value is S.NaN:
-        return r"\text{undefined}"
-    if isinstance(value, MatrixBase):
-        return _column(value) if value.cols == 1 else latex(value)
-    if isinstance(value, Set | MatrixExpr) or not value.is_number or not value.is_finite:
-        return latex(value)
-    degrees = GIVEN_IN_DEGREES.get(type(of))
-    if degrees is not None:
-        return f"{float(deg(value)):.6g}{degrees}"
-    mantissa, _, exponent = f"{float(value):.4g}".partition("e")
-    return rf"{mantissa} \times 10^{{{int(exponent)}}}" if exponent else mantissa

@@ -1,15 +1,14 @@
-"""Does a statement hold? Symbolic proof, and numeric failure at a point."""
+"""Does a statement hold? Symbolic proof, how it was made, and numeric failure at a point."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
 from functools import lru_cache
 from itertools import product
 
 from sympy import (
-    And,
     Basic,
     Eq,
     Expr,
-    Float,
     Ge,
     Gt,
     Le,
@@ -19,84 +18,45 @@ from sympy import (
     N,
     Ne,
     Or,
-    Pow,
-    Rational,
-    S,
-    Subs,
+    Set,
     Symbol,
     cancel,
-    expand,
     simplify,
-    sympify,
 )
-from sympy.concrete.expr_with_limits import ExprWithLimits
 from sympy.core.relational import Relational
 from sympy.logic.boolalg import BooleanFalse, BooleanTrue
-from sympy.matrices.expressions.matexpr import MatrixElement, MatrixExpr
 
-from chr_notes.ledger.case import Condition, Read
-from chr_notes.ledger.identities import difference, equal, is_positive, is_zero, same_angle, settle
+from chr_notes.ledger.case import Condition
+from chr_notes.ledger.evaluation import evaluate, parts, sides
+from chr_notes.ledger.identities import difference, equal, is_positive, is_zero, same_angle
+from chr_notes.ledger.reading import Read
 from chr_notes.printed.statement import Approximately
 from chr_notes.symbols import Angle
-from chr_notes.typeset import latex
+
+FEW_CHARACTERS = 200
 
 
-def parts(statement: Basic) -> tuple[Basic, ...]:
-    """Split a conjunction into its relations."""
-    return statement.args if isinstance(statement, And) else (statement,)
+@dataclass(frozen=True)
+class Finding:
+    """What came of one relation, in one case of the conditions.
+
+    Parameters
+    ----------
+    holds
+        Whether it was proved.
+    how
+        What was done to prove it.
+    left_over
+        Says, when it was not proved, what is left between the two sides.
+    """
+
+    holds: bool
+    how: str
+    left_over: Callable[[], str] = str
 
 
-def ordered(expression: Basic) -> Basic:
-    """Let SymPy order what stands as printed; a decimal is the fraction that it says."""
-    if isinstance(expression, Float):
-        return Rational(str(expression))
-    return expression.func(*map(ordered, expression.args)) if expression.args else expression
-
-
-def put(expression: Basic, by: Mapping[Basic, Basic]) -> Basic:
-    """Substitute; a point of many numbers at once, where no symbol is bound."""
-    numbers = all(isinstance(old, Symbol) and sympify(new).is_number for old, new in by.items())
-    if numbers and not expression.has(Limit, ExprWithLimits, Subs):
-        return expression.xreplace({old: sympify(new) for old, new in by.items()})
-    return expression.subs(by)
-
-
-def work_out(expression: Basic, read: Read, by: Mapping[Basic, Basic]) -> Basic:
-    """Put the derived quantities in place of the document's symbols, matrices as a whole."""
-    # A condition may speak of the document's symbols or of the derived ones: before and after.
-    meaning = put(read(put(ordered(expression), by)), by).doit()
-    return expand(meaning).doit() if isinstance(meaning, MatrixExpr) else meaning
-
-
-def evaluate(expression: Basic, read: Read, by: Mapping[Basic, Basic]) -> Basic:
-    """Put the derived quantities in place of the document's symbols, element by element."""
-    return _evaluated(expression, read, tuple(by.items()))
-
-
-@lru_cache(maxsize=256)
-def _evaluated(expression: Basic, read: Read, pairs: tuple[tuple[Basic, Basic], ...]) -> Basic:
-    by = dict(pairs)
-    divisors = (power.base for power in expression.atoms(Pow) if power.exp.is_negative)
-    if not expression.is_Matrix and any(is_zero(work_out(part, read, by)) for part in divisors):
-        return S.NaN
-    meaning = work_out(expression, read, by)
-    if isinstance(meaning, MatrixExpr):
-        meaning = meaning.as_explicit()
-    # What is known of a matrix as a whole is used by now; its elements are numbers like others.
-    meaning = meaning.xreplace(
-        {element: Symbol(latex(element), real=True) for element in meaning.atoms(MatrixElement)}
-    )
-    return meaning.applyfunc(settle) if isinstance(meaning, MatrixBase) else settle(meaning)
-
-
-def sides(relation: Basic, read: Read, by: Mapping[Basic, Basic]) -> tuple[Basic, Basic]:
-    """Evaluate the left and the right side of a relation, each on its own."""
-    left, right = (evaluate(side, read, by) for side in (relation.lhs, relation.rhs))
-    return left, right
-
-
-def proves(statement: Basic, read: Read, *conditions: Condition) -> bool:
-    """Whether a statement holds for all values of its symbols, or for all that conditions allow.
+def examine(statement: Basic, read: Read, *conditions: Condition) -> Iterator[Finding]:
+    """Try to prove a statement, relation by relation and case by case.
 
     Parameters
     ----------
@@ -107,14 +67,27 @@ def proves(statement: Basic, read: Read, *conditions: Condition) -> bool:
     conditions
         Restrict the values, all of them together.
     """
-    try:
-        return all(
-            _holds(part, read, by, conditions)
-            for part in parts(statement)
-            for by in _cases(conditions)
-        )
-    except NotImplementedError:  # a limit that SymPy cannot work out proves nothing
-        return False
+    relations = parts(statement)
+    for number, part in enumerate(relations, 1):
+        for by in _cases(conditions):
+            where = f"part {number} of {len(relations)}, " if len(relations) > 1 else ""
+            try:
+                finding = _examined(part, read, by, conditions)
+            except NotImplementedError:
+                finding = Finding(
+                    holds=False, how="", left_over=lambda: "a limit that SymPy cannot work out"
+                )
+            yield Finding(finding.holds, finding.how, _at(where, finding.left_over))
+
+
+def _at(where: str, left_over: Callable[[], str]) -> Callable[[], str]:
+    return lambda: where + left_over()
+
+
+@lru_cache(maxsize=1024)
+def proves(statement: Basic, read: Read, *conditions: Condition) -> bool:
+    """Whether a statement holds for all values of its symbols, or for all that conditions allow."""
+    return all(finding.holds for finding in examine(statement, read, *conditions))
 
 
 def _cases(conditions: tuple[Condition, ...]) -> Iterator[Mapping[Basic, Basic]]:
@@ -127,26 +100,86 @@ def _cases(conditions: tuple[Condition, ...]) -> Iterator[Mapping[Basic, Basic]]
             yield by
 
 
-def _holds(
+def _examined(
     relation: Basic, read: Read, by: Mapping[Basic, Basic], conditions: tuple[Condition, ...]
-) -> bool:
+) -> Finding:
     if isinstance(relation, Eq):
-        return _equal(relation, read, by)
+        return _equality(relation, read, by)
     if isinstance(relation, Ne):
-        return _never_equal(relation, read, by, conditions)
+        holds = _never_equal(relation, read, by, conditions)
+        return Finding(
+            holds,
+            "a component of the difference cannot vanish",
+            lambda: f"a component that cannot vanish was not seen in {_gap(relation, read, by)}",
+        )
     if isinstance(relation, Approximately):
-        return _within_its_digits(relation, read, by)
+        return Finding(
+            _within_its_digits(relation, read, by),
+            "the number is computed with 30 digits and lies within half a unit of the last "
+            "printed digit",
+            lambda: f"computed it is {N(evaluate(relation.lhs, read, by), 6)}",
+        )
     if isinstance(relation, Gt | Ge | Lt | Le):
         more, less = (evaluate(side, read, by) for side in (relation.gts, relation.lts))
         if is_positive(more - less):
-            return True
-    return isinstance(simplify(evaluate(relation, read, by)), BooleanTrue)
+            how = "the larger side less the smaller is a quotient of positive sums"
+            return Finding(holds=True, how=how)
+    simplified = simplify(evaluate(relation, read, by))
+    return Finding(
+        isinstance(simplified, BooleanTrue),
+        "the statement simplifies to a truth",
+        lambda: f"it comes to {_short(simplified)}",
+    )
 
 
-def _equal(relation: Eq, read: Read, by: Mapping[Basic, Basic]) -> bool:
+def _equality(relation: Eq, read: Read, by: Mapping[Basic, Basic]) -> Finding:
     left, right = sides(relation, read, by)
+    limit = "the limit is worked out, and " if relation.has(Limit) else ""
+
+    def gap() -> str:
+        return f"left less right is {_gap(relation, read, by)}"
+
+    if equal(left, right):
+        return Finding(holds=True, how=limit + _why_equal(left, right), left_over=gap)
     # An equation for an angle holds up to whole turns.
-    return equal(left, right) or (isinstance(relation.lhs, Angle) and same_angle(left, right))
+    holds = isinstance(relation.lhs, Angle) and same_angle(left, right)
+    how = "the difference of the two angles has the sine 0 and the cosine 1"
+    return Finding(holds, limit + how, gap)
+
+
+def _why_equal(left: Basic, right: Basic) -> str:
+    if isinstance(left, Set):
+        return "both sides are found to be the same set"
+    if isinstance(left, MatrixBase):
+        return "the difference of each pair of elements simplifies to zero"
+    if left.is_number and right.is_number:
+        return "both sides are the same number"
+    if isinstance(left, Symbol) and left == right:
+        return "both sides name the same thing"
+    return "the difference of the two sides simplifies to zero"
+
+
+def _gap(relation: Relational, read: Read, by: Mapping[Basic, Basic]) -> str:
+    """Say what is left between two sides: the first element of the difference that is not zero."""
+    left, right = sides(relation, read, by)
+    if isinstance(left, Set) or isinstance(right, Set):
+        return f"{left} against {right}"
+    shapes = [getattr(side, "shape", "a number") for side in (left, right)]
+    if shapes[0] != shapes[1]:
+        return f"of different shapes, {shapes[0]} and {shapes[1]}"
+    for place, element in enumerate(difference(left, right)):
+        if not is_zero(element):
+            where = ""
+            if isinstance(left, MatrixBase):
+                row, column = divmod(place, left.cols)
+                where = f" in element ({row + 1}, {column + 1})"
+            return f"{_short(simplify(element))}{where}"
+    return "0"
+
+
+def _short(expression: Basic) -> str:
+    text = str(expression)
+    return text if len(text) <= FEW_CHARACTERS else f"{text[:FEW_CHARACTERS]} …"
 
 
 def _within_its_digits(relation: Approximately, read: Read, by: Mapping[Basic, Basic]) -> bool:
@@ -160,9 +193,10 @@ def _never_equal(
     """Whether some component of the difference is one that is, or is presumed to be, not zero."""
     components = difference(*sides(relation, read, by))
     excluded = [
-        evaluate(condition.holds.lhs - condition.holds.rhs, read, by)
+        evaluate(each.lhs - each.rhs, read, by)
         for condition in conditions
-        if isinstance(condition.holds, Ne)
+        for each in parts(condition.holds)
+        if isinstance(each, Ne)
     ]
     return any(
         component.is_nonzero
@@ -190,7 +224,7 @@ def _fails_as_it_is(statement: Basic, point: Mapping[Basic, Basic]) -> bool:
     there = statement.subs(point)
     if isinstance(there, BooleanFalse) or there.free_symbols:
         return isinstance(there, BooleanFalse)
-    return fails(statement, lambda expression: expression, point)
+    return fails(statement, Read({}, {}), point)
 
 
 def fails(statement: Basic, read: Read, point: Mapping[Basic, Basic]) -> bool:
@@ -200,7 +234,7 @@ def fails(statement: Basic, read: Read, point: Mapping[Basic, Basic]) -> bool:
 
 def _fails(relation: Basic, read: Read, point: Mapping[Basic, Basic]) -> bool:
     if isinstance(relation, Eq):
-        return not _equal(relation, read, point)
+        return not _equality(relation, read, point).holds
     if isinstance(relation, Ne):
         return equal(*sides(relation, read, point))
     if isinstance(relation, Approximately):

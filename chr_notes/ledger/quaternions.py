@@ -1,58 +1,33 @@
-"""The quaternion note before the judgement.
-
-The note contradicts itself. Its section 3 takes vectors from the inertial to the body frame by
-`q v q⁻¹`; the Euler angles of its section 4 are right only if the same product leads from the
-body to the inertial frame. Everything is judged in the second reading, which is the sensors' own,
-and the statements that differ are tried in the first one as well.
-"""
+"""The quaternion note before the judgement; how it is read, `quaternions_reading` says."""
 
 from sympy import (
     Abs,
-    Basic,
     Eq,
-    Gt,
     ImmutableMatrix,
+    MatAdd,
     MatMul,
-    Symbol,
-    Transpose,
+    MatrixSymbol,
+    Rational,
     cos,
     pi,
     sin,
+    sqrt,
     symbols,
 )
 
-from chr_notes.derivations import hamilton
 from chr_notes.derivations import quaternions as derived
 from chr_notes.derivations.steps import Step
 from chr_notes.ledger.case import Case, Condition, complete
-from chr_notes.ledger.quaternions_reading import (
-    AS_QUATERNION,
-    BY_ID,
-    DERIVED,
-    ELEMENTS,
-    MATRIX,
-    MEANING,
-    NORM,
-    NORTH,
-    READ,
-    READ_AT_LOCK,
-    READ_AXIS,
-    READ_BACK,
-    READ_MATRIX,
-    READ_PRODUCT,
-    ROLL_120,
-    TO_BODY,
-    TO_INERTIAL,
-    UNIT,
-    YAW_90,
-    YAW_120,
-    readings,
-)
+from chr_notes.ledger.edits import Edit
+from chr_notes.ledger.quaternions_reading import NORM, READ, READINGS, UNIT
+from chr_notes.printed import BY_ID, DOCUMENTS
 from chr_notes.printed import quaternions as printed
+from chr_notes.printed import quaternions_claims as claims
 from chr_notes.printed.hamilton import Conjugate, Product, Pure, Reciprocal
-from chr_notes.printed.statement import Rotation
+from chr_notes.printed.statement import Approximately, Rotation
 from chr_notes.symbols import (
-    EULER,
+    AXIS,
+    FIRST,
     QUATERNION,
     VECTOR,
     Angle,
@@ -61,12 +36,65 @@ from chr_notes.symbols import (
     b,
     c,
     d,
+    phi,
+    psi,
     theta,
 )
 
+TO_INERTIAL = Rotation("b", "i", printed.Q)
+TO_BODY = Rotation("i", "b", printed.Q)
+MATRIX = BY_ID["quaternions.3.3"].statement.rhs
+E_1, E_I, E_J, E_K = (ImmutableMatrix([int(n == place) for n in range(4)]) for place in range(4))
+X, Z = ImmutableMatrix([1, 0, 0]), ImmutableMatrix([0, 0, 1])
+
 # The angles of the three turns, as distinct from those that a formula finds.
-OWN_ANGLES = symbols(r"\phi \theta \psi", real=True, cls=Angle)
-TURN_ABOUT_Z = derived.from_axis_angle(ImmutableMatrix([0, 0, 1]), OWN_ANGLES[2])
+ROLL, PITCH, YAW = OWN_ANGLES = symbols(r"\phi \theta \psi", real=True, cls=Angle)
+ELEMENTS_BY_TURNS = dict(
+    zip(
+        QUATERNION,
+        derived.from_euler().xreplace(dict(zip((phi, theta, psi), OWN_ANGLES, strict=True))),
+        strict=True,
+    )
+)
+YAW_ONLY = derived.from_axis_angle(Z, YAW)
+YAW_90 = {a: sqrt(2) / 2, b: 0, c: 0, d: sqrt(2) / 2}
+NORTH = dict(zip(VECTOR, X, strict=True))
+
+# A vector along x, turned about z; any vector, turned about any unit axis.
+X_TURNED = MatrixSymbol(r"\mathbf{x}_{\text{turned about } z}", 3, 1)
+_TILT, _HEADING = symbols("tau eta", real=True)
+UNIT_AXIS = ImmutableMatrix([sin(_TILT) * cos(_HEADING), sin(_TILT) * sin(_HEADING), cos(_TILT)])
+# Some attitude with no angle zero.
+SOMEWHERE = dict(zip(QUATERNION, (Rational(n, 9) for n in (6, 4, 2, 5)), strict=True))
+READ_AXIS = READ.also(
+    {
+        **dict(
+            zip(
+                QUATERNION,
+                derived.from_axis_angle(ImmutableMatrix(AXIS), printed.TURN),
+                strict=True,
+            )
+        ),
+        X_TURNED: derived.turned(Z, alpha, X),
+        claims.TURNED: derived.turned(UNIT_AXIS, alpha, ImmutableMatrix(VECTOR)),
+    }
+)
+READ_ROTATION = READ.also(
+    {
+        **dict(zip(QUATERNION, derived.from_axis_angle(UNIT_AXIS, alpha), strict=True)),
+        claims.TURNED: derived.turned(UNIT_AXIS, alpha, ImmutableMatrix(VECTOR)),
+    }
+)
+READ_ORDERS = READ.also(
+    {
+        claims.ROLL_321: derived.euler_from_matrix(derived.matrix_from_quaternion())[0],
+        claims.ROLL_123: derived.roll_turned_first(derived.matrix_from_quaternion()),
+    }
+)
+S, T = symbols("s t", real=True)
+TURN_ABOUT_Z = ImmutableMatrix([S, 0, 0, T])
+TURN_ABOUT_AXIS = ImmutableMatrix([cos(alpha / 2), *(sin(alpha / 2) * UNIT_AXIS)])
+
 CONTRADICTION = (
     "Sections 3 and 4 of the note contradict each other. Take a yaw of 90°, nose to the east, "
     "q = (√½, 0, 0, √½). Section 4 finds this yaw from it. Section 3 makes of a vector to the "
@@ -77,74 +105,48 @@ ALSO = (
     "Sections 3 and 4 of the note contradict each other, see quaternions.3.1. The sensors use the "
     "reading of section 4."
 )
-_S, _T = symbols("s t", real=True)
-_TILT, _HEADING = symbols("tau eta", real=True)
-_UNIT_AXIS = ImmutableMatrix([sin(_TILT) * cos(_HEADING), sin(_TILT) * sin(_HEADING), cos(_TILT)])
-_POSITIVE = Symbol("k", positive=True)
+ATAN = (
+    "The arctangent of the quotient is read as the note says two sentences later: by atan2, which "
+    "takes numerator and denominator apart and so finds the whole range. Taken at its word, atan "
+    "gives angles from −90° to 90° only, and any other comes out wrong by 180°. "
+)
 
 
-def _cosine_positive(parts: tuple[Basic, Basic]) -> Condition:
-    """Give the condition under which arctan finds an angle from its sine and cosine."""
-    cosine = parts[1].doit()
-    return Condition(Gt(cosine, 0), ({cosine: _POSITIVE},))
-
-
-def _arctan_steps(angle: Angle, parts: tuple[Basic, Basic]) -> tuple[Step, ...]:
-    own = dict(zip(EULER, OWN_ANGLES, strict=True))
-    elements = dict(zip(QUATERNION, derived.from_euler().xreplace(own), strict=True))
-    pitch = own[theta]
-    return (
-        Step(
-            "Put the quaternion of the three turns in place of a, b, c, d: numerator and "
-            "denominator are sine and cosine of the angle, times the cosine of pitch, which is "
-            "not negative from −90° to 90°.",
-            Eq(
-                ImmutableMatrix([part.subs(elements) for part in parts]),
-                ImmutableMatrix([sin(angle) * cos(pitch), cos(angle) * cos(pitch)]),
-                evaluate=False,
-            ),
-        ),
-        Step(
-            "The fraction is the tangent, and half a turn more does not change a tangent. The "
-            "arctangent, which gives angles from −90° to 90°, cannot tell the two apart.",
-            Eq(sin(angle + pi) / cos(angle + pi), sin(angle) / cos(angle), evaluate=False),
-        ),
+def _by_turns(left: ImmutableMatrix, right: ImmutableMatrix) -> Step:
+    return Step(
+        "Put the quaternion of the three turns in place of a, b, c, d: numerator and denominator "
+        "are sine and cosine of the angle, times the cosine of pitch. That one is not negative "
+        "from −90° to 90°, so it drops out of the quotient and leaves the signs alone.",
+        Eq(left.xreplace(ELEMENTS_BY_TURNS), right, evaluate=False),
     )
 
 
 SETTLED = (
-    Case(BY_ID["quaternions.2.1"], DERIVED),
     Case(
-        BY_ID["quaternions.2.2"],
+        "quaternions.2.2",
         READ_AXIS,
         steps=(
             Step(
                 "To turn a vector about an axis, leave its part along the axis as it is and let "
                 "the part across it go round a circle. Turned about z, x moves towards y.",
-                Eq(
-                    derived.turned(ImmutableMatrix([0, 0, 1]), alpha, ImmutableMatrix([1, 0, 0])),
-                    ImmutableMatrix([cos(alpha), sin(alpha), 0]),
-                    evaluate=False,
-                ),
+                Eq(X_TURNED, ImmutableMatrix([cos(alpha), sin(alpha), 0])),
             ),
             Step(
                 "Multiplied out, q v q* with q = s + t k makes of x the vector below. So s² − t² "
                 "must be the cosine of the angle and 2st its sine: s and t are the cosine and "
                 "the sine of half the angle.",
                 Eq(
-                    hamilton.sandwich(ImmutableMatrix([_S, 0, 0, _T]), ImmutableMatrix([1, 0, 0])),
-                    ImmutableMatrix([_S**2 - _T**2, 2 * _S * _T, 0]),
-                    evaluate=False,
+                    Product(TURN_ABOUT_Z, Pure(X), Conjugate(TURN_ABOUT_Z)),
+                    ImmutableMatrix([0, S**2 - T**2, 2 * S * T, 0]),
                 ),
             ),
             Step(
                 "With these, q v q* is the turn for every vector and every unit axis.",
                 Eq(
-                    hamilton.sandwich(
-                        derived.from_axis_angle(_UNIT_AXIS, alpha), ImmutableMatrix(VECTOR)
+                    Product(
+                        TURN_ABOUT_AXIS, Pure(ImmutableMatrix(VECTOR)), Conjugate(TURN_ABOUT_AXIS)
                     ),
-                    derived.turned(_UNIT_AXIS, alpha, ImmutableMatrix(VECTOR)),
-                    evaluate=False,
+                    Pure(claims.TURNED),
                 ),
             ),
         ),
@@ -152,80 +154,105 @@ SETTLED = (
         "The negative of the quaternion stands for the same attitude.",
     ),
     Case(
-        BY_ID["quaternions.2.a"],
-        READ,
-        correction=Eq(printed.QUATERNIONS, printed.REALS + 3 * printed.IMAGINARY),
+        "quaternions.2.a",
+        edits=(Edit(3 * printed.COMPLEX, 3 * printed.IMAGINARY),),
+        root="complex-for-imaginary",
+        weight="label",
+        steps=(
+            Step(
+                "A complex number is a real one and a real multiple of i: two numbers. One real "
+                "and three complex elements would be seven numbers.",
+                Eq(printed.REALS + 3 * printed.COMPLEX, 7),
+            ),
+            Step("A quaternion is four numbers.", Eq(printed.QUATERNIONS, 4)),
+        ),
         remark="One real element and three **imaginary** ones: real multiples of i, j and k, each "
-        "of which squares to −1. A complex number is made of two real ones, so a real element and "
-        "three complex ones would be seven numbers, not four.",
+        "of which squares to −1.",
     ),
     Case(
-        BY_ID["quaternions.3.1"],
-        READ_PRODUCT,
+        "quaternions.3.1",
         given=(UNIT,),
-        correction=Eq(
-            printed.V_B,
-            Product(Reciprocal(printed.Q), Pure(printed.V_I), printed.Q),
-            evaluate=False,
+        edits=(
+            Edit(
+                Product(printed.Q, Pure(printed.V_I), Reciprocal(printed.Q)),
+                Product(Reciprocal(printed.Q), Pure(printed.V_I), printed.Q),
+            ),
         ),
         witness={**YAW_90, **NORTH},
-        readings=readings({**AS_QUATERNION, **ELEMENTS}),
+        root="quaternion-direction",
+        weight="misleads",
+        readings=READINGS,
         steps=(
             Step(
                 "The attitude quaternion turns the inertial axes to the body axes. With a yaw the "
                 "nose, x in the body frame, points to where q v q* takes x.",
                 Eq(
-                    hamilton.sandwich(TURN_ABOUT_Z, ImmutableMatrix([1, 0, 0])),
-                    ImmutableMatrix([cos(OWN_ANGLES[2]), sin(OWN_ANGLES[2]), 0]),
-                    evaluate=False,
+                    Product(YAW_ONLY, Pure(X), Conjugate(YAW_ONLY)),
+                    ImmutableMatrix([0, cos(YAW), sin(YAW), 0]),
                 ),
             ),
             Step(
                 "So q v q⁻¹ makes inertial components of body components. To go the other way, "
                 "undo it: q⁻¹ from the left, q from the right.",
                 Eq(
-                    Pure(printed.V_I),
                     Product(
                         Reciprocal(printed.Q),
-                        Product(printed.Q, Pure(printed.V_I), Reciprocal(printed.Q)),
+                        Product(printed.Q, Pure(printed.V_B), Reciprocal(printed.Q)),
                         printed.Q,
+                    ),
+                    Pure(printed.V_B),
+                ),
+            ),
+        ),
+        remark=f"{CONTRADICTION} The vector on the left is read as the one on the right is "
+        "written, with a zero in front: the note says so in its next sentence.",
+    ),
+    Case(
+        "quaternions.3.2",
+        steps=(
+            Step(
+                "From i² = j² = k² = ijk = −1 follow the products of two units: i before j gives "
+                "k, and the other way round −k.",
+                Eq(Product(E_I, E_J), E_K) & Eq(Product(E_J, E_I), -E_K),
+            ),
+            Step(
+                "A product of sums is the sum of all products. Each unit that multiplies the "
+                "second quaternion changes the places of its elements, and some signs.",
+                Eq(
+                    Product(printed.Q_1, printed.Q_2),
+                    MatAdd(
+                        *(
+                            MatMul(element, Product(unit, printed.Q_2))
+                            for element, unit in zip(FIRST, (E_1, E_I, E_J, E_K), strict=True)
+                        )
                     ),
                 ),
             ),
         ),
-        remark=f"{CONTRADICTION} Besides, the line equates a vector of three with a quaternion of "
-        "four; the vector on the left is read as the one on the right, with a zero in front.",
     ),
     Case(
-        BY_ID["quaternions.3.3"],
-        READ,
+        "quaternions.3.3",
         given=(UNIT,),
-        correction=Eq(Rotation("b", "i", printed.Q), printed.MATRIX),
+        edits=(Edit(TO_BODY, TO_INERTIAL),),
         witness=YAW_90,
-        readings=readings(ELEMENTS),
+        root="quaternion-direction",
+        weight="misleads",
+        readings=READINGS,
         steps=(
             Step(
                 "Multiplied out, q v q* is the printed matrix times v. So the matrix leads where "
                 "the products lead: from the body to the inertial frame.",
                 Eq(
-                    derived.rotate_to_inertial(),
-                    ImmutableMatrix(printed.MATRIX * ImmutableMatrix(VECTOR)),
-                    evaluate=False,
+                    Product(printed.Q, Pure(ImmutableMatrix(VECTOR)), Conjugate(printed.Q)),
+                    Pure(MatMul(MATRIX, ImmutableMatrix(VECTOR))),
                 ),
             ),
             Step(
                 "For a yaw it is the matrix with the minus sign in the first row, which is that "
                 "from vehicle-1 back to the inertial frame.",
                 Eq(
-                    printed.MATRIX.subs(dict(zip(QUATERNION, TURN_ABOUT_Z, strict=True))),
-                    ImmutableMatrix(
-                        [
-                            [cos(OWN_ANGLES[2]), -sin(OWN_ANGLES[2]), 0],
-                            [sin(OWN_ANGLES[2]), cos(OWN_ANGLES[2]), 0],
-                            [0, 0, 1],
-                        ]
-                    ),
-                    evaluate=False,
+                    Rotation("b", "i", YAW_ONLY),
+                    ImmutableMatrix([[cos(YAW), -sin(YAW), 0], [sin(YAW), cos(YAW), 0], [0, 0, 1]]),
                 ),
             ),
         ),
@@ -233,38 +260,32 @@ SETTLED = (
         + ALSO,
     ),
     Case(
-        BY_ID["quaternions.3.4"],
-        READ_MATRIX,
-        given=(UNIT,),
-        correction=Eq(printed.V_B, MatMul(Transpose(printed.R_IB), printed.V_I)),
-        witness={**YAW_90, **NORTH},
-        readings=readings({**TO_BODY, **ELEMENTS, **MATRIX}),
+        "quaternions.3.4",
+        readings=READINGS,
         steps=(
             Step(
-                "The matrix that stands before it is that of q v q*, from body to inertial frame. "
-                "The vector in the body frame is what its transpose makes of the inertial one.",
+                "The symbol names the matrix from the inertial to the body frame, which does for "
+                "a vector what the products do in that direction.",
                 Eq(
-                    derived.rotate_to_body(),
-                    ImmutableMatrix(printed.MATRIX.T * ImmutableMatrix(VECTOR)),
-                    evaluate=False,
+                    Pure(MatMul(TO_BODY, printed.V_I)),
+                    Product(Reciprocal(printed.Q), Pure(printed.V_I), printed.Q),
                 ),
             ),
         ),
-        remark="R stands here for the matrix that the note has just defined under that symbol. "
-        "With the matrix that the symbol names, its transpose, the line would be right. " + ALSO,
+        remark="Right for the matrix that the symbol names. With the elements that the note has "
+        "printed under this symbol it leads the other way, see quaternions.3.3: that error counts "
+        "there. What the symbol names depends on the reading; the line holds in both.",
     ),
     Case(
-        BY_ID["quaternions.3.a"],
-        READ,
+        "quaternions.3.a",
         condition=UNIT,
         witness={a: 2, b: 0, c: 0, d: 0},
+        root="inverse-is-conjugate",
+        weight="small print",
         steps=(
             Step(
                 "A quaternion times its conjugate is a number, the sum of the squares.",
-                Eq(
-                    Product(printed.Q, Conjugate(printed.Q)),
-                    ImmutableMatrix([NORM, 0, 0, 0]),
-                ),
+                Eq(Product(printed.Q, Conjugate(printed.Q)), ImmutableMatrix([NORM, 0, 0, 0])),
             ),
             Step(
                 "So the inverse is the conjugate divided by that number, which is one for a unit "
@@ -276,48 +297,75 @@ SETTLED = (
         "true, because that one has norm one; of 2, whose inverse is ½, it is not.",
     ),
     Case(
-        BY_ID["quaternions.3.b"],
-        READ_BACK,
+        "quaternions.3.b",
         given=(UNIT,),
-        readings=readings({**TO_INERTIAL, **ELEMENTS}),
+        readings=READINGS,
         remark="The sentence says body to inertial, and that is where the products and the printed "
         "matrix lead. The formulas before and after it say the opposite. " + ALSO,
     ),
     Case(
-        BY_ID["quaternions.4.1"],
-        READ,
-        condition=_cosine_positive(printed.ROLL_PARTS),
-        witness=ROLL_120,
-        readings=readings({**MEANING, **ELEMENTS}),
-        steps=_arctan_steps(OWN_ANGLES[0], printed.ROLL_PARTS),
-        remark="Right for a roll between −90° and 90°. Beyond, in an aircraft on its back, it is "
-        "off by 180°; the note then says to use atan2. " + ALSO,
+        "quaternions.4.1",
+        readings=READINGS,
+        steps=(
+            _by_turns(
+                ImmutableMatrix([2 * (a * b + c * d), a**2 - b**2 - c**2 + d**2]),
+                ImmutableMatrix([sin(ROLL) * cos(PITCH), cos(ROLL) * cos(PITCH)]),
+            ),
+        ),
+        remark=ATAN + ALSO,
     ),
     Case(
-        BY_ID["quaternions.4.2"],
-        READ,
-        given=(UNIT,),
-        readings=readings({**MEANING, **ELEMENTS}),
+        "quaternions.4.2",
+        readings=READINGS,
+        steps=(
+            Step(
+                "Put the quaternion of the three turns in place of a, b, c, d: what stands in the "
+                "brackets is minus the sine of pitch.",
+                Eq((2 * (b * d - a * c)).xreplace(ELEMENTS_BY_TURNS), -sin(PITCH), evaluate=False),
+            ),
+        ),
         remark="Pitch lies between −90° and 90°, as the arcsine does. In rounded numbers the "
         "argument can exceed one; atan2 of the sine and cosine of pitch avoids that. " + ALSO,
     ),
     Case(
-        BY_ID["quaternions.4.3"],
-        READ,
-        condition=_cosine_positive(printed.YAW_PARTS),
-        witness=YAW_120,
-        readings=readings({**MEANING, **ELEMENTS}),
-        steps=_arctan_steps(OWN_ANGLES[2], printed.YAW_PARTS),
-        remark="Right for a heading between west and east by way of north. For any other it is off "
-        "by 180°; the note then says to use atan2. " + ALSO,
+        "quaternions.4.3",
+        readings=READINGS,
+        steps=(
+            _by_turns(
+                ImmutableMatrix([2 * (a * d + b * c), a**2 + b**2 - c**2 - d**2]),
+                ImmutableMatrix([sin(YAW) * cos(PITCH), cos(YAW) * cos(PITCH)]),
+            ),
+        ),
+        remark=ATAN + ALSO,
     ),
     Case(
-        BY_ID["quaternions.4.b"],
-        READ_AT_LOCK,
-        given=(Condition(Eq(Abs(theta), pi / 2), ({theta: pi / 2}, {theta: -pi / 2})),),
+        "quaternions.2.b",
+        READ_ROTATION,
+        remark="Any rotation is a turn about one axis, and for every axis and angle there is a "
+        "quaternion, with its elements as in quaternions.2.2.",
+    ),
+    Case(
+        "quaternions.4.c",
+        READ_ORDERS.also(SOMEWHERE),
+        steps=(
+            Step(
+                "One attitude is enough to show it: q = (6, 4, 2, 5)/9. In the order of the note, "
+                "yaw, pitch, roll, its roll is this many degrees.",
+                Approximately(claims.ROLL_321 * 180 / pi, "58.9"),
+            ),
+            Step(
+                "Reached by roll first, then pitch, then yaw, it takes this roll.",
+                Approximately(claims.ROLL_123 * 180 / pi, "34.3"),
+            ),
+        ),
+    ),
+    Case(
+        "quaternions.4.b",
+        READ.also(dict(zip(QUATERNION, derived.from_euler(), strict=True))),
+        given=(Condition(Eq(Abs(theta), pi / 2)),),
         remark="Only the sum or the difference of roll and yaw is left at the lock. The quaternion "
         "notices nothing: its derivative is a product of its elements and the body rates.",
     ),
 )
 
-CASES = complete(printed.PRINTED, READ, SETTLED)
+CASES = complete(DOCUMENTS["quaternions"], READ, SETTLED)

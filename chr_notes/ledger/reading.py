@@ -1,14 +1,14 @@
 """How a document's notation is read: its symbols replaced by what they name."""
 
 from collections.abc import Callable, Iterable, Mapping
-from functools import cache
+from dataclasses import dataclass
 from types import MappingProxyType
 from typing import TypeAlias
 
 from sympy import Basic, MatrixBase, preorder_traversal
 
 from chr_notes.derivations.euler import FRAMES, TURNS, rotation
-from chr_notes.ledger.case import Read
+from chr_notes.printed import BY_ID
 from chr_notes.printed.statement import Rotation
 
 # What a symbol names, or the derivation of it.
@@ -44,8 +44,8 @@ def elements(
 EULER_NOTATION: Notation = MappingProxyType({Rotation: read_rotation})
 
 
-def reading(meaning: Mapping[Basic, Meaning], notation: Notation = EULER_NOTATION) -> Read:
-    """Make the function that reads a document.
+class Read:
+    """How a document is read: its symbols replaced by what they name.
 
     Parameters
     ----------
@@ -54,22 +54,93 @@ def reading(meaning: Mapping[Basic, Meaning], notation: Notation = EULER_NOTATIO
         derivation itself, which then runs when the symbol is first met.
     notation
         From a class of the document's notation to the function that works it out, once all that
-        stands within is worked out. Rotations by Euler angles, if nothing else is said.
+        stands within is worked out.
+    base
+        The reading that this one adds names to; it is used first.
     """
 
-    @cache
-    def named(symbol: Basic) -> Basic:
-        quantity = meaning[symbol]
-        return quantity if isinstance(quantity, Basic) else quantity()
+    def __init__(
+        self, meaning: Mapping[Basic, Meaning], notation: Notation, base: "Read | None" = None
+    ) -> None:
+        self.meaning = meaning
+        self.notation = notation
+        self.base = base
+        self._worked_out: dict[Basic, Basic] = {}
 
-    def work_out(node: Basic) -> Basic:
-        if not node.has(*notation):
+    def __call__(self, expression: Basic) -> Basic:
+        """Put the derived quantities in place of the symbols, unevaluated."""
+        return self._work_out(self.with_names(expression))
+
+    def also(self, meaning: Mapping[Basic, Meaning]) -> "Read":
+        """Read more names, or free symbols of the derivations at some special values.
+
+        Raises
+        ------
+        ValueError
+            If a symbol is read already. A document has one reading.
+        """
+        twice = [name for name in meaning if name in self]
+        if twice:
+            msg = f"expected names that are not read yet, got {', '.join(map(str, twice))}"
+            raise ValueError(msg)
+        return Read(meaning, self.notation, base=self)
+
+    def extends(self, other: "Read") -> bool:
+        """Whether this is a reading with no more than names added to it."""
+        return self is other or (self.base is not None and self.base.extends(other))
+
+    def __contains__(self, name: Basic) -> bool:
+        """Whether a name has a meaning."""
+        return name in self.meaning or (self.base is not None and name in self.base)
+
+    def defines(self, name: Basic, by: str) -> bool:
+        """Whether a name has no other meaning than the one that a printed definition gives."""
+        if name in self.meaning:
+            return self.meaning[name] == Defined(by)
+        return self.base is None or self.base.defines(name, by)
+
+    def with_names(self, expression: Basic) -> Basic:
+        """Put the derived quantities in place of the symbols, and leave the notation."""
+        if self.base is not None:
+            expression = self.base.with_names(expression)
+        met = self.meaning.keys() & set(preorder_traversal(expression))
+        return expression.xreplace({symbol: self._named(symbol) for symbol in met})
+
+    def _named(self, symbol: Basic) -> Basic:
+        if symbol not in self._worked_out:
+            quantity = self.meaning[symbol]
+            self._worked_out[symbol] = quantity if isinstance(quantity, Basic) else quantity()
+        return self._worked_out[symbol]
+
+    def _work_out(self, node: Basic) -> Basic:
+        if not node.has(*self.notation):
             return node
-        whole = node.func(*(work_out(part) for part in node.args))
-        return notation[type(node)](whole) if type(node) in notation else whole
+        whole = node.func(*(self._work_out(part) for part in node.args))
+        return self.notation[type(node)](whole) if type(node) in self.notation else whole
 
-    def read(expression: Basic) -> Basic:
-        met = meaning.keys() & set(preorder_traversal(expression))
-        return work_out(expression.xreplace({symbol: named(symbol) for symbol in met}))
 
-    return read
+def reading(meaning: Mapping[Basic, Meaning], notation: Notation = EULER_NOTATION) -> Read:
+    """Make the reading of a document; rotations are by Euler angles, if nothing else is said."""
+    return Read(meaning, notation)
+
+
+@dataclass(frozen=True)
+class Defined:
+    """The meaning that a printed definition gives to the name on its left side."""
+
+    id: str
+
+    def __call__(self) -> Basic:
+        """Give the right side of the definition."""
+        return BY_ID[self.id].statement.rhs
+
+
+def defined(*ids: str) -> dict[Basic, Meaning]:
+    """Read names by the definitions that a document prints: so each use is tied to the print.
+
+    Parameters
+    ----------
+    ids
+        Of printed equations that have the name alone on the left side.
+    """
+    return {BY_ID[each].statement.lhs: Defined(each) for each in ids}

@@ -1,18 +1,19 @@
-"""The ledger on the command line: a table for people, JSON for programs."""
+"""The ledger on the command line: a table for people, JSON for programs, and its refreshing."""
 
 import dataclasses
 import json
 import sys
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
+from concurrent.futures import ProcessPoolExecutor
+from importlib import metadata
 
-from chr_notes.ledger import CASES, Entry, entry
-
-_BAR = 30
+from chr_notes.ledger import stored
+from chr_notes.ledger.entry import Entry
 
 
 def run(document: str | None = None, verdict: str | None = None, *, as_json: bool = False) -> int:
-    """Judge entries, with a bar on standard error, and print them on standard output.
+    """Print stored entries on standard output.
 
     Parameters
     ----------
@@ -26,16 +27,70 @@ def run(document: str | None = None, verdict: str | None = None, *, as_json: boo
     Returns
     -------
     int
-        Exit code: 2 if there is no such document, else 0.
+        Exit code: 2 if there is no such document, 1 if the stored verdicts are out of date, else 0.
     """
-    documents = sorted({case.printed.document for case in CASES.values()})
-    if document is not None and document not in documents:
-        sys.stderr.write(f"expected one of {', '.join(documents)}, got {document!r}\n")
+    if not _known(document):
         return 2
-    names = [name for name, case in CASES.items() if document in (None, case.printed.document)]
-    judged = [each for each in _with_bar(names) if verdict in (None, each.verdict)]
-    sys.stdout.write(as_text(judged) if not as_json else as_list(judged))
+    try:
+        rows = [
+            entry
+            for topic in stored.DOCUMENTS
+            if document in (None, topic)
+            for entry in stored.read(topic)
+            if verdict in (None, entry.verdict)
+        ]
+    except stored.StaleError as error:
+        sys.stderr.write(f"ledger: {error}\n")
+        return 1
+    sys.stdout.write(as_text(rows) if not as_json else as_list(rows))
     return 0
+
+
+def refresh(document: str | None = None) -> int:
+    """Judge the documents whose stored verdicts are out of date, and store them.
+
+    Returns
+    -------
+    int
+        Exit code: 2 if there is no such document, 1 if a case cannot be judged, else 0.
+    """
+    if not _known(document):
+        return 2
+    topics = [t for t in stored.DOCUMENTS if document in (None, t) and stored.is_stale(t)]
+    failed = False
+    for topic, (entries, errors) in zip(topics, _judged(topics), strict=True):
+        failed = failed or bool(errors)
+        sys.stderr.writelines(f"{error}\n" for error in errors)
+        if not errors:
+            stored.write(topic, entries)
+            sys.stderr.write(f"{topic}: {len(entries)} entries stored\n")
+    return int(failed)
+
+
+def check(document: str | None = None) -> int:
+    """Judge everything again and compare with what is stored.
+
+    Returns
+    -------
+    int
+        Exit code: 2 if there is no such document, 1 if anything differs, else 0.
+    """
+    if not _known(document):
+        return 2
+    topics = [topic for topic in stored.DOCUMENTS if document in (None, topic)]
+    differing: list[str] = []
+    for topic, (entries, errors) in zip(topics, _judged(topics), strict=True):
+        if stored.is_stale(topic):
+            differing.append(f"{topic}: the stored verdicts are out of date; {stored.REFRESH}")
+            continue
+        before = {entry.id: entry for entry in stored.read(topic)}
+        now = {entry.id: entry for entry in entries}
+        changed = sorted(n for n in before.keys() | now.keys() if before.get(n) != now.get(n))
+        differing += errors or [f"{name}: judged otherwise than stored" for name in changed]
+        if differing and stored.judged_with(topic) != metadata.version("sympy"):
+            differing.append(f"{topic}: stored with SymPy {stored.judged_with(topic)}")
+    sys.stderr.writelines(f"{line}\n" for line in differing)
+    return int(bool(differing))
 
 
 def as_list(entries: Iterable[Entry]) -> str:
@@ -54,14 +109,33 @@ def as_text(entries: Iterable[Entry]) -> str:
     return "\n".join([*lines, "", f"{len(rows)} entries: {total}" if rows else "no entries"]) + "\n"
 
 
-def _with_bar(names: list[str]) -> Iterator[Entry]:
-    """Judge one by one and say how far it is; a file gets no bar, only the result."""
-    shown = sys.stderr.isatty()
-    for done, name in enumerate(names, 1):
-        yield entry(name)
-        if shown:
-            full = _BAR * done // len(names)
-            bar = "#" * full + "." * (_BAR - full)
-            sys.stderr.write(f"\r[{bar}] {done}/{len(names)} {name:45}")
-    if shown:
-        sys.stderr.write("\r" + " " * (_BAR + 60) + "\r")
+def _known(document: str | None) -> bool:
+    if document in (None, *stored.DOCUMENTS):
+        return True
+    sys.stderr.write(f"expected one of {', '.join(stored.DOCUMENTS)}, got {document!r}\n")
+    return False
+
+
+def _judged(topics: list[str]) -> Iterable[tuple[list[Entry], list[str]]]:
+    """Judge documents side by side: for each the entries, and what cannot be judged."""
+    if len(topics) < 2:  # noqa: PLR2004 (one needs no other process)
+        return map(judged, topics)
+    with ProcessPoolExecutor() as processes:
+        return list(processes.map(judged, topics))
+
+
+def judged(document: str) -> tuple[list[Entry], list[str]]:
+    """Judge a document: its entries, and a line for each case that cannot be judged."""
+    # Only here the ledger wants SymPy and all that is printed and derived.
+    from chr_notes.ledger.case import CannotJudgeError  # noqa: PLC0415
+    from chr_notes.ledger.cases import CASES  # noqa: PLC0415
+    from chr_notes.ledger.judgement import judge  # noqa: PLC0415
+
+    entries, errors = [], []
+    for case in CASES.values():
+        if case.printed.document == document:
+            try:
+                entries.append(judge(case))
+            except CannotJudgeError as error:
+                errors.append(str(error))
+    return entries, errors

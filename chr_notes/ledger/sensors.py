@@ -9,14 +9,13 @@ from chr_notes.derivations.estimation import accelerometer_at_rest, tilt, weight
 from chr_notes.derivations.euler import rotation
 from chr_notes.derivations.sensors import specific_force
 from chr_notes.derivations.steps import Step
-from chr_notes.ledger.case import Case, Condition, complete
+from chr_notes.ledger.case import NOTHING, Case, Condition, complete
 from chr_notes.ledger.reading import elements, reading
 from chr_notes.printed import sensors as printed
 from chr_notes.symbols import ACCELEROMETER, VECTOR, g, m, phi, theta
 
 FORCE = ImmutableMatrix(symbols("F_x F_y F_z", real=True))
 NORMAL = ImmutableMatrix(symbols("N_x N_y N_z", real=True))
-NOTHING = ImmutableMatrix.zeros(3, 1)
 FIELD = ImmutableMatrix(symbols("B_N B_E B_D", real=True))
 RAW = {
     sensor: ImmutableMatrix(symbols(f"{sensor}_x {sensor}_y {sensor}_z", real=True))
@@ -148,7 +147,6 @@ READ_IRON = reading(
     }
 )
 
-_BY_ID = {statement.id: statement for statement in printed.PRINTED}
 _STILL_PARAMETERS = {
     **dict(zip(own("a", derived.REALIGNMENT), Identity(3).as_explicit(), strict=True)),
     **dict(zip(own("b", derived.REALIGNMENT), Identity(3).as_explicit(), strict=True)),
@@ -172,11 +170,10 @@ _STILL_PARAMETERS = {
 
 SETTLED = (
     Case(
-        _BY_ID["sensors.2.2"],
+        "sensors.2.2",
         READ_SUPPORTED,
         condition=Condition(
             Eq(NORMAL, -weight(), evaluate=False),
-            (dict(zip(NORMAL, -weight(), strict=True)),),
         ),
         witness={
             **dict(zip(NORMAL, (0, 0, -11), strict=True)),
@@ -210,31 +207,32 @@ SETTLED = (
         "and the reading is larger than one g.",
     ),
     Case(
-        _BY_ID["sensors.2.3"],
+        "sensors.2.3",
         READ_NAMES,
+        replaces="sensors.2.1",
         remark="From here on the symbol of the reading stands for what the sensor puts out, in "
         "its own unit. The bias has no index here, and the index a in the correction.",
     ),
-    *(Case(_BY_ID[name], READ_NAMES) for name in ("sensors.2.4", "sensors.3.1", "sensors.4.2")),
+    *(Case(name, READ_NAMES) for name in ("sensors.2.4", "sensors.3.1", "sensors.4.2")),
     Case(
-        _BY_ID["sensors.2.5"],
+        "sensors.2.5",
         READ_CORRECTED,
         remark="The bias is added, not taken away, because the model takes it away.",
     ),
-    Case(_BY_ID["sensors.2.a"], READ_STILL),
-    Case(_BY_ID["sensors.2.b"], READ_FALLING),
-    Case(_BY_ID["sensors.2.c"], READ_LEVEL),
-    Case(_BY_ID["sensors.2.d"], READ_LEVEL),
-    Case(_BY_ID["sensors.2.e"], READ_SOLVED),
+    Case("sensors.2.a", READ_STILL),
+    Case("sensors.2.b", READ_FALLING),
+    Case("sensors.2.c", READ_LEVEL),
+    Case("sensors.2.d", READ_LEVEL),
+    Case("sensors.2.e", READ_SOLVED),
     Case(
-        _BY_ID["sensors.3.2"],
+        "sensors.3.2",
         READ_GYRO,
         remark="The note prints no model of the gyro that this would solve. It solves the one of "
         "the accelerometer, with the coupling added to what the axes read.",
     ),
-    Case(_BY_ID["sensors.4.1"], READ_FIELD),
+    Case("sensors.4.1", READ_FIELD),
     Case(
-        _BY_ID["sensors.4.3"],
+        "sensors.4.3",
         READ_FIELD,
         correction=Eq(
             printed.B_C,
@@ -271,13 +269,13 @@ SETTLED = (
         remark="The line has the accelerometer's reading, sensitivity, misalignment and bias where "
         "the magnetometer's belong. As printed it calibrates gravity.",
     ),
-    Case(_BY_ID["sensors.4.a"], READ_TURNED),
+    Case("sensors.4.a", READ_TURNED),
     Case(
-        _BY_ID["sensors.4.b"],
+        "sensors.4.b",
         READ_IRON,
     ),
     Case(
-        _BY_ID["sensors.4.c"],
+        "sensors.4.c",
         READ_IRON,
         steps=(
             Step(
@@ -303,7 +301,7 @@ SETTLED = (
         "the ellipsoid.",
     ),
     Case(
-        _BY_ID["sensors.4.d"],
+        "sensors.4.d",
         READ_FIELD,
         correction=Eq(printed.INVERSE_SENSITIVITY, printed.S_B.I),
         witness={

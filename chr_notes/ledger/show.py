@@ -57,6 +57,25 @@ def show(name: str) -> Card:
     return Card(judged(name))
 
 
+@dataclass(frozen=True)
+class Cards:
+    """Several entries that one notebook cell can show."""
+
+    cards: tuple[Card, ...]
+
+    def __repr__(self) -> str:
+        """Give ids and verdicts, where no Markdown can be shown."""
+        return "\n".join(map(repr, self.cards))
+
+    def _repr_markdown_(self) -> str:
+        return "\n".join(card.markdown() for card in self.cards)
+
+
+def show_each(*names: str) -> Cards:
+    """Show several entries of the ledger, see `show`."""
+    return Cards(tuple(map(show, names)))
+
+
 def badge(verdict: Verdict) -> str:
     """Return a verdict as HTML: colour, sign and word."""
     mark = f'<span aria-hidden="true">{MARKS[verdict]}</span>'
@@ -87,7 +106,9 @@ def _card(entry: Entry) -> Iterator[str]:
     if entry.correction_latex is not None:
         yield from _formula("Right", entry.correction_latex)
     if entry.condition is not None:
-        yield from _formula("Holds when", entry.condition)
+        yield from _formula("Holds exactly when" if entry.exact else "Holds if", entry.condition)
+    if entry.undefined is not None:
+        yield from _formula("Not defined where", entry.undefined)
     if entry.witness is not None:
         yield from _witness(entry)
     yield from _readings(entry)

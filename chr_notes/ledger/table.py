@@ -3,9 +3,8 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from chr_notes.ledger import CASES, entry
+from chr_notes.ledger import entry
 from chr_notes.ledger.show import MARKS
-from chr_notes.printed.statement import Approximately
 from chr_notes.printed.table_1 import CELLS
 
 PREFIX = "dead_reckoning.t1"
@@ -40,12 +39,19 @@ def _lines() -> Iterator[str]:
 
 
 def _cell(name: str) -> str:
-    case, verdict = CASES[name], entry(name).verdict
+    judged = entry(name)
+    verdict = judged.verdict
     anchor = f'<span id="entry-{name}"></span>'
     mark = (
         f'<span class="verdict-{verdict}" role="img" aria-label="{verdict}">{MARKS[verdict]}</span>'
     )
-    printed, right = case.printed.statement, case.correction
-    if not isinstance(right, Approximately):
-        return f"{anchor}${printed.number}$ {mark}"
-    return f"{anchor}<s>${printed.number}$</s> {mark} ${right.number}$"
+    printed = _number(judged.printed_latex)
+    if judged.correction_latex is None:
+        return f"{anchor}${printed}$ {mark}"
+    return f"{anchor}<s>${printed}$</s> {mark} ${_number(judged.correction_latex)}$"
+
+
+def _number(latex: str) -> str:
+    """Take the number of a cell, which stands after the sign, in a box where it is corrected."""
+    number = latex.rpartition(r"\approx ")[2]
+    return number.removeprefix(r"\boxed{").removesuffix("}") if "boxed" in number else number

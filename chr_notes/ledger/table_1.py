@@ -8,7 +8,6 @@ from chr_notes.derivations import dead_reckoning as derived
 from chr_notes.derivations.steps import Step
 from chr_notes.ledger.case import Case
 from chr_notes.ledger.reading import reading
-from chr_notes.printed import dead_reckoning as printed
 from chr_notes.printed.statement import Approximately
 from chr_notes.printed.table_1 import CELLS, COLUMNS, ROWS, Cell, error
 from chr_notes.symbols import g
@@ -53,7 +52,6 @@ MEANING = {
 }
 READ = reading(MEANING)
 
-_BY_ID = {statement.id: statement for statement in printed.PRINTED}
 
 # The right numbers where Table 1 has wrong ones, by row and column.
 CORRECTED_CELLS = {
@@ -122,7 +120,7 @@ GROWTH = (
 
 
 def _corrected_cell(cell: Cell) -> Case:
-    statement = _BY_ID[f"dead_reckoning.t1.{cell.degrees}.{cell.column}"]
+    statement = f"dead_reckoning.t1.{cell.degrees}.{cell.column}"
     right = Approximately(cell.quantity, CORRECTED_CELLS[cell.degrees][cell.column])
     if COLUMNS[cell.column].quantity != "r":
         last_digit = Step(
@@ -157,14 +155,14 @@ SETTLED = (
         if cell.column in CORRECTED_CELLS.get(cell.degrees, {})
     ),
     Case(
-        _BY_ID["dead_reckoning.4.b"],
+        "dead_reckoning.4.b",
         READ,
         correction=Approximately(error("position_10s", "1.0"), "8.6"),
         steps=GROWTH,
         remark="The half is missing.",
     ),
     Case(
-        _BY_ID["dead_reckoning.4.c"],
+        "dead_reckoning.4.c",
         READ,
         correction=Approximately(error("position_1min", "1.0"), "308"),
         steps=GROWTH,
@@ -172,14 +170,14 @@ SETTLED = (
         "kilometre.",
     ),
     Case(
-        _BY_ID["dead_reckoning.4.d"],
+        "dead_reckoning.4.d",
         READ,
         correction=Approximately(error("position_10min", "1.0"), "31 e 3"),
         steps=GROWTH,
         remark="The half is missing; besides, the note's own table has 61.2 km.",
     ),
     Case(
-        _BY_ID["dead_reckoning.4.e"],
+        "dead_reckoning.4.e",
         READ,
         correction=And(
             Approximately(error("position_10s", "2.0"), "17.1"),

@@ -6,8 +6,8 @@ from chr_notes.derivations import estimation
 from chr_notes.derivations import validation as derived
 from chr_notes.derivations.steps import Step
 from chr_notes.ledger import ranges
-from chr_notes.ledger.case import Case, Condition, complete
-from chr_notes.ledger.validation_attitude import DEGREE, LABEL
+from chr_notes.ledger.case import DEGREE, Case, Condition, complete
+from chr_notes.ledger.validation_attitude import LABEL
 from chr_notes.ledger.validation_attitude import SETTLED as ON_ATTITUDE
 from chr_notes.ledger.validation_reading import (
     BIAS,
@@ -27,11 +27,9 @@ from chr_notes.ledger.validation_reading import (
 from chr_notes.printed import validation as printed
 from chr_notes.printed.statement import Approximately, Leads
 
-_BY_ID = {statement.id: statement for statement in printed.PRINTED}
-
 SETTLED = (
     Case(
-        _BY_ID["validation.10"],
+        "validation.10",
         READ_FILTER,
         condition=ranges.short_turn(ROLL_STEP, printed.ROLL_ACCEL),
         witness={
@@ -56,9 +54,9 @@ SETTLED = (
         "for. Where the two are more than half a turn apart as numbers, whole turns must come off "
         "first.",
     ),
-    Case(_BY_ID["validation.11"], READ_FILTER),
+    Case("validation.11", READ_FILTER),
     Case(
-        _BY_ID["validation.12"],
+        "validation.12",
         READ_FIELD,
         correction=Leads(
             Eq(printed.M_I, MatMul(printed.R_BI, printed.M_B), evaluate=False),
@@ -76,7 +74,7 @@ SETTLED = (
     ),
     *(
         Case(
-            _BY_ID[name],
+            name,
             READ_YAW,
             remark="It needs a field with a horizontal part. Over a magnetic pole A is zero, and "
             "no compass can tell yaw.",
@@ -84,17 +82,17 @@ SETTLED = (
         for name in ("validation.13", "validation.14")
     ),
     Case(
-        _BY_ID["validation.15"],
+        "validation.15",
         READ_YAW,
         remark="A is minus the square of the horizontal field, so it is never positive: to drop it "
         "from both arguments of equation 16 would turn yaw by 180°.",
     ),
-    Case(_BY_ID["validation.17"], READ_YAW),
+    Case("validation.17", READ_YAW),
     Case(
-        _BY_ID["validation.c"],
+        "validation.c",
         READ_FILTER,
         given=(ranges.above_0_to_1(printed.ALPHA),),
-        condition=Condition(Eq(BIAS, 0), ({BIAS: 0},)),
+        condition=Condition(Eq(BIAS, 0)),
         witness={
             BIAS: DEGREE,
             printed.ALPHA: Rational(2, 100),
@@ -123,9 +121,9 @@ SETTLED = (
         "by 0.49° for 1°/s at 100 samples a second and α = 0.02.",
     ),
     Case(
-        _BY_ID["validation.d"],
+        "validation.d",
         READ_FIELD,
-        condition=Condition(Eq(DISTURBANCE[2], 0), ({DISTURBANCE[2]: 0},)),
+        condition=Condition(Eq(DISTURBANCE[2], 0)),
         witness={
             **SOME_ATTITUDE,
             **dict.fromkeys(DISTURBANCE, 0),
@@ -137,7 +135,7 @@ SETTLED = (
         "best of angles.",
     ),
     Case(
-        _BY_ID["validation.e"],
+        "validation.e",
         READ_EARTH,
         correction=Eq(
             printed.M_I,
@@ -160,7 +158,7 @@ SETTLED = (
         "leaves a y component. (z is down, as for gravity in equation 2; normalised, $M_e$ is 1.)",
     ),
     Case(
-        _BY_ID["validation.f"],
+        "validation.f",
         READ_EARTH,
         steps=(
             Step(
@@ -182,7 +180,7 @@ SETTLED = (
         "magnetometer's scale, and the difference between places.",
     ),
     Case(
-        _BY_ID["validation.g"],
+        "validation.g",
         READ_FIELD,
         condition=Condition(
             Ne(derived.ERROR_AXIS[0] * printed.M_YI - derived.ERROR_AXIS[1] * printed.M_XI, 0)

@@ -1,10 +1,10 @@
 """The paper's statements on rotations, gravity and rates before the judgement."""
 
-from sympy import Eq, ImmutableMatrix, MatMul, Rational, asin, atan2, pi, sin, sqrt
+from sympy import Eq, ImmutableMatrix, MatMul, Rational, asin, atan2, sin, sqrt
 
 from chr_notes.derivations.steps import Step
 from chr_notes.ledger import ranges
-from chr_notes.ledger.case import Case
+from chr_notes.ledger.case import DEGREE, Case
 from chr_notes.ledger.validation_reading import (
     READ,
     READ_RATES,
@@ -17,9 +17,6 @@ from chr_notes.printed import validation as printed
 from chr_notes.printed.statement import InOrder, chain
 from chr_notes.symbols import BODY_RATES, g, phi, pitch_rate, psi, roll_rate, theta, yaw_rate
 
-DEGREE = pi / 180
-
-_BY_ID = {statement.id: statement for statement in printed.PRINTED}
 PITCH_RANGE = ranges.up_to_right_angle(theta)
 
 LABEL = (
@@ -39,7 +36,7 @@ TANGENT_REMARK = (
 
 SETTLED = (
     Case(
-        _BY_ID["validation.1"],
+        "validation.1",
         READ,
         correction=chain(printed.R_BI, printed.TURNS, printed.MATRIX),
         witness=SOME_ATTITUDE,
@@ -54,9 +51,9 @@ SETTLED = (
         remark="Product and elements are right for the matrix from the body to the inertial frame. "
         + LABEL,
     ),
-    Case(_BY_ID["validation.2"], READ, readings=READINGS),
+    Case("validation.2", READ, readings=READINGS),
     Case(
-        _BY_ID["validation.3"],
+        "validation.3",
         READ,
         given=(PITCH_RANGE,),
         condition=ranges.acute(phi, theta),
@@ -72,7 +69,7 @@ SETTLED = (
         "arguments of the arctangent need a minus.",
     ),
     Case(
-        _BY_ID["validation.4"],
+        "validation.4",
         READ,
         given=(PITCH_RANGE,),
         correction=Eq(
@@ -91,7 +88,7 @@ SETTLED = (
         "distinguish from gravity.",
     ),
     Case(
-        _BY_ID["validation.5"],
+        "validation.5",
         READ,
         correction=Eq(printed.G_I, MatMul(printed.R_BI, printed.G_B)),
         witness={**SOME_ATTITUDE, g: Rational(98, 10)},
@@ -106,7 +103,7 @@ SETTLED = (
     ),
     *(
         Case(
-            _BY_ID[name],
+            name,
             READ,
             correction=NO_INFORMATION.statement,
             witness={**SOME_ATTITUDE, g: Rational(98, 10)},
@@ -116,7 +113,7 @@ SETTLED = (
         for name in ("validation.6", "validation.7")
     ),
     Case(
-        _BY_ID["validation.8"],
+        "validation.8",
         READ,
         correction=chain(
             ImmutableMatrix(BODY_RATES),
@@ -136,9 +133,9 @@ SETTLED = (
         remark="With the matrix that equation 1 prints the transpose is right, with what its label "
         "says it is one too many. " + LABEL,
     ),
-    Case(_BY_ID["validation.9"], READ_RATES),
+    Case("validation.9", READ_RATES),
     Case(
-        _BY_ID["validation.a"],
+        "validation.a",
         READ,
         correction=Eq(printed.V_I, MatMul(printed.MATRIX, printed.V_B)),
         witness={**SOME_ATTITUDE, **dict(zip(VECTOR, (1, 0, 0), strict=True))},
@@ -153,7 +150,7 @@ SETTLED = (
         "components from the body to the inertial frame.",
     ),
     Case(
-        _BY_ID["validation.b"],
+        "validation.b",
         READ,
         correction=Eq(
             MatMul(printed.R_IB, printed.G_I), MatMul(WITHOUT_YAW, printed.G_I), evaluate=False

@@ -16,7 +16,7 @@ from sympy import (
 
 from chr_notes.printed.hamilton import Conjugate, Product, Pure, Reciprocal
 from chr_notes.printed.statement import InOrder, Printed, Rotation, as_printed, words
-from chr_notes.symbols import AXIS, FIRST, SECOND, a, b, c, d, phi, psi, theta
+from chr_notes.symbols import AXIS, FIRST, SECOND, Angle, a, b, c, d, phi, psi, theta
 
 # Names that the document, or the proposition that its words state, gives to things.
 Q = MatrixSymbol(r"\mathbf{q}_i^b", 4, 1)
@@ -24,10 +24,15 @@ Q_1 = MatrixSymbol(r"\mathbf{q}_1", 4, 1)
 Q_2 = MatrixSymbol(r"\mathbf{q}_2", 4, 1)
 V_I = MatrixSymbol(r"\mathbf{v}_I", 3, 1)
 V_B = MatrixSymbol(r"\mathbf{v}_B", 3, 1)
+# Printed as the vector is, and equated with a product of quaternions: the note treats a vector as
+# a quaternion without a real part.
+V_B_AS_QUATERNION = MatrixSymbol(r"\mathbf{v}_B", 4, 1)
 REALS = Symbol(r"\dim \mathbb{R}", integer=True)
 COMPLEX = Symbol(r"\dim \mathbb{C}", integer=True)
 QUATERNIONS = Symbol(r"\dim \mathbb{H}", integer=True)
 IMAGINARY = Symbol(r"\dim i\mathbb{R}", integer=True)
+# Written like pitch, and not pitch: the angle of one turn about one axis.
+TURN = Angle(r"\theta", real=True)
 NO_RATE = words("pitches without a rate of the quaternion")
 
 a_1, b_1, c_1, d_1 = FIRST
@@ -61,7 +66,7 @@ with as_printed():
             "The elements from a unit axis and an angle.",
             Eq(
                 ImmutableMatrix([a, b, c, d]),
-                ImmutableMatrix([cos(0.5 * theta), *(part * sin(0.5 * theta) for part in AXIS)]),
+                ImmutableMatrix([cos(0.5 * TURN), *(part * sin(0.5 * TURN) for part in AXIS)]),
             ),
         ),
         Printed(
@@ -76,7 +81,7 @@ with as_printed():
             "equation",
             "section 3, paragraph 1",
             "A vector taken from the inertial to the body frame by two quaternion products.",
-            Eq(V_B, Product(Q, Pure(V_I), Reciprocal(Q))),
+            Eq(V_B_AS_QUATERNION, Product(Q, Pure(V_I), Reciprocal(Q))),
         ),
         Printed(
             "quaternions.3.2",

@@ -6,7 +6,7 @@ from sympy import Basic, MatrixSymbol, Symbol, preorder_traversal
 
 from chr_notes import symbols
 from chr_notes.book.notation import NOTATION, first_entry, notation
-from chr_notes.ledger import CASES
+from chr_notes.ledger.cases import CASES
 from chr_notes.typeset import latex
 
 OFTEN = 4

@@ -1,208 +1,277 @@
-"""The usual misprints, made on purpose, one at a time."""
+"""The usual misprints, made on purpose, one at a time: a table of kinds."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
+from types import MappingProxyType
 
 from sympy import (
+    Abs,
     Add,
     Basic,
     Eq,
-    Expr,
     FiniteSet,
-    Function,
-    ImmutableMatrix,
+    Integer,
     Inverse,
     MatAdd,
     MatMul,
     MatrixBase,
     MatrixSymbol,
     Mul,
+    Number,
+    Pow,
     Rational,
     Set,
     Symbol,
     Transpose,
     Union,
+    acos,
+    asin,
+    atan,
     atan2,
     cos,
     sin,
 )
 from sympy.core.relational import Relational
-from sympy.logic.boolalg import And
+from sympy.core.symbol import Str
 
+from chr_notes.ledger.edits import in_order, rebuilt
 from chr_notes.printed.hamilton import Conjugate, Product, Reciprocal
 from chr_notes.printed.statement import Approximately, Rotation
 
-SWAPPED_FUNCTION: dict[type[Function], type[Function]] = {sin: cos, cos: sin}
+Wrong = Iterator[Basic]
+SWAPPED = {sin: cos, cos: sin, asin: acos}
+FRAMES = ({"I", "v1", "v2", "B"}, {"i", "b"})
+STEPS = (("k + 1", "k"), ("k+1", "k"), ("n-1", "n"), ("n - 1", "n"))
+
+
+def sign(node: Basic, _: Basic) -> Wrong:
+    """Yield a sum with the sign of one term changed, a product or function with its own."""
+    if isinstance(node, Add | MatAdd):
+        for place, term in enumerate(node.args):
+            yield replaced(node, place, negative(term))
+    elif isinstance(node, MatrixBase):
+        yield from (with_element(node, place, negative(each)) for place, each in enumerate(node))
+    elif isinstance(node, Eq):
+        yield replaced(node, 1, negative(node.rhs))
+
+
+def sine_for_cosine(node: Basic, _: Basic) -> Wrong:
+    """Yield the other function of the same angle."""
+    if type(node) in SWAPPED:
+        yield SWAPPED[type(node)](*node.args, evaluate=False)
+
+
+def transposed(node: Basic, _: Basic) -> Wrong:
+    """Yield a square matrix on its other diagonal."""
+    if isinstance(node, MatrixBase) and node.rows == node.cols:
+        yield node.T
+    if isinstance(node, MatrixSymbol | Rotation) and node.is_square:
+        yield Transpose(node)
+
+
+def swapped_symbols(node: Basic, whole: Basic) -> Wrong:
+    """Yield another symbol of the statement, of the same shape, in one place."""
+    if isinstance(node, Symbol | MatrixSymbol):
+        others = whole.atoms(Symbol, MatrixSymbol) - {node}
+        for other in sorted(others, key=str):
+            if alike(node, other):
+                yield other
+
+
+def swapped_throughout(node: Basic, whole: Basic) -> Wrong:
+    """Yield the whole with two symbols exchanged everywhere."""
+    if node is whole:
+        names = sorted(whole.free_symbols, key=str)
+        for place, one in enumerate(names):
+            for other in names[place + 1 :]:
+                if alike(one, other):
+                    yield whole.xreplace({one: other, other: one})
+
+
+def lost_factor(node: Basic, _: Basic) -> Wrong:
+    """Yield a product without one of its factors, and a fraction upside down in one of them."""
+    if isinstance(node, Mul | MatMul | Product) and len(node.args) > 1:
+        for place, factor in enumerate(node.args):
+            rest = [each for other, each in enumerate(node.args) if other != place]
+            if getattr(factor, "shape", ()) in ((), (3, 3), (4, 1)) or not node.is_Matrix:
+                yield rest[0] if len(rest) == 1 else rebuilt(node, rest)
+
+
+def reversed_factors(node: Basic, _: Basic) -> Wrong:
+    """Yield factors that do not commute in reverse order."""
+    if isinstance(node, Product) or (
+        isinstance(node, MatMul) and all(getattr(f, "is_square", True) for f in node.args)
+    ):
+        yield rebuilt(node, list(reversed(node.args)))
+
+
+def lost_root_or_inverse(node: Basic, _: Basic) -> Wrong:
+    """Yield what stands under a root, a power, an inverse, a conjugate, a magnitude."""
+    if isinstance(node, Pow | Reciprocal | Conjugate | Inverse | Transpose | Abs):
+        yield node.args[0]
+
+
+def wrong_quadrant(node: Basic, _: Basic) -> Wrong:
+    """Yield an arctangent of swapped or negated arguments, or one that forgets the quadrant."""
+    if isinstance(node, atan2):
+        sine, cosine = node.args
+        yield atan2(cosine, sine, evaluate=False)
+        yield atan2(negative(sine), negative(cosine), evaluate=False)
+        yield atan(rebuilt(Mul(sine, cosine, evaluate=False), [sine, Pow(cosine, -1)]))
+    if isinstance(node, atan):
+        yield atan(Pow(node.args[0], -1, evaluate=False), evaluate=False)
+
+
+def wrong_frame(node: Basic, _: Basic) -> Wrong:
+    """Yield a rotation in the other direction, or from or to another frame."""
+    if isinstance(node, Rotation):
+        source, target = node.frames
+        yield Rotation(target, source, *node.angles)
+        known = next(frames for frames in FRAMES if source in frames)
+        for other in sorted(known - {source, target}):
+            yield Rotation(other, target, *node.angles)
+            yield Rotation(source, other, *node.angles)
+
+
+def added_term(node: Basic, whole: Basic) -> Wrong:
+    """Yield a side with one term too many."""
+    if not isinstance(node, Eq):
+        return
+    numbers = sorted(
+        (s for s in whole.free_symbols if isinstance(s, Symbol) and s.is_real), key=str
+    )
+    extra: Basic = Mul(*numbers[:2], evaluate=False) if numbers else Integer(1)
+    right = node.rhs
+    if isinstance(right, MatrixBase):
+        yield replaced(node, 1, with_element(right, 0, Add(right[0], extra, evaluate=False)))
+    elif getattr(right, "is_Matrix", False):
+        yield replaced(node, 1, MatAdd(right, right))
+    elif not isinstance(right, Set):
+        yield replaced(node, 1, Add(right, extra, evaluate=False))
+
+
+def wrong_step(node: Basic, _: Basic) -> Wrong:
+    """Yield k for k + 1, and the other way round."""
+    if isinstance(node, Symbol | MatrixSymbol):
+        for one, other in (*STEPS, *(step[::-1] for step in STEPS)):
+            name = node.name.replace(f"[{one}]", f"[{other}]").replace(f"({one})", f"({other})")
+            if name != node.name:
+                shape = getattr(node, "shape", ())
+                yield MatrixSymbol(name, *shape) if shape else type(node)(name, **assumed(node))
+
+
+def digit(node: Basic, _: Basic) -> Wrong:
+    """Yield a number with its last digit one up or down, twice, half or minus itself."""
+    if isinstance(node, Approximately):
+        unit, number = node.unit, node.rhs
+        for wrong in (number + unit, number - unit, 2 * number, number / 2, -number):
+            # In units of the last digit, which a misprint leaves where it is.
+            yield Approximately(node.lhs / unit, str(round(wrong / unit)))
+    elif isinstance(node, Number) and node not in (0, -1) and node.is_finite:
+        yield node + (1 if node.is_Integer else Rational(1, 10))
+
+
+def wrong_set(node: Basic, _: Basic) -> Wrong:
+    """Yield a set with one element more."""
+    if isinstance(node, Set):
+        yield Union(node, FiniteSet(Rational(1, 7)))
+
+
+def wrong_word(node: Basic, _: Basic) -> Wrong:
+    """Yield another word, or no word."""
+    if isinstance(node, Symbol) and node.name.startswith(r"\text{"):
+        yield Symbol(r"\text{another word}")
+
+
+def turned_round(node: Basic, _: Basic) -> Wrong:
+    """Yield the opposite of a relation that is no equation."""
+    if isinstance(node, Relational) and not isinstance(node, Eq):
+        yield node.negated
+
+
+KINDS: Mapping[str, Callable[[Basic, Basic], Wrong]] = MappingProxyType(
+    {
+        "sign": sign,
+        "sine for cosine": sine_for_cosine,
+        "transposed": transposed,
+        "swapped symbols, in one place": swapped_symbols,
+        "swapped symbols, throughout": swapped_throughout,
+        "lost factor": lost_factor,
+        "factors in reverse order": reversed_factors,
+        "lost root or inverse": lost_root_or_inverse,
+        "wrong quadrant": wrong_quadrant,
+        "wrong frame": wrong_frame,
+        "added term": added_term,
+        "k for k + 1": wrong_step,
+        "digit": digit,
+        "set": wrong_set,
+        "word": wrong_word,
+        "turned round": turned_round,
+    }
+)
+"""Each kind gives, for a node of a statement, what a misprint puts in its place."""
 
 
 def misprints(statement: Basic) -> Iterator[tuple[str, Basic]]:
-    """Yield (name, misprinted statement) for a relation or a conjunction of relations."""
-    if isinstance(statement, And):
-        for index, part in enumerate(statement.args):
-            for name, wrong in misprints(part):
-                rest = [other for place, other in enumerate(statement.args) if place != index]
-                yield f"part {index}: {name}", And(wrong, *rest, evaluate=False)
-        return
-    if isinstance(statement, Approximately):
-        yield from wrong_numbers(statement)
-        return
-    assert isinstance(statement, Relational)
-    if not isinstance(statement, Eq):
-        yield "turned round", statement.negated
-        return
-    for name, wrong in wrong_sides(statement):
-        if rebuilt(wrong) != rebuilt(statement):
-            yield name, wrong
-
-
-def rebuilt(expression: Basic) -> Basic:
-    """Let SymPy order what was left as it is printed, so that a swap of equals is seen as none."""
-    if not expression.args:
-        return expression
-    parts = map(rebuilt, expression.args)
-    as_printed = {"evaluate": False} if isinstance(expression, Eq) else {}
-    return expression.func(*parts, **as_printed)
-
-
-def wrong_sides(statement: Eq) -> Iterator[tuple[str, Basic]]:
-    """Misprint what stands on the right, or on the left if the right side is zero."""
-    left, right = statement.lhs, statement.rhs
-    if right == 0:
-        for name, wrong in wrong_signs(left):  # a factor would be nothing to a zero
-            yield name, Eq(wrong, 0, evaluate=False)
-    elif isinstance(right, Set):
-        one_more = Union(right, FiniteSet(Rational(1, 7)))
-        yield "one element more", Eq(left, one_more, evaluate=False)
-    else:
-        for name, wrong in wrong_expressions(right):
-            yield name, Eq(left, wrong, evaluate=False)
-
-
-def wrong_numbers(statement: Approximately) -> Iterator[tuple[str, Basic]]:
-    """Misprint a number: its sign, a factor of two, its last digit."""
-    number, unit = statement.rhs, statement.unit
-    for name, wrong in (
-        ("negated", -number),
-        ("twice as large", 2 * number),
-        ("half as large", number / 2),
-        ("last digit one up", number + unit),
-        ("last digit one down", number - unit),
-    ):
-        # In units of the last digit, which a misprint leaves where it is.
-        yield name, Approximately(statement.lhs / unit, str(round(wrong / unit)))
-
-
-def wrong_expressions(expression: Basic) -> Iterator[tuple[str, Basic]]:
-    """Yield the misprints of one side."""
-    yield from swapped_symbols(expression)
-    if isinstance(expression, MatrixBase):
-        yield from wrong_matrices(expression)
-    elif isinstance(expression, MatAdd):
-        yield from wrong_parts(expression, wrong_expressions)
-    elif getattr(expression, "is_Matrix", False):
-        yield from wrong_products(expression)
-    else:
-        yield from wrong_scalars(expression)
-
-
-def wrong_matrices(matrix: MatrixBase) -> Iterator[tuple[str, Basic]]:
-    """Misprint a matrix: transposed, or one of its elements."""
-    if matrix.rows == matrix.cols:
-        yield "transposed", ImmutableMatrix(matrix.T)
-    for index, element in enumerate(matrix):
-        for name, wrong in wrong_scalars(element):
-            elements = list(matrix)
-            elements[index] = wrong
-            yield f"element {index}: {name}", ImmutableMatrix(matrix.rows, matrix.cols, elements)
-
-
-def wrong_parts(
-    whole: Basic, misprint: Callable[[Basic], Iterator[tuple[str, Basic]]]
-) -> Iterator[tuple[str, Basic]]:
-    """Misprint one part of a sum or a product of matrices."""
-    for index, part in enumerate(whole.args):
-        for name, wrong in misprint(part):
-            args = list(whole.args)
-            args[index] = wrong
-            yield f"part {index} {name}", whole.func(*args)
-
-
-def wrong_products(expression: Basic) -> Iterator[tuple[str, Basic]]:
-    """Misprint a product or sum of matrices or quaternions."""
-    yield "negated", -expression
-    yield from wrong_signs(expression)
-    for path, node in nodes(expression):
-        squares = isinstance(node, MatMul) and all(
-            not factor.is_Matrix or factor.is_square for factor in node.args
-        )
-        if isinstance(node, Product) or squares:
-            turned = node.func(*reversed(node.args))
-            yield f"factors in reverse order at {path}", put(expression, path, turned)
-        if isinstance(node, Reciprocal | Conjugate | Inverse | Transpose):
-            bare = put(expression, path, node.args[0])
-            yield f"{type(node).__name__} lost at {path}", bare
-        if isinstance(node, MatrixBase) and node.rows == node.cols:
-            yield f"transposed at {path}", put(expression, path, ImmutableMatrix(node.T))
-        if isinstance(node, Rotation):
-            source, target = node.frames
-            other_way = Rotation(target, source, *node.angles)
-            yield f"{node.frames} in the other direction", put(expression, path, other_way)
-            for index, angle in enumerate(node.angles):
-                if isinstance(angle, Expr) and not angle.is_Matrix:
-                    negated = put(expression, (*path, 2 + index), -angle)
-                    yield f"{node.frames} with angle {index} negated", negated
-
-
-def wrong_scalars(expression: Basic) -> Iterator[tuple[str, Basic]]:
-    """Misprint a scalar: a sign, sin for cos, a factor of two."""
-    if expression == 0:
-        return
-    yield "negated", -expression
-    yield "twice as large", 2 * expression
-    yield "half as large", expression / 2
-    yield from wrong_signs(expression)
-    for path, node in nodes(expression):
-        if type(node) in SWAPPED_FUNCTION:
-            swapped = SWAPPED_FUNCTION[type(node)](*node.args)
-            yield f"{swapped} for {node} at {path}", put(expression, path, swapped)
-        if isinstance(node, atan2):
-            turned = atan2(*reversed(node.args))
-            yield f"arguments swapped at {path}", put(expression, path, turned)
-        if isinstance(node, Mul) and node.args[0] == 2:
-            yield f"factor of two lost at {path}", put(expression, path, node / 2)
-
-
-def wrong_signs(expression: Basic) -> Iterator[tuple[str, Basic]]:
-    """Misprint the sign of one term."""
-    for path, node in nodes(expression):
-        if isinstance(node, Add | MatAdd):
-            for index, term in enumerate(node.args):
-                yield f"sign of {term} at {path}", put(expression, (*path, index), -term)
-
-
-def swapped_symbols(expression: Basic) -> Iterator[tuple[str, Basic]]:
-    """Swap each pair of symbols throughout."""
-    names = sorted(
-        (s for s in expression.free_symbols if isinstance(s, Symbol | MatrixSymbol)), key=str
-    )
-    for index, one in enumerate(names):
-        for other in names[index + 1 :]:
-            if getattr(one, "shape", ()) != getattr(other, "shape", ()):
-                continue
-            swap = {one: other, other: one}
-            yield f"{one} and {other} swapped", expression.xreplace(swap)
+    """Yield (kind and number, misprinted statement), each one once."""
+    seen = {in_order(statement)}
+    for kind, wrongs in KINDS.items():
+        number = 0
+        for path, node in nodes(statement):
+            for wrong in wrongs(node, statement):
+                misprinted = put(statement, path, wrong)
+                if in_order(misprinted) not in seen:
+                    seen.add(in_order(misprinted))
+                    number += 1
+                    yield f"{kind} {number}", misprinted
 
 
 def nodes(expression: Basic, path: tuple[int, ...] = ()) -> Iterator[tuple[tuple[int, ...], Basic]]:
-    """Yield all nodes of an expression with their paths."""
+    """Yield all nodes of a statement with their paths; matrices element by element."""
     yield path, expression
-    for index, child in enumerate(expression.args):
+    if isinstance(expression, Str):
+        return
+    parts = list(expression) if isinstance(expression, MatrixBase) else expression.args
+    if isinstance(expression, Symbol | MatrixSymbol | Rotation):
+        return
+    for index, child in enumerate(parts):
         yield from nodes(child, (*path, index))
 
 
 def put(expression: Basic, path: tuple[int, ...], new: Basic) -> Basic:
-    """Replace the node at a path."""
+    """Replace the node at a path, and leave the rest as it is printed."""
     if not path:
         return new
-    args = list(expression.args)
-    args[path[0]] = put(args[path[0]], path[1:], new)
-    return expression.func(*args)
+    place, *further = path
+    if isinstance(expression, MatrixBase):
+        return with_element(expression, place, put(expression[place], tuple(further), new))
+    return replaced(expression, place, put(expression.args[place], tuple(further), new))
+
+
+def replaced(node: Basic, place: int, new: Basic) -> Basic:
+    """Replace one of the parts of a node."""
+    return rebuilt(node, [new if n == place else part for n, part in enumerate(node.args)])
+
+
+def with_element(matrix: MatrixBase, place: int, new: Basic) -> MatrixBase:
+    """Replace one of the elements of a matrix."""
+    return type(matrix)(*matrix.shape, [new if n == place else e for n, e in enumerate(matrix)])
+
+
+def alike(one: Basic, other: Basic) -> bool:
+    """Whether one symbol may stand where the other does: two vectors, numbers, or words."""
+    shapes = [getattr(symbol, "shape", ()) for symbol in (one, other)]
+    return shapes[0] == shapes[1] and getattr(one, "is_real", 0) == getattr(other, "is_real", 0)
+
+
+def negative(expression: Basic) -> Basic:
+    """Put a minus in front."""
+    if getattr(expression, "is_Matrix", False):
+        return -expression if isinstance(expression, MatrixBase) else MatMul(-1, expression)
+    if isinstance(expression, Set | Str) or not hasattr(expression, "__neg__"):
+        return expression
+    return Mul(-1, expression, evaluate=False)
+
+
+def assumed(symbol: Symbol) -> dict[str, bool]:
+    """Return what a symbol was declared to be."""
+    return dict(symbol._assumptions_orig)  # noqa: SLF001 (SymPy has no other way to ask)

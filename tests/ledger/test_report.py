@@ -6,6 +6,7 @@ import pytest
 
 from chr_notes import ledger
 from chr_notes.__main__ import main
+from chr_notes.ledger.cases import CASES
 
 FIELDS = {
     "id", "document", "kind", "place", "verdict", "printed_latex", "derived_latex",
@@ -17,7 +18,7 @@ def test_json_is_a_list_of_entries_and_nothing_else(capsys: pytest.CaptureFixtur
     assert main(["ledger", "--document", "euler", "--json"]) == 0
     captured = capsys.readouterr()
     rows = json.loads(captured.out)
-    assert [row["id"] for row in rows] == [name for name in ledger.CASES if "euler." in name]
+    assert [row["id"] for row in rows] == [name for name in CASES if "euler." in name]
     for row in rows:
         assert row.keys() >= FIELDS
         assert row["verdict"] == ledger.entry(row["id"]).verdict
@@ -28,9 +29,7 @@ def test_json_is_a_list_of_entries_and_nothing_else(capsys: pytest.CaptureFixtur
 def test_table_has_a_line_an_entry_and_the_counts(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["ledger", "--document", "euler", "--verdict", "corrected"]) == 0
     lines = capsys.readouterr().out.splitlines()
-    corrected = [
-        n for n in ledger.CASES if "euler." in n and ledger.entry(n).verdict == "corrected"
-    ]
+    corrected = [n for n in CASES if "euler." in n and ledger.entry(n).verdict == "corrected"]
     assert [line.split()[0] for line in lines[: len(corrected)]] == corrected
     assert lines[-1] == f"{len(corrected)} entries: {len(corrected)} corrected"
 

@@ -1,12 +1,12 @@
 """Table 1 is shown as it was judged."""
 
-from chr_notes import ledger
+from chr_notes.ledger.cases import CASES
 from chr_notes.ledger.table import PREFIX, show_table
 
 
 def test_every_cell_stands_in_the_table_once() -> None:
     text = show_table().markdown
-    cells = [name for name in ledger.CASES if name.startswith(PREFIX)]
+    cells = [name for name in CASES if name.startswith(PREFIX)]
     assert len(cells) == 42
     for name in cells:
         assert text.count(f'id="entry-{name}"') == 1

@@ -7,7 +7,7 @@ from pathlib import Path
 import nbformat
 import pytest
 
-from chr_notes import ledger
+from chr_notes.ledger.cases import CASES
 
 FOLDER = Path(__file__).resolve().parents[2] / "notebooks"
 ANCHOR = re.compile(r'id="entry-([\w.]+)"')
@@ -21,7 +21,7 @@ def shown(chapter: str) -> Counter[str]:
     return Counter(name for text in texts for name in ANCHOR.findall(text))
 
 
-@pytest.mark.parametrize("chapter", sorted({c.printed.document for c in ledger.CASES.values()}))
+@pytest.mark.parametrize("chapter", sorted({c.printed.document for c in CASES.values()}))
 def test_each_entry_stands_once_in_the_chapter_of_its_document(chapter: str) -> None:
-    own = [name for name, case in ledger.CASES.items() if case.printed.document == chapter]
+    own = [name for name, case in CASES.items() if case.printed.document == chapter]
     assert shown(chapter) == Counter(own)

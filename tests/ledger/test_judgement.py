@@ -1,0 +1,184 @@
+"""What the judgement refuses: nothing that is brought can lie."""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import pytest
+from sympy import And, Basic, Eq, ImmutableMatrix, Integer, Lt, Symbol, cos, pi, sin, symbols
+
+from chr_notes import printed
+from chr_notes.derivations.steps import Step
+from chr_notes.ledger import case as cases
+from chr_notes.ledger.case import CannotJudgeError, Case, Condition, Reading, complete
+from chr_notes.ledger.edits import Edit
+from chr_notes.ledger.entry import Entry
+from chr_notes.ledger.judgement import judge
+from chr_notes.ledger.reading import Defined, Read, reading
+from chr_notes.printed import Printed
+from chr_notes.printed.statement import InOrder, words
+from chr_notes.symbols import theta
+
+x, y, z = symbols("x y z", real=True)
+K = Symbol("k", positive=True)
+NAME, OTHER = Symbol("name", real=True), Symbol("other", real=True)
+# y stands for x squared, phi for the angle of a point on a circle.
+READ = reading({y: x**2})
+Bring = dict[str, object]
+Say = Callable[..., Entry]
+
+
+@pytest.fixture
+def say(monkeypatch: pytest.MonkeyPatch) -> Say:
+    """Let a document print statements, and judge the first of them, or the one asked for."""
+
+    def judged(*statements: Basic, of: int = 1, read: Read = READ, **brought: object) -> Entry:
+        document = tuple(
+            Printed(f"tried.1.{n}", "equation", "nowhere", "A statement.", statement)
+            for n, statement in enumerate(statements, 1)
+        )
+        monkeypatch.setitem(printed.DOCUMENTS, "tried", document)
+        for each in document:
+            monkeypatch.setitem(printed.BY_ID, each.id, each)
+        case = Case(f"tried.1.{of}", **brought)  # type: ignore[arg-type]
+        return judge(complete(document, read, (case,))[of - 1])
+
+    return judged
+
+
+ROOTED: Bring = {"root": "inverse-is-conjugate", "weight": "small print"}
+FALSE = Eq(y, x, evaluate=False)
+
+
+def test_a_true_statement_is_proved(say: Say) -> None:
+    assert say(Eq(y, x * x)).verdict == "proved"
+
+
+def test_a_false_one_is_refused_with_what_is_left_over(say: Say) -> None:
+    with pytest.raises(
+        CannotJudgeError, match=r"tried.1.1: not proved as printed: .* x\*\(x - 1\)"
+    ):
+        say(FALSE)
+    with pytest.raises(CannotJudgeError, match=r"part 2 of 2, left less right is -x \+ z"):
+        say(InOrder(Eq(y, x * x), Eq(z, x)))
+    with pytest.raises(CannotJudgeError, match=r"in element \(2, 1\)"):
+        say(Eq(ImmutableMatrix([y, y]), ImmutableMatrix([x * x, x]), evaluate=False))
+
+
+def test_an_exact_condition_is_told_from_a_sufficient_one(say: Say) -> None:
+    exact = say(Eq(y, z), condition=Condition(Eq(z, x**2)), witness={x: 2, z: 1}, **ROOTED)
+    assert (exact.verdict, exact.exact) == ("qualified", True)
+    only_if = say(FALSE, condition=Condition(Eq(x, 0)), witness={x: 2}, **ROOTED)
+    assert (only_if.verdict, only_if.exact) == ("qualified", False)
+    assert "holds as well" in only_if.method
+
+
+def test_the_condition_shown_is_the_one_that_is_proved(say: Say) -> None:
+    for holds in (Lt(abs(theta), 3 * pi / 4), And(), And(Eq(x, 1), Lt(x, 3), evaluate=False)):
+        with pytest.raises(ValueError, match=r"no rule for|expected a relation"):
+            Condition(holds)
+    with pytest.raises(CannotJudgeError, match="not proved under the condition"):
+        say(FALSE, condition=Condition(Lt(x, 1)), witness={x: 2}, **ROOTED)
+
+
+def test_a_witness_must_lie_outside_and_fail(say: Say) -> None:
+    with pytest.raises(CannotJudgeError, match="does not show that it fails"):
+        say(FALSE, condition=Condition(Eq(x, 0)), witness={x: 1}, **ROOTED)
+    with pytest.raises(CannotJudgeError, match="meets the condition"):
+        say(FALSE, condition=Condition(Lt(x, 5)), witness={x: 2}, **ROOTED)
+    given = (Condition(Lt(x, 1)),)
+    with pytest.raises(CannotJudgeError, match="outside what is given"):
+        say(FALSE, given=given, condition=Condition(Eq(x, 0)), witness={x: 2}, **ROOTED)
+
+
+def test_a_correction_keeps_what_it_does_not_correct(say: Say) -> None:
+    right = say(FALSE, edits=(Edit(x, x**2),), witness={x: 2}, **ROOTED)
+    assert right.verdict == "corrected"
+    assert right.correction_latex == r"y = \boxed{x^{2}}"
+    with pytest.raises(CannotJudgeError, match="expected in print"):
+        say(Eq(y, z), edits=(Edit(x, x**2),), witness={x: 2, z: 1}, **ROOTED)
+    with pytest.raises(CannotJudgeError, match="the correction is not proved"):
+        say(FALSE, edits=(Edit(x, 2 * x),), witness={x: 3}, **ROOTED)
+
+
+def test_a_correction_that_says_nothing_is_refused(say: Say) -> None:
+    with pytest.raises(CannotJudgeError, match="says nothing"):
+        say(FALSE, edits=(Edit(x, y),), witness={x: 2}, **ROOTED)
+    tautology = (Edit(y, cos(z) ** 2 + sin(z) ** 2), Edit(x, Integer(1)))
+    with pytest.raises(CannotJudgeError, match="both sides"):
+        say(FALSE, edits=tautology, witness={x: 2}, **ROOTED)
+
+
+def test_a_condition_and_a_correction_together_are_refused(say: Say) -> None:
+    both: Bring = {"condition": Condition(Eq(x, 0)), "edits": (Edit(x, x**2),)}
+    with pytest.raises(CannotJudgeError, match="got both"):
+        say(FALSE, witness={x: 2}, **both, **ROOTED)
+
+
+def test_a_definition_introduces_a_name(say: Say) -> None:
+    assert say(Eq(NAME, x)).verdict == "definition"
+    assert say(Eq(NAME, x), Eq(OTHER, NAME), of=2).verdict == "definition"
+
+
+def test_a_name_with_a_meaning_is_not_defined_once_more(say: Say) -> None:
+    again = (Eq(NAME, x), Eq(NAME, 2 * x))
+    with pytest.raises(CannotJudgeError, match="not proved as printed"):
+        say(*again, of=2)
+    assert say(*again, of=2, replaces="tried.1.1").verdict == "definition"
+    with pytest.raises(CannotJudgeError, match="not proved as printed"):
+        say(Eq(NAME, x), read=reading({NAME: x**2}))
+    assert say(Eq(NAME, x), read=reading({NAME: x})).verdict == "proved"
+    own = reading({NAME: Defined("tried.1.1")})
+    assert say(Eq(NAME, x), read=own).verdict == "definition"
+    with pytest.raises(CannotJudgeError, match="not proved as printed"):
+        say(Eq(NAME, NAME + x, evaluate=False))
+
+
+def test_a_reported_fact_is_written_down_twice(say: Say) -> None:
+    fact = Eq(words("weight of the product"), 7, evaluate=False)
+    assert say(fact, reported=fact).verdict == "reported"
+    with pytest.raises(CannotJudgeError, match="expected in print"):
+        say(fact, reported=Eq(words("weight of the product"), 8, evaluate=False))
+    with pytest.raises(CannotJudgeError, match="is derived"):
+        say(Eq(y, 7), reported=Eq(y, 7))
+
+
+def test_root_and_weight_go_with_what_does_not_hold(say: Say) -> None:
+    settled: Bring = {"edits": (Edit(x, x**2),), "witness": {x: 2}}
+    with pytest.raises(CannotJudgeError, match="expected a root and weight"):
+        say(FALSE, **settled)
+    with pytest.raises(CannotJudgeError, match="as root"):
+        say(FALSE, root="no such root", weight="label", **settled)
+    with pytest.raises(CannotJudgeError, match="expected no root and weight"):
+        say(Eq(y, x * x), **ROOTED)
+
+
+def test_steps_are_proved_and_show_something(say: Say) -> None:
+    true = Eq(y, x * x)
+    assert say(true, steps=(Step("So.", Eq(y * x, x**3)),)).derivation
+    with pytest.raises(CannotJudgeError, match="step 1 is not proved"):
+        say(true, steps=(Step("So.", Eq(y * x, x**2)),))
+    with pytest.raises(CannotJudgeError, match="step 2 shows the same on both sides"):
+        say(true, steps=(Step("So.", true), Step("So.", Eq(x * x, x**2, evaluate=False))))
+
+
+def test_of_several_readings_one_must_make_it_true(say: Say) -> None:
+    readings = (Reading(Eq(x, 1), READ, {x: 2}), Reading(Eq(x, 2), reading({y: x**3}), {x: 2}))
+    assert say(Eq(y, x * x), readings=readings).readings == (("x = 1", True), ("x = 2", False))
+    wrong: Bring = {"edits": (Edit(x, x**2),), "witness": {x: 2}, **ROOTED}
+    with pytest.raises(CannotJudgeError, match="under none of its readings"):
+        say(FALSE, readings=readings, **wrong)
+    with pytest.raises(CannotJudgeError, match="under the first of its readings"):
+        say(Eq(y, x * x), readings=readings[1:])
+
+
+def test_a_document_has_one_reading(say: Say) -> None:
+    with pytest.raises(ValueError, match="not read yet"):
+        READ.also({y: x**3})
+    assert say(Eq(NAME, x**3), read=READ.also({NAME: x**3})).verdict == "proved"
+    document = printed.DOCUMENTS["tried"]
+    with pytest.raises(CannotJudgeError, match="read otherwise than the document"):
+        complete(document, READ, (Case("tried.1.1", reading({y: x**3})),))
+    with pytest.raises(CannotJudgeError, match="expected one case at most"):
+        complete(document, READ, (Case("tried.1.9"),))
+    assert replace(Case("tried.1.1"), read=READ).reading is READ
+    assert "tried" not in cases.UNCONVERTED

@@ -1,0 +1,54 @@
+"""Each misprint, in an entry of whatever verdict, changes the verdict or is refused."""
+
+from random import Random
+
+import pytest
+from sympy import Basic
+
+from chr_notes.ledger import entry, stored
+from chr_notes.ledger.case import CannotJudgeError
+from chr_notes.ledger.cases import CASES
+from chr_notes.ledger.judgement import judge
+from chr_notes.printed import BY_ID
+
+from .equivalents import EQUIVALENT
+from .misprints import misprints
+from .planting import planted
+
+FEW = 2
+
+
+def is_seen(name: str, wrong: Basic) -> bool:
+    """Whether the ledger says something else, or refuses to speak, once a statement is wrong.
+
+    A definition is tied to its use: there another entry of the document may say it.
+    """
+    own = entry(name).verdict
+    with planted(name, wrong) as cases:
+        try:
+            if judge(cases[name]).verdict != own:
+                return True
+            if own == "definition":
+                document = cases[name].printed.document
+                others = (each for each in stored.read(document) if each.id != name)
+                return any(judge(cases[each.id]).verdict != each.verdict for each in others)
+        except (CannotJudgeError, TypeError, ValueError):
+            return True  # refused, or no mathematics at all: a vector added to a number
+    return False
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_misprints_are_seen(name: str, pytestconfig: pytest.Config) -> None:
+    made = list(misprints(BY_ID[name].statement))
+    assert made
+    if not pytestconfig.getoption("full", default=False):
+        made = Random(name).sample(made, min(FEW, len(made)))  # noqa: S311 (the same ones each time)
+    survivors = [
+        kind for kind, wrong in made if is_seen(name, wrong) == ((name, kind) in EQUIVALENT)
+    ]
+    assert survivors == []
+
+
+def test_equivalents_are_misprints_that_exist() -> None:
+    for name, kind in EQUIVALENT:
+        assert kind in dict(misprints(BY_ID[name].statement))
