@@ -52,6 +52,23 @@ def kernel(name: str) -> Callable[..., Any] | None:
     return getattr(_MODULE, name, None)
 
 
+def of_numbers(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Find the kernel that takes the same numbers as a generated function, or give the function.
+
+    Parameters
+    ----------
+    function
+        From `chr_notes.generated.scalar`, with the elements of its arrays as arguments.
+
+    Returns
+    -------
+    callable
+        The kernel returns the same numbers, without a flag at the end; or None, which steps of
+        filters never do, for what is left to the function.
+    """
+    return kernel(f"{function.__name__}_of_numbers") or function
+
+
 def kernels_in_use() -> bool:
     """Say whether compiled kernels do the work, or NumPy.
 

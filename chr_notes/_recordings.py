@@ -1,7 +1,7 @@
 """Steps of filters, run over a recording: by a kernel, or sample by sample in Python."""
 
-from collections.abc import Callable, Iterable, Sequence
-from itertools import chain, repeat
+from collections.abc import Callable, Iterable
+from itertools import repeat
 
 import numpy as np
 
@@ -55,25 +55,3 @@ def _columns(array: Floats, part: slice) -> list[Iterable[float]]:
         return [repeat(float(array))]
     rows = array[part]
     return [rows.tolist()] if rows.ndim == 1 else [column.tolist() for column in rows.T]
-
-
-def advance(
-    step: Callable[..., tuple[float, ...]], state: Sequence[float], *sample: Sequence[float]
-) -> Sequence[float]:
-    """Take one step of a filter: the same numbers as in a recording.
-
-    Parameters
-    ----------
-    step
-        From `chr_notes.generated.scalar`.
-    state
-        Before it.
-    *sample
-        Its inputs, each a few numbers.
-    """
-    compiled = kernel(step.__name__)
-    if compiled is None:
-        return step(*state, *chain(*sample))
-    arrays = (np.array(each if len(each) > 1 else each[0]) for each in (state, *sample))
-    done: Floats = compiled(*arrays, None)
-    return list(done.tolist())

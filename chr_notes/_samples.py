@@ -1,6 +1,7 @@
 """Checks that functions of recordings share: samples along the first axis, one after another."""
 
-from typing import cast
+from math import isfinite
+from typing import TypeGuard, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -9,6 +10,7 @@ from chr_notes._arrays import Floats, floats
 
 WILD_RATE = 1e12
 """No gyro reads as much, rad/s: such rates come from damaged logs, and leave angles no digits."""
+_DOUBLE = np.dtype(np.float64)
 
 
 def samples(name: str, value: ArrayLike) -> Floats:
@@ -57,13 +59,18 @@ def one_sample(name: str, value: ArrayLike) -> list[float]:
     ValueError
         If the shape is not (3,); it states the received shape.
     """
-    if isinstance(value, np.ndarray) and value.shape == (3,) and value.dtype == np.float64:
+    if _is_three(value):
         return list(value.tolist())
     array = floats(name, value, 3)
     if array.ndim != 1:
         msg = f"{name}: expected shape (3,), got {array.shape}"
         raise ValueError(msg)
     return list(array.tolist())
+
+
+def _is_three(value: object) -> TypeGuard[Floats]:
+    """Say whether this is a vector already, which on a stream is the rule and quick to see."""
+    return type(value) is np.ndarray and value.dtype is _DOUBLE and value.shape == (3,)
 
 
 def period(value: object) -> float:
@@ -87,14 +94,15 @@ def start(name: str, value: ArrayLike) -> list[float]:
     ValueError
         If there are not three, or one is not finite.
     """
-    array = np.asarray(floats(name, value, 3), dtype=np.float64)
-    if array.ndim != 1 or not np.isfinite(array).all():
-        msg = f"{name}: expected three finite numbers, got {array.tolist()}"
+    array = value if _is_three(value) else floats(name, value, 3)
+    numbers = array.tolist()
+    if array.ndim != 1 or not all(map(isfinite, numbers)):
+        msg = f"{name}: expected three finite numbers, got {numbers}"
         raise ValueError(msg)
-    return list(array.tolist())
+    return list(numbers)
 
 
-def number(name: str, value: ArrayLike) -> float:
+def number(name: str, value: ArrayLike | float) -> float:
     """Take one number.
 
     Raises
@@ -102,6 +110,8 @@ def number(name: str, value: ArrayLike) -> float:
     ValueError
         If it is an array; it states the received shape.
     """
+    if isinstance(value, float):
+        return float(value)
     array = floats(name, value)
     if array.ndim:
         msg = f"{name}: expected a number, got shape {array.shape}"

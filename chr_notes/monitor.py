@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from chr_notes._arrays import Floats
-from chr_notes._recordings import advance
 from chr_notes._samples import WILD_RATE, complete, number, periods, same_length, samples
 from chr_notes.generated.scalar.validation import validation_factor
 from chr_notes.observer import check_gain, first_tilt, way_of
@@ -181,14 +180,14 @@ def monitored_observer(  # noqa: PLR0913 (three sensors, and what they are measu
     way = way_of("quaternion")
     judge: Callable[..., float] = validation_factor
     begin, first = first_tilt(forces)
-    state, watch = way.begin(first), monitor.begin()
+    state, watch = way.begin(*first), monitor.begin()
     euler, factors = np.full((count, 3), np.nan), np.full(count, np.nan)
     gains, alarms = np.full(count, watch.gain), np.full(count, watch.alarm)
     given = zip(rates.tolist(), forces.tolist(), field.tolist(), steps.tolist(), strict=True)
     for sample, (turning, force, flux, step) in enumerate(islice(given, begin, None), begin):
         gains[sample] = watch.gain
         if sample > begin:
-            state = advance(way.step, state, turning, force, (step,), (watch.gain,))
+            state = way.advance(*state, *turning, *force, step, watch.gain)
         euler[sample] = angles = way.angles(state).tolist()
         factors[sample] = factor = judge(*flux, *angles[:2], down)
         watch = monitor.watch(watch, factor)

@@ -6,14 +6,16 @@ out, and the estimate goes on without it.
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from math import inf, pi
+from math import isfinite, pi
 from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from chr_notes import quaternions
 from chr_notes._arrays import Floats
-from chr_notes._recordings import advance, run
+from chr_notes._kernels import of_numbers
+from chr_notes._recordings import run
 from chr_notes._samples import (
     WILD_RATE,
     complete,
@@ -27,8 +29,7 @@ from chr_notes._samples import (
 )
 from chr_notes.estimation import in_range
 from chr_notes.generated.scalar import estimation as steps
-from chr_notes.generated.scalar.quaternions import euler_from_quaternion as euler_of
-from chr_notes.quaternions import euler_from_quaternion, quaternion_from_euler
+from chr_notes.generated.scalar.quaternions import euler_from_quaternion, quaternion_from_euler
 
 Method = Literal["quaternion", "euler"]
 
@@ -40,7 +41,9 @@ class _Way:
     Parameters
     ----------
     step
-        From state and sample to the next state.
+        From state and sample to the next state, for a recording.
+    advance
+        The same for one sample.
     begin
         From Euler angles to a state.
     end, angles
@@ -48,28 +51,47 @@ class _Way:
     """
 
     step: Callable[..., tuple[float, ...]]
-    begin: Callable[[Sequence[float]], Sequence[float]]
+    advance: Callable[..., tuple[float, ...]]
+    begin: Callable[..., Sequence[float]]
     end: Callable[[Floats], Floats]
     angles: Callable[[Sequence[float]], Floats]
 
 
+_quick_quaternion = of_numbers(quaternion_from_euler)
+_quick_euler = of_numbers(euler_from_quaternion)
+
+
+def _quaternion(*euler: float) -> Sequence[float]:
+    return _quick_quaternion(*euler) or quaternion_from_euler(*euler)
+
+
 def _angles(quaternion: Sequence[float]) -> Floats:
-    roll, pitch, yaw, _ = euler_of(*quaternion)
-    return np.array([roll if roll < pi else -pi, pitch, yaw if yaw < pi else -pi])
+    found = _quick_euler(*quaternion) or euler_from_quaternion(*quaternion)
+    roll, pitch, yaw = found[:3]
+    return np.array((roll if roll < pi else -pi, pitch, yaw if yaw < pi else -pi))
+
+
+def _angles_in_range(euler: Sequence[float]) -> Floats:
+    roll, pitch, yaw = euler
+    if -pi <= roll < pi and -pi <= yaw < pi and -pi / 2 <= pitch <= pi / 2:
+        return np.array(euler)
+    return np.asarray(in_range(np.array([euler]))[0])
 
 
 _WAYS = {
     "quaternion": _Way(
         steps.observer_turn,
-        lambda euler: list(quaternion_from_euler(euler).tolist()),
-        lambda states: in_range(euler_from_quaternion(states, on_gimbal_lock="ignore")),
+        of_numbers(steps.observer_turn),
+        _quaternion,
+        lambda states: in_range(quaternions.euler_from_quaternion(states, on_gimbal_lock="ignore")),
         _angles,
     ),
     "euler": _Way(
         steps.euler_observer_step,
-        list,
+        of_numbers(steps.euler_observer_step),
+        lambda *euler: euler,
         in_range,
-        lambda euler: np.asarray(in_range(np.array([euler]))[0]),
+        _angles_in_range,
     ),
 }
 
@@ -153,7 +175,7 @@ def fixed_gain_observer(  # noqa: PLR0913 (a recording, and how to run through i
         begin, first = 0, canonical("initial", initial)
     if begin < count:
         each = dt[begin:] if dt.ndim else dt
-        states = run(way.step, way.begin(first), rates[begin:], forces[begin:], each, share)
+        states = run(way.step, way.begin(*first), rates[begin:], forces[begin:], each, share)
         out[begin:] = way.end(states)
     out[~complete(rates, WILD_RATE)] = np.nan
     return out
@@ -220,10 +242,10 @@ def observe_sample(  # noqa: PLR0913 (a state and a sample)
         As `fixed_gain_observer`.
     """
     way = way_of(method)
-    before = way.begin(start("euler", euler))
-    sample = (one_sample("body_rates", body_rates), one_sample("accel", accel))
+    before = way.begin(*start("euler", euler))
+    rates, force = one_sample("body_rates", body_rates), one_sample("accel", accel)
     share = check_gain("gain", gain)
-    return way.angles(advance(way.step, before, *sample, (period(dt),), (share,)))
+    return way.angles(way.advance(*before, *rates, *force, period(dt), share))
 
 
 class Estimate(NamedTuple):
@@ -269,19 +291,21 @@ def observe(
     ValueError
         As for `fixed_gain_observer`, when the sample comes.
     """
-    way, share = way_of(method), (check_gain("gain", gain),)
-    state = None if initial is None else way.begin(canonical("initial", initial))
+    way, share = way_of(method), check_gain("gain", gain)
+    state = None if initial is None else way.begin(*canonical("initial", initial))
     incomplete = 0
     for body_rates, accel, dt in stream:
         rates, force = one_sample("body_rates", body_rates), one_sample("accel", accel)
-        heard = any(force) and all(-inf < part < inf for part in force)
-        incomplete += not (heard and all(-WILD_RATE < rate < WILD_RATE for rate in rates))
+        heard = any(force) and all(map(isfinite, force))
+        p, q, r = rates
+        turned = abs(p) < WILD_RATE and abs(q) < WILD_RATE and abs(r) < WILD_RATE
+        incomplete += not (heard and turned)
         if state is None:
             if not heard:
                 continue
-            state = way.begin((*steps.tilt_from_accelerometer(*force), 0.0))
+            state = way.begin(*steps.tilt_from_accelerometer(*force), 0.0)
         else:
-            state = advance(way.step, state, rates, force, (period(dt),), share)
+            state = way.advance(*state, *rates, *force, period(dt), share)
         yield Estimate(way.angles(state), incomplete)
 
 

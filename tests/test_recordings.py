@@ -9,6 +9,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 from numpy.typing import NDArray
 
 from chr_notes import _recordings, fixed_gain_observer
+from chr_notes._kernels import of_numbers
 from chr_notes.generated.arrays.shapes import SHAPES
 from chr_notes.generated.scalar import dead_reckoning, estimation
 
@@ -53,10 +54,11 @@ def test_kernels_and_python_give_the_same(
 def test_a_recording_is_one_step_after_another(step: Callable[..., tuple[float, ...]]) -> None:
     state, inputs = recording(step, 30)
     expected = []
-    now: object = state.tolist()
+    now = state.tolist()
+    take = of_numbers(step)
     for sample in range(30):
         each = (a[sample] if a.ndim else a for a in inputs)
-        now = _recordings.advance(step, now, *(np.atleast_1d(a).tolist() for a in each))  # type: ignore[arg-type]
+        now = take(*now, *(number for a in each for number in np.atleast_1d(a).tolist()))
         expected.append(now)
     assert_array_equal(_recordings.run(step, state.tolist(), *inputs), np.array(expected))
 

@@ -1,11 +1,14 @@
 /*
  * The kernels as functions of Python, for one binary that serves every version from 3.11 on.
  *
- * A function takes arrays, and None or an array for the result. It returns
+ * A function of arrays takes them, and None or an array for the result. It returns
  * - the result,
  * - or the result and the rows that are left to the general way, a byte each,
  * - or None where an argument is not a NumPy array of float64 in C order, or its shape does not
  *   fit without a copy; then nothing is done.
+ *
+ * A function of numbers, whose name ends in _of_numbers, takes the elements of one row of each
+ * array. It returns those of the result, or None where the row is left to the general way.
  */
 #define Py_LIMITED_API 0x030B0000
 #include <Python.h>
@@ -14,7 +17,7 @@
 #include "../generated/c/kernels.c"
 #include "../generated/c/stamp.h"
 
-enum { MOST_AXES = 32, LONG = 10000 };
+enum { MOST_AXES = 32, LONG = 10000, MOST_ELEMENTS = 9 };
 
 static PyTypeObject *array_type;
 static PyObject *empty;
@@ -174,7 +177,49 @@ failed:
     return NULL;
 }
 
-static PyMethodDef method = {"kernel", (PyCFunction)(void (*)(void))call, METH_FASTCALL, NULL};
+static PyObject *call_with_numbers(PyObject *self, PyObject *const *given, Py_ssize_t count)
+{
+    const Kernel *const kernel = PyCapsule_GetPointer(self, NULL);
+    static const ptrdiff_t step[MOST_ARRAYS];
+    double numbers[MOST_ARRAYS * MOST_ELEMENTS], out[MOST_ELEMENTS];
+    const double *in[MOST_ARRAYS];
+    unsigned char odd = 0;
+    const int size = kernel && kernel->result ? kernel->result : 1;
+    int expected = 0;
+    PyObject *result;
+    if (!kernel) return NULL;
+    for (int array = 0; array < kernel->arrays; array++) {
+        in[array] = numbers + expected;
+        expected += kernel->shape[array] ? kernel->shape[array] : 1;
+    }
+    if (count != expected) {
+        PyErr_Format(PyExc_TypeError, "%s: expected %d numbers, got %zd arguments", kernel->name,
+            expected, count);
+        return NULL;
+    }
+    for (int number = 0; number < expected; number++) {
+        numbers[number] = PyFloat_AsDouble(given[number]);
+        if (numbers[number] == -1.0 && PyErr_Occurred()) return NULL;
+    }
+    kernel->run(1, in, step, out, &odd);
+    if (odd) Py_RETURN_NONE;
+    result = PyTuple_New(size);
+    for (int element = 0; result && element < size; element++)
+        PyTuple_SetItem(result, element, PyFloat_FromDouble(out[element]));
+    return result;
+}
+
+static PyMethodDef of_arrays = {"kernel", (PyCFunction)(void (*)(void))call, METH_FASTCALL, NULL};
+static PyMethodDef of_numbers = {
+    "kernel_of_numbers", (PyCFunction)(void (*)(void))call_with_numbers, METH_FASTCALL, NULL};
+
+static int add(PyObject *module, const char *name, PyMethodDef *method, PyObject *kernel)
+{
+    PyObject *const function = PyCFunction_NewEx(method, kernel, NULL);
+    const int failed = !function || PyObject_SetAttrString(module, name, function);
+    Py_XDECREF(function);
+    return failed;
+}
 
 static struct PyModuleDef definition = {
     PyModuleDef_HEAD_INIT, .m_name = "_compiled", .m_doc = "Generated kernels.", .m_size = -1};
@@ -189,10 +234,13 @@ PyMODINIT_FUNC PyInit__compiled(void)
     if (!array_type || !empty || PyModule_AddStringConstant(module, "stamp", STAMP)) goto failed;
     for (const Kernel *kernel = KERNELS; kernel->name; kernel++) {
         PyObject *const self = PyCapsule_New((void *)kernel, NULL, NULL);
-        PyObject *const function = self ? PyCFunction_NewEx(&method, self, NULL) : NULL;
+        PyObject *const name = PyUnicode_FromFormat("%s_of_numbers", kernel->name);
+        const char *const told = name ? PyUnicode_AsUTF8AndSize(name, NULL) : NULL;
+        const int wrong = !self || !told || add(module, kernel->name, &of_arrays, self)
+            || add(module, told, &of_numbers, self);
         Py_XDECREF(self);
-        if (!function || PyObject_SetAttrString(module, kernel->name, function)) goto failed;
-        Py_DECREF(function);
+        Py_XDECREF(name);
+        if (wrong) goto failed;
     }
     Py_DECREF(numpy);
     return module;
