@@ -1,0 +1,153 @@
+"""How the kernels are found: by a stamp, and by an environment variable."""
+
+import os
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from math import cos, isclose, nan, pi, sin
+from types import SimpleNamespace
+
+import pytest
+
+from chr_notes import _kernels
+from chr_notes._kernels import _load
+from chr_notes.generated.scalar import estimation, quaternions
+from chr_notes.generated.stamp import STAMP
+
+STALE = "the kernels were built from other sources than these: install chr_notes again"
+
+
+@pytest.fixture
+def found(monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[[str, object], None]]:
+    """Set the variable, and what an import of the kernels finds: a module or an error."""
+
+    def settle(choice: str, module: object) -> None:
+        def load(name: str) -> object:
+            assert name == "chr_notes._compiled"
+            if isinstance(module, Exception):
+                raise module
+            return module
+
+        monkeypatch.setenv(_kernels.VARIABLE, choice)
+        monkeypatch.setattr(_kernels, "import_module", load)
+
+    return settle
+
+
+Settle = Callable[[str, object], None]
+FRESH, OLD = SimpleNamespace(stamp=STAMP), SimpleNamespace(stamp="of last year")
+MISSING = ModuleNotFoundError("No module named 'chr_notes._compiled'")
+
+
+@pytest.mark.parametrize("choice", ["", "require"])
+def test_kernels_of_these_sources_are_used(found: Settle, choice: str) -> None:
+    found(choice, FRESH)
+    assert _load() is FRESH
+
+
+def test_kernels_of_other_sources_are_not_used_and_this_is_said(found: Settle) -> None:
+    found("", OLD)
+    with pytest.warns(RuntimeWarning, match=f"{STALE}; until then NumPy computes") as said:
+        assert _load() is None
+    assert len(said) == 1
+
+
+def test_without_kernels_nothing_is_said(found: Settle) -> None:
+    found("", MISSING)
+    assert _load() is None
+
+
+@pytest.mark.parametrize("module", [FRESH, OLD, MISSING])
+def test_kernels_that_are_off_are_not_looked_for(found: Settle, module: object) -> None:
+    found("off", module)
+    assert _load() is None
+
+
+@pytest.mark.parametrize(
+    ("module", "message"),
+    [(OLD, STALE), (MISSING, "expected the kernels, but they were not built")],
+)
+def test_kernels_that_are_required_have_to_be_there(
+    found: Settle, module: object, message: str
+) -> None:
+    found("require", module)
+    with pytest.raises(ImportError, match=message):
+        _load()
+
+
+def test_another_word_is_refused(found: Settle) -> None:
+    found("on", FRESH)
+    with pytest.raises(ValueError, match="CHR_NOTES_KERNELS: expected off or require, got 'on'"):
+        _load()
+
+
+def in_a_fresh_python(code: str, choice: str) -> subprocess.CompletedProcess[str]:
+    """Run code in a process of its own, in which warnings come once, as users see them."""
+    return subprocess.run(
+        [sys.executable, "-c", code],
+        env={**os.environ, _kernels.VARIABLE: choice},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+def test_off_leaves_all_to_numpy() -> None:
+    code = "import chr_notes, sys; print(chr_notes.kernels_in_use(), *sys.modules)"
+    said, *modules = in_a_fresh_python(code, "off").stdout.split()
+    assert said == "False"
+    assert "chr_notes._compiled" not in modules
+
+
+@pytest.mark.kernels
+def test_require_uses_them() -> None:
+    code = "import chr_notes; print(chr_notes.kernels_in_use())"
+    assert in_a_fresh_python(code, "require").stdout == "True\n"
+
+
+STALE_USE = """
+import sys, types, numpy as np
+sys.modules["chr_notes._compiled"] = types.SimpleNamespace(stamp="of last year")
+import chr_notes
+for _ in range(3):
+    print(chr_notes.matrix_from_euler([0, 0, 0]).tolist() == np.eye(3).tolist())
+print(chr_notes.kernels_in_use())
+"""
+
+
+def test_stale_kernels_say_so_once_and_numpy_serves() -> None:
+    done = in_a_fresh_python(STALE_USE, "")
+    assert done.stdout.split() == ["True"] * 3 + ["False"]
+    assert done.stderr.count(STALE) == 1
+    refused = in_a_fresh_python(STALE_USE, "require")
+    assert refused.returncode != 0
+    assert f"ImportError: {STALE}" in refused.stderr
+
+
+@pytest.mark.kernels
+def test_kernels_take_numbers_as_the_generated_functions_do() -> None:
+    take = _kernels.of_numbers(quaternions.quaternion_from_euler)
+    assert take is not quaternions.quaternion_from_euler
+    assert all(map(isclose, take(0.3, 0.0, 0.0), (cos(0.15), sin(0.15), 0.0, 0.0)))
+    assert isinstance(take(1, 2, 3), tuple)
+    # What they leave, here NaN, is the function's.
+    assert take(nan, 0.0, 0.0) is None
+    assert _kernels.of_numbers(quaternions.euler_from_quaternion)(1.0, 0.0, 1.0, 0.0) is None
+    assert None not in _kernels.of_numbers(estimation.gyro_turn)(1, 0, 0, 0, nan, 0, 0, pi)
+
+
+@pytest.mark.kernels
+@pytest.mark.parametrize("wrong", [(1.0, 2.0), (1.0, 2.0, 3.0, 4.0), (1.0, 2.0, "3"), (None,) * 3])
+def test_kernels_refuse_what_are_not_their_numbers(wrong: tuple[object, ...]) -> None:
+    with pytest.raises(TypeError):
+        _kernels.of_numbers(quaternions.quaternion_from_euler)(*wrong)
+
+
+def test_without_kernels_the_generated_function_takes_the_numbers(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(_kernels, "_MODULE", None)
+    step = quaternions.quaternion_from_euler
+    assert _kernels.of_numbers(step) is step
+    assert _kernels.kernel(step.__name__) is None
+    assert not _kernels.kernels_in_use()
