@@ -93,7 +93,13 @@ def pytest_make_collect_report() -> Generator[None, pytest.CollectReport, pytest
 
 
 def pytest_terminal_summary(terminalreporter: "pytest.TerminalReporter") -> None:
-    """Say how many tests were left out, and why."""
+    """Say what was measured, how many tests were left out, and why."""
+    passed = terminalreporter.stats.get("passed", [])
+    kept = [
+        value for report in passed for name, value in report.user_properties if name == "measured"
+    ]
+    if kept:
+        terminalreporter.write_line(f"Measured: {'; '.join(kept)}.")
     reports = terminalreporter.stats.get("skipped", [])
     reasons = Counter(str(report.longrepr[2]).removeprefix("Skipped: ") for report in reports)
     each = [f"{count} {reason}" for reason, count in sorted(reasons.items())]

@@ -1,4 +1,4 @@
-"""What the theme brings and no page needs, taken out of the built book: a Sphinx extension."""
+"""What a page loads and does not need, taken out of the built book: a Sphinx extension."""
 
 import re
 import shutil
@@ -9,9 +9,9 @@ from sphinx.application import Sphinx
 
 __all__ = ["setup"]
 
-# Icons are in book/icons.css, and what is searched for is found on the page of the search.
-_ICONS: Final = ("fontawesome",)
-_SEARCH: Final = ("searchtools", "language_data", "searchindex")
+_ICONS: Final = ("fontawesome",)  # they are in book/icons.css
+_SEARCH: Final = ("searchtools", "language_data", "searchindex")  # for the page of the search
+_DEMOS: Final = ("pages",)  # for pages that have one
 
 _ICON_RULES: Final = re.compile(
     r"(?<=[}/])(?:(?:\.fa[-\w.:]*(?:>[\w.]+)?,?)+\{[^{}]*\}|:host,:root\{--fa-[^{}]*\})"
@@ -24,7 +24,7 @@ _UNUSED: Final = (
 )
 
 
-def _without_scripts(page: str, names: tuple[str, ...]) -> str:
+def _without_scripts(page: str, names: list[str]) -> str:
     choice = "|".join(names)
     return re.sub(rf'\s*<script[^>]* src="(?:[^"]*/)?(?:{choice})\.js[^"]*"></script>', "", page)
 
@@ -34,9 +34,11 @@ def _lighten(app: Sphinx, error: Exception | None) -> None:
         return
     built = Path(app.outdir)
     for page in built.rglob("*.html"):
-        names = _ICONS if page == built / "search.html" else _ICONS + _SEARCH
         text = page.read_text(encoding="utf-8")
-        page.write_text(_without_scripts(text, names), encoding="utf-8")
+        unused = [*_ICONS]
+        unused += [] if page == built / "search.html" else _SEARCH
+        unused += [] if "data-demo" in text else _DEMOS
+        page.write_text(_without_scripts(text, unused), encoding="utf-8")
     styles = built / "_static" / "styles" / "pydata-sphinx-theme.css"
     text = styles.read_text(encoding="utf-8")
     styles.write_text(_ICON_RULES.sub("", text), encoding="utf-8")

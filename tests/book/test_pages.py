@@ -1,7 +1,6 @@
 """Every page of the book in a browser without a network, from a server and from the disk."""
 
 import re
-import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -26,10 +25,9 @@ MADE = ["genindex", "py-modindex", "search"]
 PAGES = [f"{name}.html" for name in (TOC["root"], *CHAPTERS, *MADE)]
 
 
-# What a page may load, uncompressed. The first that fits counts.
-LIGHT = 900_000  # without formulas
+# What a page may load, in bytes before compression: by name, else without formulas or with them.
 LIMITS = {"notebooks/euler.html": 1_400_000}
-LARGEST = 2_200_000
+LIGHT, LARGEST = 900_000, 2_200_000
 
 WEIGHT = """() => ["navigation", "resource"]
   .flatMap((type) => performance.getEntriesByType(type))
@@ -56,10 +54,17 @@ def test_each_chapter_is_a_page_and_nothing_else_is(book: Path) -> None:
 
 
 @pytest.mark.parametrize("name", PAGES)
-def test_page_stands_by_itself(visit: Visit, address: str, name: str) -> None:
+def test_page_stands_by_itself(
+    visit: Visit, address: str, name: str, record_property: Callable[[str, object], None]
+) -> None:
     # `visit` fails on any request to elsewhere, missing file or error on the console.
-    theme = "light" if address.startswith("http") else "dark"
-    page = visit(address + name, color_scheme=theme)
+    served = address.startswith("http")
+    page = visit(address + name, color_scheme="light" if served else "dark")
+    if served:
+        weight = page.evaluate(WEIGHT)
+        record_property("measured", f"{name} {weight / 1000:.0f} kB")
+        plain = page.locator("math").count() == 0
+        assert 500_000 < weight <= LIMITS.get(name, LIGHT if plain else LARGEST)
     left_over = page.evaluate(LEFT_OVER)
     assert "$" not in left_over
     assert "\\" not in left_over
@@ -71,23 +76,6 @@ def test_page_stands_by_itself(visit: Visit, address: str, name: str) -> None:
         page.set_viewport_size({"width": width, "height": 900})
         assert page.evaluate("document.documentElement.scrollWidth") <= width
         assert page.evaluate(TOO_WIDE) == []
-
-
-@pytest.mark.parametrize("name", PAGES)
-def test_page_is_light(
-    visit: Visit,
-    book: Path,
-    serve: Callable[[Path], str],
-    name: str,
-    capsys: pytest.CaptureFixture[str],
-) -> None:
-    page = visit(serve(book) + name)
-    weight = page.evaluate(WEIGHT)
-    with capsys.disabled():
-        sys.stdout.write(f"\n{name} loads {weight / 1000:.0f} kB ")
-    assert weight > 500_000  # or else the browser has counted nothing
-    plain = page.locator("math").count() == 0
-    assert weight <= LIMITS.get(name, LIGHT if plain else LARGEST)
 
 
 def test_first_page_leads_to_the_book(visit: Visit, address: str) -> None:
