@@ -7,7 +7,7 @@ import pytest
 
 import chr_notes
 
-HEAVY = ("sympy", "scipy", "matplotlib", "anywidget", "numba")
+HEAVY = ("sympy", "scipy", "matplotlib", "anywidget")
 # Their data classes would take most of the time.
 SENSORS = ("sensors", "calibration", "ellipsoid", "monitor", "observer")
 

@@ -29,7 +29,7 @@ SPEED: Final = ROOT / "book" / "speed.json"
 GENERATED: Final = ROOT / "chr_notes" / "generated"
 NAME: Final = "euler_rates_from_body_rates"
 TARGET: Final = next(target for target in TARGETS if target.name == NAME)
-SIZES: Final = {1: "one attitude", 1_000: "a thousand", 1_000_000: "a million"}
+SIZES: Final = {1: "one attitude", 100: "a hundred", 1_000: "a thousand", 1_000_000: "a million"}
 SCALAR: Final = "chr_notes, one at a time"
 TENTH: Final = 0.1
 """Factors below it have two decimals, so that none reads as zero."""
@@ -157,5 +157,5 @@ def speed(run: dict[str, Any]) -> Iterator[str]:
     libraries = ", ".join(f"{name} {version}" for name, version in run["libraries"].items())
     yield (
         f"Timed on {run['cpu']}, {run['vector_instructions']}, one thread, {run['system']}, "
-        f"Python {run['python']}, {libraries}. Each time is the shortest of several rounds."
+        f"Python {run['python']}, {libraries}. Each time is the shortest of two rounds or more."
     )

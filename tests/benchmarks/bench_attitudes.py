@@ -12,7 +12,7 @@ import pytest
 
 from .tasks import MANY, ONE, OURS, data
 
-SIZES = (1, 1_000, 1_000_000)
+SIZES = (1, 100, 1_000, 1_000_000)
 CASES = [
     pytest.param(size, task, library, id=f"{size}-{task}-{library}")
     for size in SIZES

@@ -94,7 +94,6 @@ def test_speed(benchmark: Any, monkeypatch: pytest.MonkeyPatch, case: Case) -> N
     given = recording()
     if case.library == PLAIN:
         monkeypatch.setattr(_recordings, "kernel", lambda _: None)
-    # The first call also compiles.
     down = case.down(case.run(given))
     off = np.degrees(np.arccos(np.clip(np.sum(down * given.down, axis=1), -1, 1)))
     # Gyros alone drift off, and are right at first.

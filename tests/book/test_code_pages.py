@@ -2,6 +2,7 @@
 
 import inspect
 import json
+import re
 from textwrap import indent
 from types import ModuleType
 
@@ -104,8 +105,8 @@ def test_factors_compare_with_the_first_row_of_each_task() -> None:
         "libraries": {"another": "1.0"},
     }
     text = "\n".join(code_pages.speed(run))
-    assert text.count("|  | another | 50 | 2.5 |") == 3
-    assert text.count("|  | a fast one | 1 | 0.05 |") == 3
+    assert text.count("|  | another | 50 | 2.5 |") == len(code_pages.SIZES)
+    assert text.count("|  | a fast one | 1 | 0.05 |") == len(code_pages.SIZES)
     assert "another 1.0" in text
 
 
@@ -119,7 +120,7 @@ def test_the_page_names_those_that_are_faster() -> None:
         part = text.split(f"## {words.capitalize()}\n")[1].split("\n## ")[0]
         start = "Faster here than ours: "
         told = next((line for line in part.splitlines() if line.startswith(start)), start)
-        named = set(told.removeprefix(start).rstrip(".").split(", ")) - {""}
+        named = set(re.split(r"(?<=\)), ", told.removeprefix(start).rstrip("."))) - {""}
         faster = {(task, library) for (task, library), t in times.items() if t < times[task, ours]}
         assert named == {f"{library} ({task})" for task, library in faster}
 
@@ -129,3 +130,25 @@ def test_lists_are_faster_for_products_and_matrices_as_the_page_says() -> None:
     times = {(r["task"], r["library"]): r["nanoseconds"] for r in rows if r["size"] == 1}
     for task in ("products of quaternions", "matrices from quaternions"):
         assert times[task, "transforms3d, given lists"] < times[task, "transforms3d"]
+
+
+def test_plain_numbers_are_for_one_attitude_and_arrays_for_many_as_the_page_says() -> None:
+    rows = json.loads(code_pages.SPEED.read_text(encoding="utf-8"))["rows"]
+    times = {(r["size"], r["task"], r["library"]): r["nanoseconds"] for r in rows}
+    tasks = {r["task"] for r in rows if r["size"] == 1}
+    assert tasks
+    for task in tasks:
+        one, array = times[1, task, code_pages.SCALAR], times[1, task, "chr_notes"]
+        hundred, thousand, million = (times[n, task, "chr_notes"] for n in (100, 1000, 1_000_000))
+        assert one < array
+        assert hundred < one
+        assert thousand < million
+
+
+def test_kernels_are_faster_than_python_in_filters() -> None:
+    rows = json.loads(code_pages.SPEED.read_text(encoding="utf-8"))["rows"]
+    times = {(r["task"], r["library"]): r["nanoseconds"] for r in rows}
+    without = [task for task, library in times if library == "chr_notes without kernels"]
+    assert len(without) == 2
+    for task in without:
+        assert times[task, "chr_notes"] < times[task, "chr_notes without kernels"]
