@@ -80,6 +80,7 @@ def mathml(latex: str, *, display: bool) -> str:
     for element in math.iter():
         _space_words(element)
         _place_accents(element)
+        _draw_box(element)
     for element in math.iter():
         _space_functions(list(element))
         _bind_signs(list(element))
@@ -100,6 +101,12 @@ def _place_accents(element: Element) -> None:
     """Write an accent's letter as it is shown: Chromium measures the one that is written."""
     if element.tag == "mover" and element[0].tag == "mi" and not element[0].attrib:
         element[0].text = ITALIC.get(element[0].text or "", element[0].text)
+
+
+def _draw_box(element: Element) -> None:
+    """Leave the box to the style sheet: Chromium draws none of its own."""
+    if element.tag == "menclose" and element.get("notation") == "box":
+        element.tag, element.attrib = "mrow", {"class": "boxed"}
 
 
 def _space_functions(row: list[Element]) -> None:

@@ -1,15 +1,11 @@
 """The quaternion note before the judgement; how it is read, `quaternions_reading` says."""
 
 from sympy import (
-    Abs,
     Eq,
     ImmutableMatrix,
     MatAdd,
     MatMul,
-    MatrixSymbol,
-    Rational,
     cos,
-    pi,
     sin,
     sqrt,
     symbols,
@@ -17,80 +13,46 @@ from sympy import (
 
 from chr_notes.derivations import quaternions as derived
 from chr_notes.derivations.steps import Step
-from chr_notes.ledger.case import Case, Condition, complete
+from chr_notes.ledger.case import Case, complete
 from chr_notes.ledger.edits import Edit
-from chr_notes.ledger.quaternions_reading import NORM, READ, READINGS, UNIT
+from chr_notes.ledger.quaternions_angles import ALSO, YAW
+from chr_notes.ledger.quaternions_angles import SETTLED as ANGLES
+from chr_notes.ledger.quaternions_reading import (
+    NORM,
+    READ,
+    READ_AXIS,
+    READ_ROTATION,
+    READINGS,
+    UNIT,
+    UNIT_AXIS,
+    X_TURNED,
+    X,
+    Z,
+)
 from chr_notes.printed import BY_ID, DOCUMENTS
 from chr_notes.printed import quaternions as printed
 from chr_notes.printed import quaternions_claims as claims
 from chr_notes.printed.hamilton import Conjugate, Product, Pure, Reciprocal
-from chr_notes.printed.statement import Approximately, Rotation
+from chr_notes.printed.statement import Rotation
 from chr_notes.symbols import (
-    AXIS,
     FIRST,
-    QUATERNION,
     VECTOR,
-    Angle,
     a,
     alpha,
     b,
     c,
     d,
-    phi,
-    psi,
-    theta,
 )
 
 TO_INERTIAL = Rotation("b", "i", printed.Q)
 TO_BODY = Rotation("i", "b", printed.Q)
 MATRIX = BY_ID["quaternions.3.3"].statement.rhs
 E_1, E_I, E_J, E_K = (ImmutableMatrix([int(n == place) for n in range(4)]) for place in range(4))
-X, Z = ImmutableMatrix([1, 0, 0]), ImmutableMatrix([0, 0, 1])
 
-# The angles of the three turns, as distinct from those that a formula finds.
-ROLL, PITCH, YAW = OWN_ANGLES = symbols(r"\phi \theta \psi", real=True, cls=Angle)
-ELEMENTS_BY_TURNS = dict(
-    zip(
-        QUATERNION,
-        derived.from_euler().xreplace(dict(zip((phi, theta, psi), OWN_ANGLES, strict=True))),
-        strict=True,
-    )
-)
 YAW_ONLY = derived.from_axis_angle(Z, YAW)
 YAW_90 = {a: sqrt(2) / 2, b: 0, c: 0, d: sqrt(2) / 2}
 NORTH = dict(zip(VECTOR, X, strict=True))
 
-# A vector along x, turned about z; any vector, turned about any unit axis.
-X_TURNED = MatrixSymbol(r"\mathbf{x}_{\text{turned about } z}", 3, 1)
-_TILT, _HEADING = symbols("tau eta", real=True)
-UNIT_AXIS = ImmutableMatrix([sin(_TILT) * cos(_HEADING), sin(_TILT) * sin(_HEADING), cos(_TILT)])
-# Some attitude with no angle zero.
-SOMEWHERE = dict(zip(QUATERNION, (Rational(n, 9) for n in (6, 4, 2, 5)), strict=True))
-READ_AXIS = READ.also(
-    {
-        **dict(
-            zip(
-                QUATERNION,
-                derived.from_axis_angle(ImmutableMatrix(AXIS), printed.TURN),
-                strict=True,
-            )
-        ),
-        X_TURNED: derived.turned(Z, alpha, X),
-        claims.TURNED: derived.turned(UNIT_AXIS, alpha, ImmutableMatrix(VECTOR)),
-    }
-)
-READ_ROTATION = READ.also(
-    {
-        **dict(zip(QUATERNION, derived.from_axis_angle(UNIT_AXIS, alpha), strict=True)),
-        claims.TURNED: derived.turned(UNIT_AXIS, alpha, ImmutableMatrix(VECTOR)),
-    }
-)
-READ_ORDERS = READ.also(
-    {
-        claims.ROLL_321: derived.euler_from_matrix(derived.matrix_from_quaternion())[0],
-        claims.ROLL_123: derived.roll_turned_first(derived.matrix_from_quaternion()),
-    }
-)
 S, T = symbols("s t", real=True)
 TURN_ABOUT_Z = ImmutableMatrix([S, 0, 0, T])
 TURN_ABOUT_AXIS = ImmutableMatrix([cos(alpha / 2), *(sin(alpha / 2) * UNIT_AXIS)])
@@ -101,26 +63,6 @@ CONTRADICTION = (
     "north one to the right of the nose, where south is. The sensors use the reading of section "
     "4: they send Euler angles made by its formulas, together with the quaternion."
 )
-ALSO = (
-    "Sections 3 and 4 of the note contradict each other, see quaternions.3.1. The sensors use the "
-    "reading of section 4."
-)
-ATAN = (
-    "The arctangent of the quotient is read as the note says two sentences later: by atan2, which "
-    "takes numerator and denominator apart and so finds the whole range. Taken at its word, atan "
-    "gives angles from −90° to 90° only, and any other comes out wrong by 180°. "
-)
-
-
-def _by_turns(left: ImmutableMatrix, right: ImmutableMatrix) -> Step:
-    return Step(
-        "Put the quaternion of the three turns in place of a, b, c, d: numerator and denominator "
-        "are sine and cosine of the angle, times the cosine of pitch. That one is not negative "
-        "from −90° to 90°, so it drops out of the quotient and leaves the signs alone.",
-        Eq(left.xreplace(ELEMENTS_BY_TURNS), right, evaluate=False),
-    )
-
-
 SETTLED = (
     Case(
         "quaternions.2.2",
@@ -304,68 +246,11 @@ SETTLED = (
         "matrix lead. The formulas before and after it say the opposite. " + ALSO,
     ),
     Case(
-        "quaternions.4.1",
-        readings=READINGS,
-        steps=(
-            _by_turns(
-                ImmutableMatrix([2 * (a * b + c * d), a**2 - b**2 - c**2 + d**2]),
-                ImmutableMatrix([sin(ROLL) * cos(PITCH), cos(ROLL) * cos(PITCH)]),
-            ),
-        ),
-        remark=ATAN + ALSO,
-    ),
-    Case(
-        "quaternions.4.2",
-        readings=READINGS,
-        steps=(
-            Step(
-                "Put the quaternion of the three turns in place of a, b, c, d: what stands in the "
-                "brackets is minus the sine of pitch.",
-                Eq((2 * (b * d - a * c)).xreplace(ELEMENTS_BY_TURNS), -sin(PITCH), evaluate=False),
-            ),
-        ),
-        remark="Pitch lies between −90° and 90°, as the arcsine does. In rounded numbers the "
-        "argument can exceed one; atan2 of the sine and cosine of pitch avoids that. " + ALSO,
-    ),
-    Case(
-        "quaternions.4.3",
-        readings=READINGS,
-        steps=(
-            _by_turns(
-                ImmutableMatrix([2 * (a * d + b * c), a**2 + b**2 - c**2 - d**2]),
-                ImmutableMatrix([sin(YAW) * cos(PITCH), cos(YAW) * cos(PITCH)]),
-            ),
-        ),
-        remark=ATAN + ALSO,
-    ),
-    Case(
         "quaternions.2.b",
         READ_ROTATION,
         remark="Any rotation is a turn about one axis, and for every axis and angle there is a "
         "quaternion, with its elements as in quaternions.2.2.",
     ),
-    Case(
-        "quaternions.4.c",
-        READ_ORDERS.also(SOMEWHERE),
-        steps=(
-            Step(
-                "One attitude is enough to show it: q = (6, 4, 2, 5)/9. In the order of the note, "
-                "yaw, pitch, roll, its roll is this many degrees.",
-                Approximately(claims.ROLL_321 * 180 / pi, "58.9"),
-            ),
-            Step(
-                "Reached by roll first, then pitch, then yaw, it takes this roll.",
-                Approximately(claims.ROLL_123 * 180 / pi, "34.3"),
-            ),
-        ),
-    ),
-    Case(
-        "quaternions.4.b",
-        READ.also(dict(zip(QUATERNION, derived.from_euler(), strict=True))),
-        given=(Condition(Eq(Abs(theta), pi / 2)),),
-        remark="Only the sum or the difference of roll and yaw is left at the lock. The quaternion "
-        "notices nothing: its derivative is a product of its elements and the body rates.",
-    ),
 )
 
-CASES = complete(DOCUMENTS["quaternions"], READ, SETTLED)
+CASES = complete(DOCUMENTS["quaternions"], READ, (*SETTLED, *ANGLES))

@@ -12,12 +12,16 @@ from sympy import (
     I,
     ImmutableMatrix,
     Integer,
+    MatrixSymbol,
     Rational,
     asin,
     atan,
     atan2,
+    cos,
     expand,
     fraction,
+    sin,
+    symbols,
 )
 
 from chr_notes.derivations import hamilton
@@ -25,9 +29,23 @@ from chr_notes.derivations import quaternions as derived
 from chr_notes.ledger.case import Condition, Reading
 from chr_notes.ledger.reading import Meaning, Notation, defined, reading
 from chr_notes.printed import quaternions as printed
+from chr_notes.printed import quaternions_claims as claims
 from chr_notes.printed.hamilton import Conjugate, Product, Pure, Reciprocal
 from chr_notes.printed.statement import Rotation
-from chr_notes.symbols import FIRST, QUATERNION, SECOND, VECTOR, b, c, d, phi, psi, theta
+from chr_notes.symbols import (
+    AXIS,
+    FIRST,
+    QUATERNION,
+    SECOND,
+    VECTOR,
+    alpha,
+    b,
+    c,
+    d,
+    phi,
+    psi,
+    theta,
+)
 
 
 def _product(whole: Product) -> Basic:
@@ -94,19 +112,53 @@ READ = reading({**_NUMBERS, **_NAMES, **_ATTITUDE}, NOTATION)
 _AS_IN_3 = {
     name: value.subs({b: -b, c: -c, d: -d}, simultaneous=True) for name, value in _ATTITUDE.items()
 }
-_SOMEWHERE = {
-    **dict(zip(QUATERNION, (Rational(n, 9) for n in (6, 4, 2, 5)), strict=True)),
+# Some attitude with no angle zero.
+SOMEWHERE = dict(zip(QUATERNION, (Rational(n, 9) for n in (6, 4, 2, 5)), strict=True))
+_SOME_POINT = {
+    **SOMEWHERE,
     **dict(zip(VECTOR, (1, 2, 3), strict=True)),
 }
 READINGS = (
     Reading(
         Eq(Pure(printed.V_I), Product(printed.Q, Pure(printed.V_B), Reciprocal(printed.Q))),
         READ,
-        _SOMEWHERE,
+        _SOME_POINT,
     ),
     Reading(
         Eq(Pure(printed.V_B), Product(printed.Q, Pure(printed.V_I), Reciprocal(printed.Q))),
         reading({**_NUMBERS, **_NAMES, **_AS_IN_3}, {**NOTATION, Rotation: _matrix_as_in_3}),
-        _SOMEWHERE,
+        _SOME_POINT,
     ),
 )
+
+X, Z = ImmutableMatrix([1, 0, 0]), ImmutableMatrix([0, 0, 1])
+# A vector along x, turned about z; any vector, turned about any unit axis.
+X_TURNED = MatrixSymbol(r"\mathbf{x}_{\text{turned about } z}", 3, 1)
+_TILT, _HEADING = symbols("tau eta", real=True)
+UNIT_AXIS = ImmutableMatrix([sin(_TILT) * cos(_HEADING), sin(_TILT) * sin(_HEADING), cos(_TILT)])
+READ_AXIS = READ.also(
+    {
+        **dict(
+            zip(
+                QUATERNION,
+                derived.from_axis_angle(ImmutableMatrix(AXIS), printed.TURN),
+                strict=True,
+            )
+        ),
+        X_TURNED: derived.turned(Z, alpha, X),
+        claims.TURNED: derived.turned(UNIT_AXIS, alpha, ImmutableMatrix(VECTOR)),
+    }
+)
+READ_ROTATION = READ.also(
+    {
+        **dict(zip(QUATERNION, derived.from_axis_angle(UNIT_AXIS, alpha), strict=True)),
+        claims.TURNED: derived.turned(UNIT_AXIS, alpha, ImmutableMatrix(VECTOR)),
+    }
+)
+READ_ORDERS = READ.also(
+    {
+        claims.ROLL_321: derived.euler_from_matrix(derived.matrix_from_quaternion())[0],
+        claims.ROLL_123: derived.roll_turned_first(derived.matrix_from_quaternion()),
+    }
+)
+READ_AT_LOCK = READ.also(dict(zip(QUATERNION, derived.from_euler(), strict=True)))

@@ -104,7 +104,9 @@ def _card(entry: Entry) -> Iterator[str]:
     if entry.given is not None:
         yield from _formula("Given", entry.given)
     if entry.correction_latex is not None:
-        yield from _formula("Right", entry.correction_latex)
+        boxed = r"\boxed" in entry.correction_latex
+        term = "Right; what differs is in a box" if boxed else "Right"
+        yield from _formula(term, entry.correction_latex)
     if entry.condition is not None:
         yield from _formula("Holds exactly when" if entry.exact else "Holds if", entry.condition)
     if entry.undefined is not None:

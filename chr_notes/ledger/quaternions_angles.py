@@ -1,0 +1,100 @@
+"""The quaternion note's section 4, conversion to Euler angles, before the judgement."""
+
+from sympy import Abs, Eq, ImmutableMatrix, cos, pi, sin, symbols
+
+from chr_notes.derivations import quaternions as derived
+from chr_notes.derivations.steps import Step
+from chr_notes.ledger.case import Case, Condition
+from chr_notes.ledger.quaternions_reading import READ_AT_LOCK, READ_ORDERS, READINGS, SOMEWHERE
+from chr_notes.printed import quaternions_claims as claims
+from chr_notes.printed.statement import Approximately
+from chr_notes.symbols import QUATERNION, Angle, a, b, c, d, phi, psi, theta
+
+# The angles of the three turns, as distinct from those that a formula finds.
+ROLL, PITCH, YAW = OWN_ANGLES = symbols(r"\phi \theta \psi", real=True, cls=Angle)
+ELEMENTS_BY_TURNS = dict(
+    zip(
+        QUATERNION,
+        derived.from_euler().xreplace(dict(zip((phi, theta, psi), OWN_ANGLES, strict=True))),
+        strict=True,
+    )
+)
+ALSO = (
+    "Sections 3 and 4 of the note contradict each other, see quaternions.3.1. The sensors use the "
+    "reading of section 4."
+)
+ATAN = (
+    "The arctangent of the quotient is read as the note says two sentences later: by atan2, which "
+    "takes numerator and denominator apart and so finds the whole range. Taken at its word, atan "
+    "gives angles from −90° to 90° only, and any other comes out wrong by 180°. "
+)
+
+
+def _by_turns(left: ImmutableMatrix, right: ImmutableMatrix) -> Step:
+    return Step(
+        "Put the quaternion of the three turns in place of a, b, c, d: numerator and denominator "
+        "are sine and cosine of the angle, times the cosine of pitch. That one is not negative "
+        "from −90° to 90°, so it drops out of the quotient and leaves the signs alone.",
+        Eq(left.xreplace(ELEMENTS_BY_TURNS), right, evaluate=False),
+    )
+
+
+SETTLED = (
+    Case(
+        "quaternions.4.1",
+        readings=READINGS,
+        steps=(
+            _by_turns(
+                ImmutableMatrix([2 * (a * b + c * d), a**2 - b**2 - c**2 + d**2]),
+                ImmutableMatrix([sin(ROLL) * cos(PITCH), cos(ROLL) * cos(PITCH)]),
+            ),
+        ),
+        remark=ATAN + ALSO,
+    ),
+    Case(
+        "quaternions.4.2",
+        readings=READINGS,
+        steps=(
+            Step(
+                "Put the quaternion of the three turns in place of a, b, c, d: what stands in the "
+                "brackets is minus the sine of pitch.",
+                Eq((2 * (b * d - a * c)).xreplace(ELEMENTS_BY_TURNS), -sin(PITCH), evaluate=False),
+            ),
+        ),
+        remark="Pitch lies between −90° and 90°, as the arcsine does. In rounded numbers the "
+        "argument can exceed one; atan2 of the sine and cosine of pitch avoids that. " + ALSO,
+    ),
+    Case(
+        "quaternions.4.3",
+        readings=READINGS,
+        steps=(
+            _by_turns(
+                ImmutableMatrix([2 * (a * d + b * c), a**2 + b**2 - c**2 - d**2]),
+                ImmutableMatrix([sin(YAW) * cos(PITCH), cos(YAW) * cos(PITCH)]),
+            ),
+        ),
+        remark=ATAN + ALSO,
+    ),
+    Case(
+        "quaternions.4.c",
+        READ_ORDERS.also(SOMEWHERE),
+        steps=(
+            Step(
+                "One attitude is enough to show it: q = (6, 4, 2, 5)/9. In the order of the note, "
+                "yaw, pitch, roll, its roll is this many degrees.",
+                Approximately(claims.ROLL_321 * 180 / pi, "58.9"),
+            ),
+            Step(
+                "Reached by roll first, then pitch, then yaw, it takes this roll.",
+                Approximately(claims.ROLL_123 * 180 / pi, "34.3"),
+            ),
+        ),
+    ),
+    Case(
+        "quaternions.4.b",
+        READ_AT_LOCK,
+        given=(Condition(Eq(Abs(theta), pi / 2)),),
+        remark="Only the sum or the difference of roll and yaw is left at the lock. The quaternion "
+        "notices nothing: its derivative is a product of its elements and the body rates.",
+    ),
+)
