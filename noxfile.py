@@ -4,6 +4,8 @@ The README's two commands need none of this. An environment is made once for eac
 `--no-venv --no-install` uses the one that is active.
 """
 
+from pathlib import Path
+
 import nox
 
 nox.options.default_venv_backend = "uv|virtualenv"
@@ -58,6 +60,24 @@ def book(session: nox.Session) -> None:
 def full(session: nox.Session) -> None:
     """Run all of it with the large samples, which takes its time."""
     pytest(session, "--full")
+
+
+@nox.session
+def compilers(session: nox.Session) -> None:
+    """Compile the exported C by the line of its README, with clang, as C++, and for a Cortex-M4."""
+    session.install("-e", ".")
+    folder = Path(session.create_tmp()) / "c"
+    session.run("chr-notes", "export", "c", str(folder))
+    readme = (folder / "README.md").read_text(encoding="utf-8")
+    line = next(line for line in readme.splitlines() if line.endswith("-c attitude.c"))
+    options = line.split()[1:]
+    as_cpp = ["-x", "c++", *(option for option in options if not option.startswith("-std"))]
+    m4 = ["-mcpu=cortex-m4", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"]
+    with session.chdir(folder):
+        session.run("clang", *options, external=True)
+        session.run("g++", *as_cpp, external=True)
+        session.run("clang++", *as_cpp, external=True)
+        session.run("arm-none-eabi-gcc", *m4, *options, external=True)
 
 
 @nox.session

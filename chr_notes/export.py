@@ -28,7 +28,8 @@ angles return 1 at gimbal lock, where roll is set to 0 and yaw carries the rest,
 
 It prints `0 1.5708 0, locked: 1`, saved as `main.c` and compiled by these lines:
 
-    gcc -std=c99 -O2 -Wall -Wextra -Wconversion -Werror -c attitude.c
+    gcc -std=c99 -O2 -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow -Werror \
+-c attitude.c
     gcc -std=c99 -o main main.c attitude.o -lm
 """,
     "js": """\

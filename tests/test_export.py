@@ -9,6 +9,8 @@ import pytest
 
 from chr_notes.__main__ import main
 
+from .codegen.languages import WARNINGS
+
 
 def test_exported_c_compiles_and_runs_by_its_readme(
     tmp_path: Path, program: Callable[[str], str]
@@ -18,6 +20,7 @@ def test_exported_c_compiles_and_runs_by_its_readme(
     readme = (tmp_path / "out" / "README.md").read_text(encoding="utf-8")
     code = [line[4:] for line in readme.splitlines() if line.startswith("    ")]
     commands = [line.split() for line in code if line.startswith("gcc")]
+    assert set(WARNINGS) <= set(commands[0])
     program_text = "\n".join(line for line in code if not line.startswith("gcc"))
     (tmp_path / "out" / "main.c").write_text(program_text + "\n", encoding="utf-8")
     assert len(commands) == 2

@@ -97,7 +97,7 @@ def _prepared(value: Basic) -> Basic:
 class C(Spelling, C99CodePrinter):
     """C in double precision."""
 
-    nothing = "NAN"
+    nothing = "(double)NAN"  # a float in math.h
 
     def __init__(self) -> None:
         super().__init__()

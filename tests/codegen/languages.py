@@ -19,7 +19,16 @@ from chr_notes.generated.arrays.shapes import SHAPES
 from .vectors import Vector
 
 Results = list[list[float]]
-GCC = ("gcc", "-std=c99", "-O2", "-Wall", "-Wextra", "-Wconversion", "-Werror")
+WARNINGS = [
+    "-Wall",
+    "-Wextra",
+    "-Wpedantic",
+    "-Wconversion",
+    "-Wdouble-promotion",
+    "-Wshadow",
+    "-Werror",
+]
+GCC = ("gcc", "-std=c99", "-O2", *WARNINGS)
 PROGRAMS = {target.name: lower(target, by_library) for target in TARGETS}
 
 

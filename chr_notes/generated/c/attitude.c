@@ -920,7 +920,7 @@ void attitude_tilt_from_accelerometer(double accel_x, double accel_y, double acc
     const double roll_seen = atan2(-accel_y, -accel_z);
     double roll;
     if (!has_direction) {
-        roll = NAN;
+        roll = (double)NAN;
     } else if (across <= 0.0) {
         roll = 0.0;
     } else if (roll_seen <= -3.141592653589793) {
@@ -928,7 +928,12 @@ void attitude_tilt_from_accelerometer(double accel_x, double accel_y, double acc
     } else {
         roll = roll_seen;
     }
-    const double pitch = has_direction ? atan2(accel_x, across) : NAN;
+    double pitch;
+    if (has_direction) {
+        pitch = atan2(accel_x, across);
+    } else {
+        pitch = (double)NAN;
+    }
     out[0] = roll;
     out[1] = pitch;
 }
@@ -1541,7 +1546,7 @@ void attitude_euler_observer_step(double roll, double pitch, double yaw, double 
     const double seen_roll_seen = atan2(-accel_y, -accel_z);
     double seen_roll;
     if (!seen_has_direction) {
-        seen_roll = NAN;
+        seen_roll = (double)NAN;
     } else if (seen_across <= 0.0) {
         seen_roll = 0.0;
     } else if (seen_roll_seen <= -3.141592653589793) {
@@ -1553,7 +1558,7 @@ void attitude_euler_observer_step(double roll, double pitch, double yaw, double 
     if (seen_has_direction) {
         seen_pitch = atan2(accel_x, seen_across);
     } else {
-        seen_pitch = NAN;
+        seen_pitch = (double)NAN;
     }
     const double predicted_roll = dt*(rate_across*tan_pitch + rate_x) + roll;
     const double predicted_pitch = dt*(cos_roll*rate_y - rate_z*sin_roll) + pitch;
@@ -1653,7 +1658,7 @@ double attitude_heading_from_magnetometer(double mag_x, double mag_y, double mag
     if (has_direction) {
         result = atan2(east*level_x - level_y*north, east*level_y + level_x*north);
     } else {
-        result = NAN;
+        result = (double)NAN;
     }
     return result;
 }
@@ -1704,7 +1709,7 @@ double attitude_validation_factor(double mag_x, double mag_y, double mag_z, doub
     if (has_direction) {
         result = fabs(reference_down - level_z/sqrt(length_squared));
     } else {
-        result = NAN;
+        result = (double)NAN;
     }
     return result;
 }

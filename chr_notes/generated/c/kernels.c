@@ -1195,9 +1195,9 @@ EVERY_INSTRUCTION_SET static int64_t tilt_from_accelerometer
             const int has_direction = (size <= 1.7976931348623157e+308) & (size > 0.0);
             const double across = sqrt(accel_y_squared_plus_accel_z_squared);
             const double roll_seen = column_atan2(-accel_y, -accel_z);
-            const double roll = !has_direction ? NAN : across <= 0.0 ? 0.0 : roll_seen <=
+            const double roll = !has_direction ? (double)NAN : across <= 0.0 ? 0.0 : roll_seen <=
                 -3.141592653589793 ? 3.141592653589793 : roll_seen;
-            const double pitch = has_direction ? column_atan2(accel_x, across) : NAN;
+            const double pitch = has_direction ? column_atan2(accel_x, across) : (double)NAN;
             results[0][row] = roll;
             results[1][row] = pitch;
             left[row] = !(FINITE(accel_x + accel_y + accel_z) & IN_RANGE(length_squared));
@@ -1246,7 +1246,7 @@ EVERY_INSTRUCTION_SET static int64_t heading_from_magnetometer
                 mag_y*sin_pitch*sin_roll;
             const double level_y = cos_roll*mag_y - mag_z*sin_roll;
             const double result = has_direction ? column_atan2(east*level_x - level_y*north,
-                east*level_y + level_x*north) : NAN;
+                east*level_y + level_x*north) : (double)NAN;
             results[0][row] = result;
             left[row] = !(FINITE(mag_x + mag_y + mag_z + roll + pitch + north + east) & (fabs(pitch)
                 < LARGEST_ANGLE) & (fabs(roll) < LARGEST_ANGLE) & IN_RANGE(length_squared));
@@ -1297,7 +1297,7 @@ EVERY_INSTRUCTION_SET static int64_t validation_factor
             const double level_z = cos_pitch*cos_roll*reading_z + cos_pitch*reading_y*sin_roll -
                 reading_x*sin_pitch;
             const double result = has_direction ? fabs(reference_down -
-                level_z/sqrt(length_squared)) : NAN;
+                level_z/sqrt(length_squared)) : (double)NAN;
             results[0][row] = result;
             left[row] = !(FINITE(mag_x + mag_y + mag_z + roll + pitch + reference_down) &
                 (fabs(pitch) < LARGEST_ANGLE) & (fabs(roll) < LARGEST_ANGLE));
@@ -1666,9 +1666,10 @@ static int64_t euler_observer_step
         const int seen_has_direction = (seen_size <= 1.7976931348623157e+308) & (seen_size > 0.0);
         const double seen_across = hypot(accel_y, accel_z);
         const double seen_roll_seen = step_atan2(-accel_y, -accel_z);
-        const double seen_roll = !seen_has_direction ? NAN : seen_across <= 0.0 ? 0.0 :
+        const double seen_roll = !seen_has_direction ? (double)NAN : seen_across <= 0.0 ? 0.0 :
             seen_roll_seen <= -3.141592653589793 ? 3.141592653589793 : seen_roll_seen;
-        const double seen_pitch = seen_has_direction ? step_atan2(accel_x, seen_across) : NAN;
+        const double seen_pitch = seen_has_direction ? step_atan2(accel_x, seen_across) :
+            (double)NAN;
         const double predicted_roll = dt*(rate_across*tan_pitch + rate_x) + roll;
         const double predicted_pitch = dt*(cos_roll*rate_y - rate_z*sin_roll) + pitch;
         const double roll_to_measured = -predicted_roll + seen_roll;
