@@ -2,6 +2,8 @@
 
 import subprocess
 import sys
+import tomllib
+from pathlib import Path
 
 import pytest
 
@@ -46,3 +48,13 @@ def test_a_module_is_loaded_when_it_is_asked_for() -> None:
 def test_a_misspelt_name_is_an_error() -> None:
     with pytest.raises(AttributeError, match=r"module 'chr_notes' has no attribute 'obsreve'"):
         _ = chr_notes.obsreve  # type: ignore[attr-defined]
+
+
+def test_each_file_of_data_is_named_for_the_wheel() -> None:
+    package = Path(chr_notes.__file__).parent
+    settings = tomllib.loads((package.parent / "pyproject.toml").read_text(encoding="utf-8"))
+    patterns = settings["tool"]["setuptools"]["package-data"]["*"]
+    files = (path for path in package.rglob("*") if path.is_file())
+    data = [path for path in files if path.suffix not in (".py", ".pyc", ".so")]
+    assert data
+    assert [path for path in data if not any(path.match(pattern) for pattern in patterns)] == []
