@@ -1,18 +1,25 @@
 """Attitude representation, derived, checked and taught.
 
-Importing the package loads NumPy and the functions for attitudes alone. What has to do with sensors
-is loaded when it is first used, and SymPy when something is derived.
+Importing the package loads NumPy; SymPy is loaded when something is derived.
 """
 
-from importlib import import_module
-from typing import TYPE_CHECKING
-
 from chr_notes._kernels import kernels_in_use
-from chr_notes.conventions import STANDARD_GRAVITY
-from chr_notes.errors import (
-    GimbalLockError,
-    GimbalLockWarning,
+from chr_notes.calibration import (
+    fit_accelerometer,
+    fit_gyro_bias,
+    fit_magnetometer,
+    stillest_stretch,
 )
+from chr_notes.conventions import STANDARD_GRAVITY
+from chr_notes.dead_reckoning import (
+    accelerometer_from_acceleration,
+    dead_reckon,
+    drift_from_tilt_error,
+    inertial_acceleration,
+)
+from chr_notes.ellipsoid import Ellipsoid, fit_ellipsoid
+from chr_notes.errors import GimbalLockError, GimbalLockWarning
+from chr_notes.estimation import accelerometer_at_rest, integrate_gyro, tilt_from_accelerometer
 from chr_notes.euler import (
     body_rates_from_euler_rates,
     euler_from_matrix,
@@ -20,6 +27,14 @@ from chr_notes.euler import (
     euler_rates_matrix,
     matrix_from_euler,
     wrap_angle,
+)
+from chr_notes.monitor import Monitor, Monitored, Watch, monitored_observer
+from chr_notes.observer import (
+    Estimate,
+    fixed_gain_observer,
+    observe,
+    observe_sample,
+    samples_held_out,
 )
 from chr_notes.quaternions import (
     axis_angle_from_quaternion,
@@ -34,51 +49,8 @@ from chr_notes.quaternions import (
     rotate_to_body,
     rotate_to_inertial,
 )
-
-if TYPE_CHECKING:
-    from chr_notes.calibration import (
-        fit_accelerometer,
-        fit_gyro_bias,
-        fit_magnetometer,
-        stillest_stretch,
-    )
-    from chr_notes.dead_reckoning import (
-        accelerometer_from_acceleration,
-        dead_reckon,
-        drift_from_tilt_error,
-        inertial_acceleration,
-    )
-    from chr_notes.ellipsoid import (
-        Ellipsoid,
-        fit_ellipsoid,
-    )
-    from chr_notes.estimation import (
-        accelerometer_at_rest,
-        integrate_gyro,
-        tilt_from_accelerometer,
-    )
-    from chr_notes.monitor import (
-        Monitor,
-        Monitored,
-        Watch,
-        monitored_observer,
-    )
-    from chr_notes.observer import (
-        Estimate,
-        fixed_gain_observer,
-        observe,
-        observe_sample,
-        samples_held_out,
-    )
-    from chr_notes.sensors import (
-        MagnetometerCalibration,
-        RateGyroCalibration,
-        ThreeAxisCalibration,
-    )
-    from chr_notes.validation import (
-        heading_from_magnetometer,
-        validation_factor,
-    )
+from chr_notes.sensors import MagnetometerCalibration, RateGyroCalibration, ThreeAxisCalibration
+from chr_notes.validation import heading_from_magnetometer, validation_factor
 
 __version__ = "0.1.0"
 
@@ -132,53 +104,3 @@ __all__ = [
     "validation_factor",
     "wrap_angle",
 ]
-
-# Where each name is that is loaded when it is first used.
-_LATER = {
-    name: module
-    for module, names in {
-        "calibration": (
-            "fit_accelerometer",
-            "fit_gyro_bias",
-            "fit_magnetometer",
-            "stillest_stretch",
-        ),
-        "dead_reckoning": (
-            "accelerometer_from_acceleration",
-            "dead_reckon",
-            "drift_from_tilt_error",
-            "inertial_acceleration",
-        ),
-        "ellipsoid": ("Ellipsoid", "fit_ellipsoid"),
-        "estimation": ("accelerometer_at_rest", "integrate_gyro", "tilt_from_accelerometer"),
-        "monitor": ("Monitor", "Monitored", "Watch", "monitored_observer"),
-        "observer": (
-            "Estimate",
-            "fixed_gain_observer",
-            "observe",
-            "observe_sample",
-            "samples_held_out",
-        ),
-        "sensors": ("MagnetometerCalibration", "RateGyroCalibration", "ThreeAxisCalibration"),
-        "validation": ("heading_from_magnetometer", "validation_factor"),
-    }.items()
-    for name in names
-}
-
-
-if not TYPE_CHECKING:  # A type checker would take any misspelt name for one that is loaded later.
-
-    def __getattr__(name: str) -> object:
-        """Load what is not loaded yet."""
-        if name in _LATER.values():
-            return import_module(f"{__name__}.{name}")
-        if name not in _LATER:
-            msg = f"module {__name__!r} has no attribute {name!r}"
-            raise AttributeError(msg)
-        value = globals()[name] = getattr(import_module(f"{__name__}.{_LATER[name]}"), name)
-        return value
-
-
-def __dir__() -> list[str]:
-    """List what is not loaded yet, too."""
-    return sorted({*globals(), *__all__, *_LATER.values()})

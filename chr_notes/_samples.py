@@ -21,7 +21,7 @@ def samples(name: str, value: ArrayLike) -> Floats:
     ValueError
         If the shape differs; it states the expected and the received shape.
     """
-    array = np.asarray(floats(name, value, 3), dtype=np.float64)
+    array = floats(name, value, 3)
     if array.ndim != 2:  # noqa: PLR2004 (samples by axes)
         msg = f"{name}: expected shape (N, 3), got {array.shape}"
         raise ValueError(msg)
@@ -143,7 +143,7 @@ def times(value: ArrayLike) -> Floats:
     ValueError
         If the shape differs, or the times do not rise.
     """
-    array = np.asarray(floats("time", value), dtype=np.float64)
+    array = floats("time", value)
     if array.ndim != 1:
         msg = f"time: expected shape (N,), got {array.shape}"
         raise ValueError(msg)

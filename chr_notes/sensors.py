@@ -254,7 +254,7 @@ def _at(
     if temperature is None:
         msg = "temperature: expected one, because sensitivity or bias depends on it, got None"
         raise ValueError(msg)
-    degrees = np.asarray(floats("temperature", temperature), dtype=np.float64)
+    degrees = floats("temperature", temperature)
     here = _evaluated(sensitivity, degrees)
     _refuse_zeros(here, " at one of the temperatures")
     return here, _evaluated(bias, degrees)

@@ -239,7 +239,7 @@ def ideal_readings(
     Ledger: dead_reckoning.2.1.
     """
     to_body = matrix_from_euler(truth.euler)
-    outside = np.asarray(floats("field", field, 3), dtype=np.float64)
+    outside = floats("field", field, 3)
     if outside.shape not in ((3,), truth.euler.shape):
         msg = f"field: expected shape (3,) or {truth.euler.shape}, got {outside.shape}"
         raise ValueError(msg)

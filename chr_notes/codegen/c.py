@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from textwrap import wrap
 
-from sympy import Basic
+from sympy import Basic, true
 from sympy.core.relational import Relational
 from sympy.logic.boolalg import BooleanFunction
 
@@ -131,7 +131,7 @@ def _step(step: Let | Choice, precision: Precision) -> list[str]:
         return [f"const {precision.type} {step.names[0]} = {one};"]
     lines = [f"{precision.type} {', '.join(name.name for name in step.names)};"]
     for place, (condition, values) in enumerate(step.branches):
-        if condition == True:  # noqa: E712 (SymPy's true, not Python's)
+        if condition is true:
             lines.append("} else {")
         else:
             lines.append(f"{'} else ' if place else ''}if ({language.written(condition)}) {{")

@@ -1,5 +1,7 @@
 """Printer of the JavaScript module that the demos call."""
 
+from sympy import true
+
 from chr_notes.codegen.expressions import JavaScript, camel
 from chr_notes.codegen.header import (
     FLAG,
@@ -58,7 +60,7 @@ def _step(step: Let | Choice) -> list[str]:
         return [f"const {camel(step.names[0].name)} = {one};"]
     lines = [f"let {', '.join(camel(name.name) for name in step.names)};"]
     for place, (condition, values) in enumerate(step.branches):
-        if condition == True:  # noqa: E712 (SymPy's true, not Python's)
+        if condition is true:
             lines.append("} else {")
         else:
             lines.append(f"{'} else ' if place else ''}if ({JAVASCRIPT.written(condition)}) {{")

@@ -2,6 +2,8 @@
 
 import re
 
+from sympy import true
+
 from chr_notes.codegen.expressions import Python
 from chr_notes.codegen.header import (
     FLAG,
@@ -59,7 +61,7 @@ def step_lines(step: Let | Choice) -> list[str]:
         return [f"    {step.names[0]} = {PYTHON.conditional(step, step.names[0])}"]
     lines = []
     for place, (condition, values) in enumerate(step.branches):
-        if condition == True:  # noqa: E712 (SymPy's true, not Python's)
+        if condition is true:
             lines.append("    else:")
         else:
             lines.append(f"    {'elif' if place else 'if'} {PYTHON.written(condition)}:")
