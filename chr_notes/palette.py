@@ -52,9 +52,12 @@ PALETTE: Final[Mapping[str, Colour]] = MappingProxyType(
 """Colour by what it is for."""
 
 DASHES: Final[Mapping[str, tuple[float, ...]]] = MappingProxyType(
-    {"x": (), "y": (7.0, 3.0), "z": (2.0, 2.0)}
+    {"x": (), "y": (7.0, 3.0), "z": (2.0, 2.0), "alert": (7.0, 2.0, 2.0, 2.0)}
 )
-"""The second cue of an axis: dash pattern in points, empty for a solid line."""
+"""The second cue of an axis or a line: dash pattern, empty for a solid line.
+
+Demos count in pixels, figures in widths of the line.
+"""
 
 _DARK_HOSTS: Final = (
     ':root[data-theme="dark"] > body',

@@ -15,18 +15,19 @@ ALLOWED = {
     "conventions": set(),
     "errors": set(),
     "palette": set(),
-    "plots": {"palette", "plots"},
+    "aircraft": set(),
+    "plots": {"palette", "aircraft", "plots"},
     "exercises": set(),
     "printed": NOTATION | {"printed"},
     "derivations": NOTATION | {"derivations"},
     "typeset": set(),
-    "ledger": NOTATION | {"printed", "derivations", "typeset", "ledger"},
+    "ledger": NOTATION | {"printed", "derivations", "typeset", "conventions", "ledger"},
     "codegen": NOTATION | {"derivations", "codegen"},
     "generated": set(),
     "_arrays": set(),
     "numeric": NUMERIC,
     # Of what is printed, Table 1 goes into the bundles.
-    "demos": {"demos", "palette", "generated", "conventions", "printed"},
+    "demos": {"demos", "palette", "aircraft", "generated", "conventions", "printed"},
     "book": NOTATION
     | {"ledger", "conventions", "palette", "demos", "book"}
     # One page follows a formula through these, and one says what the documents' symbols mean.

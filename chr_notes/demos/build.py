@@ -15,10 +15,11 @@ import sys
 import tempfile
 from pathlib import Path
 
-from chr_notes.conventions import STANDARD_GRAVITY
+from chr_notes.aircraft import PARTS
+from chr_notes.conventions import NOTES_GRAVITY, STANDARD_GRAVITY
 from chr_notes.demos.base import BUILT, SOURCES
-from chr_notes.demos.drift import GRAVITY
 from chr_notes.demos.tilt import NOTHING
+from chr_notes.palette import DASHES
 from chr_notes.printed.table_1 import ROWS
 
 ESBUILD = "esbuild@0.28.2"
@@ -28,9 +29,11 @@ WIDGETS = ("drift", "gimbal_lock", "tilt")
 PAGES = "pages"
 CONSTANTS = {
     "STANDARD_GRAVITY": STANDARD_GRAVITY,
-    "NOTE_GRAVITY": GRAVITY,
+    "NOTES_GRAVITY": NOTES_GRAVITY,
     "NOTHING": NOTHING,
     "TABLE_1": dict(ROWS),
+    "AIRCRAFT": PARTS,
+    "DASHES": dict(DASHES),
 }
 """What the modules have from Python, by the name that stands for it in them."""
 

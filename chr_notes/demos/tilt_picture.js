@@ -5,7 +5,7 @@ import { arrow, beside, line, linear, mark, words } from "./chart.js";
 import { camera, label, paint, parsed, placed, scaled, sum, toParent } from "./draw.js";
 import { attitude, estimates, reading, readings, unaccelerated } from "./tilt_estimates.js";
 
-/* global STANDARD_GRAVITY: build.py puts it in, m/s² */
+/* global STANDARD_GRAVITY, DASHES: build.py puts them in, m/s² and { axis: pattern } */
 
 const PER_GRAVITY = 0.6; // length of an arrow of 1 g
 const SIZE = 1.25; // length of the aircraft
@@ -22,7 +22,7 @@ const STRIPS = [
   { title: "roll error over 1 s", axis: "x", shape: "circle" },
   { title: "pitch error over 1 s", axis: "y", shape: "square" },
 ];
-const DASH = { x: [], y: [7, 3], z: [2, 2], real: [9, 5], believed: [2, 4] };
+const DASH = { ...DASHES, real: [9, 5], believed: [2, 4] };
 
 /** The lines of the picture, each with what it stands for; `symbol` stands beside the arrow too. */
 export const LEGEND = [

@@ -4,10 +4,13 @@ import base64
 import html
 import io
 from dataclasses import dataclass
+from typing import Any
 
 import matplotlib as mpl
 from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
+
+from chr_notes.palette import DASHES
 
 
 @dataclass(frozen=True)
@@ -53,3 +56,8 @@ def show(figure: Figure, alt: str) -> Picture:
         figure.savefig(buffer, format="svg", metadata={"Date": None}, bbox_inches="tight")
     plt.close(figure)
     return Picture(buffer.getvalue(), alt)
+
+
+def line_style(name: str) -> Any:  # noqa: ANN401 (matplotlib's line styles are untyped)
+    """Give the dash pattern of a name of the palette as matplotlib takes it."""
+    return (0, DASHES[name]) if DASHES[name] else "solid"

@@ -4,6 +4,7 @@ North-east-down is drawn with north to the right, east towards the reader and do
 turn about north away from matplotlib's axes, so that nothing is mirrored.
 """
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -11,19 +12,12 @@ from matplotlib import pyplot as plt
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 from numpy.typing import ArrayLike, NDArray
 
-from chr_notes.palette import DASHES, PALETTE
+from chr_notes.aircraft import FIN, SECTIONS, TAIL, WING
+from chr_notes.palette import PALETTE
+from chr_notes.plots.figure import line_style
 
 AXES = ("x", "y", "z")
 _DRAWN_FROM_NED = np.diag([1.0, -1.0, -1.0])
-
-# A small aircraft in the body frame: nose towards +x, right wing towards +y, fin towards -z.
-_AIRCRAFT = (
-    ((0.55, 0, 0), (0.25, 0.07, 0), (-0.5, 0.03, 0), (-0.5, -0.03, 0), (0.25, -0.07, 0)),
-    ((0.16, 0.05, 0), (-0.02, 0.6, 0), (-0.14, 0.6, 0), (-0.1, 0.05, 0)),
-    ((0.16, -0.05, 0), (-0.02, -0.6, 0), (-0.14, -0.6, 0), (-0.1, -0.05, 0)),
-    ((-0.36, 0, 0), (-0.46, 0.22, 0), (-0.53, 0.22, 0), (-0.53, -0.22, 0), (-0.46, -0.22, 0)),
-    ((-0.33, 0, 0), (-0.48, 0, -0.22), (-0.55, 0, -0.22), (-0.52, 0, 0)),
-)
 
 
 def world(axes: Any = None) -> Any:  # noqa: ANN401 (matplotlib's 3D axes are untyped)
@@ -79,7 +73,7 @@ def draw_frame(
         axes.quiver(
             0, 0, 0, *end,
             color=colour, linewidth=1.1 if faded else 2.2, arrow_length_ratio=0.08,
-            linestyle=(0, DASHES[letter]) if DASHES[letter] else "solid",
+            linestyle=line_style(letter),
         )  # fmt: skip
         if letter in unlabelled:
             continue
@@ -180,7 +174,7 @@ def draw_aircraft(axes: Any, matrix: ArrayLike) -> Any:  # noqa: ANN401
     to_drawn: NDArray[np.float64] = np.asarray(matrix, dtype=np.float64) @ _DRAWN_FROM_NED
     axes.add_collection3d(
         Poly3DCollection(
-            [np.array(corners) @ to_drawn for corners in _AIRCRAFT],
+            [corners @ to_drawn for corners in _aircraft()],
             facecolor=PALETTE["body"].light,
             edgecolor=PALETTE["glass"].light,
             linewidth=0.8,
@@ -188,3 +182,17 @@ def draw_aircraft(axes: Any, matrix: ArrayLike) -> Any:  # noqa: ANN401
         )
     )
     return axes
+
+
+def _aircraft() -> list[NDArray[np.float64]]:
+    """Outlines of fuselage, wings, tail and fin in the body frame, each of shape (N, 3)."""
+    x, width, _, z = np.array(SECTIONS).T
+    fuselage = np.concatenate([np.stack([x, width, z], 1), np.stack([x, -width, z], 1)[::-1]])
+    right = [_plate(WING), _plate(TAIL)]
+    return [fuselage, *right, *(plate * [1, -1, 1] for plate in right), _plate(FIN)]
+
+
+def _plate(sections: Sequence[tuple[float, ...]]) -> NDArray[np.float64]:
+    """Outline of a plate: along its leading edge out, along its trailing edge back."""
+    leading, trailing, y, z, _ = np.array(sections).T
+    return np.concatenate([np.stack([leading, y, z], 1), np.stack([trailing, y, z], 1)[::-1]])

@@ -7,14 +7,8 @@ import numpy as np
 from matplotlib import pyplot as plt
 from numpy.typing import ArrayLike
 
-from chr_notes.palette import PALETTE
-
-_LINES = (
-    ("x", "-"),
-    ("y", (0, (6, 2))),
-    ("z", (0, (2, 1.5))),
-    ("alert", (0, (7, 2, 1.5, 2))),
-)
+from chr_notes.palette import DASHES, PALETTE
+from chr_notes.plots.figure import line_style
 
 
 def draw_growth(
@@ -45,16 +39,19 @@ def draw_growth(
     -------
     Axes
     """
-    if len(errors) > len(_LINES):
-        msg = f"errors: expected at most {len(_LINES)}, got {len(errors)}"
+    if len(errors) > len(DASHES):
+        msg = f"errors: expected at most {len(DASHES)}, got {len(errors)}"
         raise ValueError(msg)
     if axes is None:
         axes = plt.subplots(figsize=(6.4, 3.6))[1]
     seconds = np.asarray(time, dtype=np.float64)
     if expected is not None:
         axes.plot(seconds, np.abs(expected), color=PALETTE["body"].light, lw=4.5, label="expected")
-    for (label, error), (colour, line) in zip(errors.items(), _LINES, strict=False):
-        axes.plot(seconds, np.abs(error), color=PALETTE[colour].light, lw=1.4, ls=line, label=label)
+    for (label, error), line in zip(errors.items(), DASHES, strict=False):
+        axes.plot(
+            seconds, np.abs(error), color=PALETTE[line].light, lw=1.4, ls=line_style(line),
+            label=label,
+        )  # fmt: skip
     axes.set_xlabel("time (s)")
     axes.set_ylabel(f"error ({unit})")
     axes.grid(color=PALETTE["line"].light, lw=0.6)

@@ -7,10 +7,10 @@ import numpy as np
 from matplotlib import pyplot as plt
 from numpy.typing import ArrayLike, NDArray
 
-from chr_notes.palette import PALETTE
+from chr_notes.palette import DASHES, PALETTE
+from chr_notes.plots.figure import line_style
 
 ANGLES = (("roll", "x"), ("pitch", "y"), ("yaw", "z"))
-_LINES = ("-", (0, (6, 2)), (0, (2, 1.5)), (0, (7, 2, 1.5, 2)))
 
 
 def draw_angles(
@@ -44,8 +44,8 @@ def draw_angles(
     list of Axes
         One for each shown angle.
     """
-    if len(estimates) > len(_LINES):
-        msg = f"estimates: expected at most {len(_LINES)}, got {len(estimates)}"
+    if len(estimates) > len(DASHES):
+        msg = f"estimates: expected at most {len(DASHES)}, got {len(estimates)}"
         raise ValueError(msg)
     if axes is None:
         size = (6.4, 0.6 + 1.5 * len(shown))
@@ -59,9 +59,14 @@ def draw_angles(
             panel.plot(
                 seconds, _degrees(truth, place), color=PALETTE["body"].light, lw=4.5, label="truth"
             )
-        for (label, estimate), line in zip(estimates.items(), _LINES, strict=False):
+        for (label, estimate), line in zip(estimates.items(), DASHES, strict=False):
             panel.plot(
-                seconds, _degrees(estimate, place), color=colour, lw=1.3, ls=line, label=label
+                seconds,
+                _degrees(estimate, place),
+                color=colour,
+                lw=1.3,
+                ls=line_style(line),
+                label=label,
             )
         panel.set_ylabel(f"{name} (°)")
         panel.grid(color=PALETTE["line"].light, lw=0.6)
