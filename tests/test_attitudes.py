@@ -104,6 +104,14 @@ def test_quaternions_are_unit_with_a_positive_scalar_part(
     assert_same_rotation(scipy(quaternion), scipy(EVERY))
 
 
+@pytest.mark.parametrize("axis", range(3))
+def test_half_a_turn_about_an_axis_of_the_frame_has_that_axis(axis: int) -> None:
+    expected = np.eye(4)[axis + 1]
+    matrix = np.diag(2 * np.eye(3)[axis] - 1)
+    assert_array_equal(chr_notes.quaternion_from_matrix(matrix), expected)
+    assert_array_equal(chr_notes.axis_angle_from_quaternion(expected)[0], expected[1:])
+
+
 def test_axis_and_angle() -> None:
     axis, angle = chr_notes.axis_angle_from_quaternion(EVERY)
     assert_allclose(np.linalg.norm(axis, axis=1), 1, atol=1e-15)
@@ -112,6 +120,14 @@ def test_axis_and_angle() -> None:
     still_axis, still = chr_notes.axis_angle_from_quaternion([-3.0, 0.0, 0.0, 0.0])
     assert_array_equal(still_axis, [1, 0, 0])
     assert still == 0
+
+
+def test_small_turns_keep_their_digits() -> None:
+    angles = 10.0 ** -np.arange(0.0, 150.0, 0.5)
+    axis = np.array([1.0, -2.0, 2.0]) / 3
+    found = chr_notes.axis_angle_from_quaternion(chr_notes.quaternion_from_axis_angle(axis, angles))
+    assert_allclose(found[1], angles, rtol=1e-15)
+    assert_allclose(found[0], np.broadcast_to(axis, (len(angles), 3)), rtol=1e-15)
 
 
 @given(st.floats(-700, 700), st.tuples(*[st.floats(-1, 1)] * 3), st.floats(-10, 10))
@@ -198,7 +214,7 @@ def test_at_a_pole(pole: float) -> None:
         assert error.value.indices == tuple((row,) for row in range(400))
 
 
-@pytest.mark.parametrize("distance", [1e-14, 1e-12, 1e-9, 1e-3])
+@pytest.mark.parametrize("distance", [4e-15, 1e-14, 1e-12, 1e-9, 1e-3])
 def test_off_a_pole_nothing_is_set_to_zero(distance: float) -> None:
     q = near_the_pole(distance, 500)
     # A warning would be an error.
@@ -207,6 +223,16 @@ def test_off_a_pole_nothing_is_set_to_zero(distance: float) -> None:
     roll = chr_notes.euler_from_matrix(matrix)[0]
     # cos(pitch) is known to a rounding of pi/2, sin(roll) cos(pitch) to one of 1.
     assert_allclose(roll, 0.4, atol=1e-15 / distance)
+
+
+def test_lock_is_where_only_rounding_tells_the_pitch_from_90_degrees() -> None:
+    q = near_the_pole(1e-15, 500)
+    for route, attitude in (
+        (chr_notes.euler_from_quaternion, q),
+        (chr_notes.euler_from_matrix, scipy(q).inv().as_matrix()),
+    ):
+        with pytest.warns(LOCK, match=r"^500 attitude"):
+            assert (route(attitude)[:, 0] == 0).all()
 
 
 def test_lock_in_several_dimensions_and_blocks_is_named_by_its_place() -> None:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from chr_notes import (
     MagnetometerCalibration,
+    RateGyroCalibration,
     ThreeAxisCalibration,
     fit_accelerometer,
     fit_gyro_bias,
@@ -128,6 +129,17 @@ def test_bias_is_the_mean_of_what_is_there() -> None:
     assert_allclose(fit_gyro_bias(holed), rates.mean(axis=0))
 
 
+def test_the_bias_of_the_model_follows_from_the_reading_at_rest() -> None:
+    generator = np.random.default_rng(3)
+    misalignment, coupling = np.eye(3) + generator.normal(0, 0.1, (3, 3)), generator.normal(size=9)
+    bias, force = generator.normal(0, 0.01, 3), np.array([1.0, -2.0, -9.0])
+    gyro = RateGyroCalibration(misalignment, np.ones(3), bias, coupling.reshape(3, 3) / 1000)
+    at_rest = fit_gyro_bias(np.tile(gyro.measure(np.zeros(3), force), (10, 1)))
+    assert_allclose(gyro.coupling @ force - np.linalg.solve(misalignment, at_rest), bias)
+    plain = RateGyroCalibration(np.eye(3), np.ones(3), bias, np.zeros((3, 3)))
+    assert_allclose(fit_gyro_bias([plain.measure(np.zeros(3), force)] * 10), -bias)
+
+
 def test_bias_of_a_recording_at_rest(recordings: Path) -> None:
     rates = np.radians(recorded(recordings, "mpu6050_static_449s_raw.csv")[:, 4:] / 131)
     error = fit_gyro_bias(rates) - rates.mean(axis=0)
@@ -170,6 +182,12 @@ def test_the_stillest_stretch_is_that_of_a_plain_search() -> None:
     spreads = [rates[a : a + 7].var(axis=0).sum() for a in range(54)]
     best = int(np.argmin(spreads))
     assert stillest_stretch(rates, 7) == slice(best, best + 7)
+
+
+def test_of_stretches_that_are_as_still_the_first_is_found() -> None:
+    rates = np.tile([[0.0, 0.0, 0.0], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0]], (4, 1))
+    assert stillest_stretch(rates, 2) == slice(0, 2)
+    assert stillest_stretch(np.zeros((9, 3)), 3) == slice(0, 3)
 
 
 def test_a_stretch_that_is_not_there_is_refused() -> None:

@@ -87,6 +87,17 @@ def test_rows_with_nan_are_held_out() -> None:
     assert_allclose(position[:, 0], [0, 1, np.nan, 5, np.nan, 11])
 
 
+@pytest.mark.parametrize("wild", [np.inf, -np.inf, np.nan])
+def test_a_reading_without_end_is_held_out(wild: float) -> None:
+    euler = np.tile([0.3, -0.4, 2.0], (5, 1))
+    forces = accelerometer_from_acceleration(np.tile([1.0, 0, 0], (5, 1)), euler)
+    forces[2, 1] = wild
+    velocity, position = dead_reckon(forces, euler, 1.0)
+    assert np.isnan(velocity[2]).all()
+    assert np.isnan(position[2]).all()
+    assert_allclose(np.delete(velocity, 2, axis=0)[:, 0], [1, 2, 3, 4])
+
+
 # How errors grow
 
 

@@ -47,6 +47,15 @@ def test_the_scale_of_the_reading_does_not_matter(seed: int, scale: float) -> No
     assert_allclose(other, one, rtol=1e-13, atol=1e-13)
 
 
+def test_the_scale_of_the_reading_costs_no_digit() -> None:
+    reading = np.array([3.7, -2.1, 1.3])
+    expected = tilt_from_accelerometer(reading)
+    # A power of two scales exactly, as long as no number becomes a denormal one.
+    for power in range(-1020, 1021, 7):
+        found = tilt_from_accelerometer(np.ldexp(reading, power))
+        assert_allclose(found, expected, rtol=1e-15)
+
+
 @pytest.mark.parametrize(
     ("reading", "roll_deg", "pitch_deg"),
     [
@@ -120,6 +129,13 @@ def test_both_methods_agree_to_the_step() -> None:
         for method in ("euler", "quaternion")
     )
     assert apart(by_angles, by_turns).max() < 0.005
+
+
+def test_half_a_turn_is_written_with_a_minus() -> None:
+    half_a_turn = integrate_gyro([[np.pi, 0.0, 0.0], [0.0, 0.0, np.pi]], 1.0)
+    assert_array_equal(half_a_turn[:, 0], -np.pi)
+    assert_allclose(np.abs(half_a_turn[1, 2]), np.pi)
+    assert_array_equal(integrate_gyro([[0.0, 0.0, np.pi]], 1.0), [[0.0, 0.0, -np.pi]])
 
 
 def test_only_turns_survive_the_pole() -> None:

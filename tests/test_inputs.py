@@ -178,6 +178,19 @@ def test_length_does_not_matter(function: Function, factor: float) -> None:
     assert_same(scaled, function(kept, *rest), 1e-14)
 
 
+@with_zero
+def test_length_costs_no_digit(function: Function) -> None:
+    first, *rest = function.given.values()
+    argument = np.array([3.7, -2.1, 1.3, 4.9])[: len(first)]
+    expected = function(argument, *rest)
+    degree = -1 if function.call is chr_notes.quaternion_inverse else 0
+    # A power of two scales exactly, as long as no number becomes a denormal one.
+    for power in range(-1020, 1021, 7):
+        results = function(np.ldexp(argument, power), *rest)
+        for one, other in zip(results, expected, strict=True):
+            assert_allclose(np.ldexp(one, -degree * power), other, rtol=1e-15, atol=1e-15)
+
+
 def test_inverse_of_quaternions_of_any_length() -> None:
     for factor in (1e-300, 1e-150, 1.0, 1e150, 1e300):
         q = factor * np.array([Q, P])
@@ -203,6 +216,28 @@ def test_matrices_that_are_no_rotations_are_refused(name: str) -> None:
             function(matrices)
     # Four digits, as books print.
     function(np.round(good, 4))
+
+
+# Matrices whose R Rᵀ is off the identity by a root mean square of so much.
+NOT_QUITE: dict[str, Callable[[float], Floats]] = {
+    "rows too long": lambda off: np.sqrt(1 + np.sqrt(3) * off) * np.eye(3),
+    "rows too short": lambda off: np.sqrt(1 - np.sqrt(3) * off) * np.eye(3),
+    "one row too long": lambda off: np.diag([1, np.sqrt(1 + 3 * off), 1]),
+    "rows not at right angles": lambda off: np.array(
+        [[1, 0, 0], [3 * off / np.sqrt(2), np.sqrt(1 - 9 * off**2 / 2), 0], [0, 0, 1]]
+    ),
+}
+
+
+@pytest.mark.parametrize("matrix", NOT_QUITE.values(), ids=NOT_QUITE)
+@pytest.mark.parametrize("name", ["euler_from_matrix", "quaternion_from_matrix"])
+def test_a_matrix_may_be_off_by_a_ten_thousandth(
+    name: str, matrix: Callable[[float], Floats]
+) -> None:
+    turned = chr_notes.matrix_from_euler(EULER)
+    FUNCTIONS[name](matrix(0.95e-4) @ turned)
+    with pytest.raises(ValueError, match=r"R Rᵀ off by 0\.00011 "):
+        FUNCTIONS[name](matrix(1.1e-4) @ turned)
 
 
 @every

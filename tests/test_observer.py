@@ -10,6 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose, assert_array_equal
 from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
 
 import chr_notes
 from chr_notes import fixed_gain_observer, integrate_gyro, observe, tilt_from_accelerometer
@@ -18,7 +19,7 @@ from chr_notes.simulated_sensors import SensorErrors, spoil
 from chr_notes.simulation import at_rest, ideal_readings, swing, trajectory
 from chr_notes.symbols import T
 
-from .attitudes import apart, inclinations_apart
+from .attitudes import apart, inclinations_apart, turns
 from .sampling import few
 
 Floats = NDArray[np.float64]
@@ -152,6 +153,19 @@ def test_a_loop_through_the_pole_is_followed(gain: float) -> None:
     assert apart(found, truth.euler).max() < np.radians(0.5)
 
 
+@pytest.mark.parametrize("pitch_deg", [-89.9, -80.0, 20.0, 75.1, 89.9])
+def test_the_prediction_is_an_exact_turn_or_the_step_of_the_notes(pitch_deg: float) -> None:
+    start, rates, unread = np.radians([20.0, pitch_deg, 50.0]), [0.9, 0.2, -0.3], [[np.nan] * 3]
+    found = fixed_gain_observer([rates], unread, 0.1, 0.0, start)
+    expected = turns(start) * Rotation.from_rotvec(0.1 * np.array(rates))
+    assert (turns(found[0]).inv() * expected).magnitude() < 1e-14
+    found = fixed_gain_observer([rates], unread, 0.1, 0.0, start, method="euler")
+    euler_rates = chr_notes.euler_rates_from_body_rates(start, rates)
+    assert_allclose(
+        turns(found[0]).as_matrix(), turns(start + 0.1 * euler_rates).as_matrix(), atol=1e-12
+    )
+
+
 def test_straight_up_nothing_breaks() -> None:
     forces = np.tile([9.81, 0.0, 0.0], (200, 1))
     rates = np.random.default_rng(0).normal(0, 0.01, (200, 3))
@@ -273,6 +287,16 @@ def test_one_step_is_that_of_a_recording() -> None:
     assert_allclose(
         chr_notes.observe_sample(initial, rates, force, 0.02, 0.3), expected, atol=1e-15
     )
+
+
+@pytest.mark.parametrize("method", ["quaternion", "euler"])
+@pytest.mark.parametrize("half", [np.pi, -np.pi, 3 * np.pi])
+def test_half_a_turn_stays_within_its_range(half: float, method: Any) -> None:  # noqa: ANN401
+    up = np.array([[0.0, 0.0, 1.0]])
+    for initial in ([half, 0.0, 0.0], [0.0, 0.0, half]):
+        found = fixed_gain_observer([[0.0, 0.0, 0.0]], up, 0.01, 0.0, initial, method=method)
+        assert ((found >= -np.pi) & (found < np.pi)).all()
+        assert_allclose(np.abs(found[0]), np.abs(initial) % (2 * np.pi), atol=1e-15)
 
 
 def test_a_start_may_be_written_in_any_range() -> None:

@@ -76,6 +76,12 @@ def test_the_factor_is_what_is_left_of_the_part_down(seed: int) -> None:
     assert_allclose(validation_factor(mag, tilt, 0.3), expected, atol=1e-12)
 
 
+@pytest.mark.parametrize("down", [1.0, -1.0])
+def test_above_a_magnetic_pole_the_field_is_upright(down: float) -> None:
+    assert validation_factor([0.0, 0.0, 50 * down], [0.0, 0.0], down) == 0
+    assert_allclose(validation_factor([0.0, 0.0, -50 * down], [0.0, 0.0], down), 2)
+
+
 def test_a_field_of_zero_tells_nothing_and_nan_stays_in_its_row() -> None:
     mag = np.array([[1.0, 0, 1], [0, 0, 0], [np.nan, 0, 1], [1, 0, 1]])
     tilt = np.zeros((4, 2))

@@ -12,10 +12,10 @@ from .vectors import Vector, vectors, write
 
 # Units in the last place of the largest number that belongs to the result, see `scale`.
 ULPS = 4.0
-# Results that are angles, whose equality is that of directions: -pi and pi are one.
+# Results that are angles, whose equality is that of directions: -pi and pi are one. They are not
+# for `wrap_angle`, which tells one from the other.
 ANGLES = {
     "euler_from_matrix": 3,
-    "wrap_angle": 1,
     "euler_from_quaternion": 3,
     "tilt_from_accelerometer": 2,
     "heading_from_magnetometer": 1,

@@ -1,5 +1,6 @@
 """What is lowered computes what was derived."""
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from sympy import Add, Expr, ImmutableMatrix, Integer, Mul, Symbol, expand, symbols
@@ -7,9 +8,10 @@ from sympy import Add, Expr, ImmutableMatrix, Integer, Mul, Symbol, expand, symb
 from chr_notes.codegen.lowering import Program, lower
 from chr_notes.codegen.rewriting import by_library
 from chr_notes.codegen.target import Argument, Target
-from chr_notes.derivations.computation import Let
+from chr_notes.derivations.computation import Computation, Let
 
 SYMBOLS = symbols("a b c d", real=True)
+FOREIGN, LOCAL = symbols("e local", real=True)
 ARGUMENTS = tuple(Argument(symbol.name, symbol, "a number") for symbol in SYMBOLS)
 
 
@@ -41,6 +43,29 @@ polynomials = st.tuples(sums, letters_or_one).map(lambda factors: Mul(*factors))
 @given(st.lists(polynomials, min_size=2, max_size=5))
 def test_the_steps_give_the_formulas(formulas: list[Expr]) -> None:
     assert put_together(lowered(*formulas)) == [expand(formula) for formula in formulas]
+
+
+@pytest.mark.parametrize(
+    "formula",
+    [
+        ImmutableMatrix([SYMBOLS[0] + FOREIGN]),
+        Computation((Let(LOCAL, FOREIGN),), ImmutableMatrix([LOCAL])),
+        Computation((Let(LOCAL, SYMBOLS[0]),), ImmutableMatrix([LOCAL * FOREIGN])),
+        # A step that is needed before it is there.
+        Computation(
+            (Let(LOCAL, FOREIGN), Let(FOREIGN, SYMBOLS[0])), ImmutableMatrix([LOCAL + FOREIGN])
+        ),
+    ],
+    ids=["in a formula", "in a step", "in a result", "before its time"],
+)
+def test_a_formula_that_needs_what_is_not_given_is_refused(
+    formula: ImmutableMatrix | Computation,
+) -> None:
+    target = Target("several", "topic", "what", ARGUMENTS, lambda: formula)
+    with pytest.raises(
+        ValueError, match=r"several: expected a formula in \['a', .* got also \[e\]"
+    ):
+        lower(target, by_library)
 
 
 def test_a_cheap_value_within_a_shared_one_is_written_out() -> None:
