@@ -133,8 +133,10 @@ def fit_gyro_bias(body_rates: ArrayLike, *, still_limit: float = _STILL_LIMIT) -
     Returns
     -------
     ndarray
-        Mean reading, rad/s, shape (3,). The bias of `RateGyroCalibration`, which is added to a
-        measurement, is its negative.
+        Mean reading r, rad/s, shape (3,), to be subtracted from readings. `RateGyroCalibration`,
+        which adds its bias b to a reading, has the other sign and the other errors apart:
+        `b = C a - M⁻¹ r`, with the specific force a in which the sensor lies; without coupling and
+        misalignment that is -r.
 
     Raises
     ------

@@ -5,6 +5,9 @@ from dataclasses import dataclass
 STANDARD_GRAVITY = 9.80665
 """Standard gravity, m/s² (exact by definition, CGPM 1901)."""
 
+NOTES_GRAVITY = 9.8
+"""With which the notes reckon, m/s²."""
+
 
 @dataclass(frozen=True)
 class Convention:
@@ -38,8 +41,8 @@ CONVENTIONS = (
     ),
     Convention(
         "Units",
-        "Every function takes and returns radians, rad/s, m/s² and seconds. Degrees stand in "
-        "prose, in demos, and in names that end in `_deg`.",
+        "Functions take and return radians, rad/s, m/s² and seconds, unless they say that any unit "
+        "does. Degrees stand in prose, in what cells print, and in demos.",
     ),
     Convention(
         "Matrices",
@@ -51,7 +54,9 @@ CONVENTIONS = (
         "Quaternions",
         r"Quaternions are **Hamilton's**, scalar first: $(a, b, c, d)$ on the last axis, with "
         r"$i^2 = j^2 = k^2 = ijk = -1$. The attitude quaternion satisfies "
-        r"$\mathbf{v}_I = q\,\mathbf{v}_B\,q^*$. Results are unit quaternions with $a \ge 0$.",
+        r"$\mathbf{v}_I = q\,\mathbf{v}_B\,q^*$. What comes from a conversion is a unit quaternion "
+        r"with $a \ge 0$; products, conjugates and inverses keep the sign and the length that they "
+        r"have.",
     ),
     Convention(
         "Accelerometers",
@@ -60,13 +65,13 @@ CONVENTIONS = (
     ),
     Convention(
         "Gimbal lock",
-        r"Exactly at a pitch of ±90° roll and yaw are not determined one by one. Every function "
-        r"that returns Euler angles then sets **roll to 0** and lets yaw carry the rest, so that "
-        r"the angles still rebuild the same attitude.",
+        r"Exactly at a pitch of ±90° roll and yaw are not determined one by one. A function that "
+        r"turns a matrix or a quaternion into Euler angles then sets **roll to 0** and lets yaw "
+        r"carry the rest, so that the angles still rebuild the same attitude.",
     ),
     Convention(
         "Names",
-        "A function is called `target_from_source`: `matrix_from_euler` takes Euler angles and "
-        "gives a matrix.",
+        "A function that converts is called `target_from_source`: `matrix_from_euler` takes Euler "
+        "angles and gives a matrix.",
     ),
 )

@@ -10,16 +10,13 @@ from chr_notes._arrays import Floats
 from chr_notes._recordings import run
 from chr_notes._rows import Rows
 from chr_notes._samples import complete, number, periods, same_length, samples, start
-from chr_notes.conventions import STANDARD_GRAVITY
+from chr_notes.conventions import NOTES_GRAVITY, STANDARD_GRAVITY
 from chr_notes.generated.arrays import dead_reckoning as generated
 from chr_notes.generated.scalar.dead_reckoning import dead_reckoning_held
 
 _inertial_acceleration = Rows(generated.inertial_acceleration)
 _accelerometer_from_acceleration = Rows(generated.accelerometer_from_acceleration)
 _drift_from_tilt_error = Rows(generated.drift_from_tilt_error)
-
-NOTES_GRAVITY = 9.8
-"""What the notes reckon with, m/s²."""
 
 
 def inertial_acceleration(
@@ -126,8 +123,8 @@ def dead_reckon(  # noqa: PLR0913 (an initial value for each integral)
     Returns
     -------
     velocity, position
-        After each step, each of shape (N, 3). A row with NaN in the accelerometer or attitude
-        comes out as NaN; the next goes on as if the velocity had not changed through it.
+        After each step, each of shape (N, 3). A row with NaN or infinity in the accelerometer or
+        attitude comes out as NaN; the next goes on as if the velocity had not changed through it.
 
     Raises
     ------

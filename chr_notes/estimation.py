@@ -108,9 +108,9 @@ def integrate_gyro(
     Returns
     -------
     ndarray
-        Roll, pitch, yaw after each sample, pitch in [-pi/2, pi/2], shape (N, 3). A row whose
-        rates hold NaN, or 1e12 rad/s and more, comes out as NaN, and the next goes on as if the
-        body had stood still.
+        Roll, pitch, yaw after each sample, roll and yaw in [-pi, pi], pitch in [-pi/2, pi/2],
+        shape (N, 3). A row whose rates hold NaN, or 1e12 rad/s and more, comes out as NaN, and the
+        next goes on as if the body had stood still.
 
     Raises
     ------

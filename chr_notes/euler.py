@@ -1,7 +1,8 @@
 """Euler angles: matrices and rates as numeric functions.
 
-Each takes array-likes, broadcasts over the leading axes, and returns new float64 arrays. Angles
-are in radians, in the order (roll, pitch, yaw); matrices are `R_I^B`, body from inertial.
+Each takes array-likes, broadcasts over the leading axes, and returns new float64 arrays, or a
+float64 where the result is one number. Angles are in radians, in the order (roll, pitch, yaw);
+matrices are `R_I^B`, body from inertial.
 """
 
 from numpy.typing import ArrayLike
@@ -108,7 +109,8 @@ def wrap_angle(angle: ArrayLike, *, out: Floats | None = None) -> Floats:
 def euler_rates_matrix(euler: ArrayLike, *, out: Floats | None = None) -> Floats:
     """Matrix D that takes body rates to Euler rates.
 
-    Towards a pitch of ±90° its elements grow without bound.
+    Towards a pitch of ±90° the second and third elements of its first and last row grow without
+    bound, each but where roll makes it zero.
 
     Parameters
     ----------

@@ -1,9 +1,11 @@
 """Quaternions as numeric functions: conversions, algebra, rotation of vectors.
 
-Each takes array-likes, broadcasts over the leading axes, and returns new float64 arrays.
+Each takes array-likes, broadcasts over the leading axes, and returns new float64 arrays, or a
+float64 where the result is one number.
 Quaternions are Hamilton's, scalar first, and an attitude satisfies `v_I = q v_B q*`. A quaternion
-that stands for an attitude may have any norm but zero; results that do are unit quaternions with
-a >= 0. Products, conjugates and inverses are those of the algebra, sign and norm included.
+that stands for an attitude may have any norm but zero; what comes from a conversion is a unit
+quaternion with a >= 0. Products, conjugates and inverses are those of the algebra, sign and norm
+included.
 """
 
 from numpy.typing import ArrayLike

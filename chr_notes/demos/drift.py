@@ -2,24 +2,23 @@
 
 import math
 
+from chr_notes.conventions import NOTES_GRAVITY
 from chr_notes.demos.base import Control, Demo, formatted
 from chr_notes.generated.scalar.dead_reckoning import (
     drift_from_tilt_error,
     position_at_last_velocity,
 )
 
-__all__ = ["GRAVITY", "DriftDemo"]
-
-GRAVITY = 9.8
-"""Magnitude of gravity with which the note reckons, m/s²."""
+__all__ = ["DriftDemo"]
 
 
 class DriftDemo(Demo):
     """Growth of the errors of velocity and position at a constant error of the attitude.
 
-    Beside the right position error stands the one that the note's Table 1 prints, which takes the
-    last velocity for the velocity all along and so loses a factor of one half. Its numbers come
-    from the ledger entries dead_reckoning.4.g and dead_reckoning.t1.
+    Beside the right position error stands the one that the note reckons, which takes the last
+    velocity for the velocity all along and so loses a factor of one half. Its Table 1 prints that
+    from an acceleration which was rounded first: 612 m for 615.7 m. The numbers come from the
+    ledger entries dead_reckoning.4.g and dead_reckoning.t1.
 
     Parameters
     ----------
@@ -38,7 +37,7 @@ class DriftDemo(Demo):
 
     def readouts(self) -> dict[str, float]:
         """Return the errors in SI units."""
-        given = (math.radians(self.angle_error), self.time, GRAVITY)
+        given = (math.radians(self.angle_error), self.time, NOTES_GRAVITY)
         acceleration, velocity, position = drift_from_tilt_error(*given)
         return {
             "acceleration_error": acceleration,

@@ -110,7 +110,7 @@ const definition = {
     { state: { ...still, roll: 25, pitch: 15 }, says: "Tilted, and still at rest: both angles are right." },
     { state: { ...still, forward_acceleration: 4 }, says: "Level again, and gaining speed. An aircraft at rest with its nose up would give the same reading, so that is what the sensor believes." },
     { state: { ...still, roll: 30, lateral_acceleration: 4.9 }, says: "Banked in a turn. The reading has no sideways part left, and the sensor takes 30° of roll for none." },
-    { state: { ...still, vibration: 3 }, says: "At rest, but shaken. Single readings scatter on both sides, and their average is right." },
+    { state: { ...still, vibration: 3 }, says: "At rest, but shaken. Single readings scatter on both sides, and the average reading is right." },
     { state: { ...still, forward_acceleration: 4, vibration: 3 }, says: "Shaken and gaining speed. An average gets rid of the shaking and keeps the error of the acceleration." },
   ],
   readouts,

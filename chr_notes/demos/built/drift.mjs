@@ -510,7 +510,7 @@ function describe({ angle_error: angle, time }) {
   const axes = "A chart on logarithmic axes of the errors of velocity and position from 1 second to 1 hour";
   if (angle === 0) return `${axes}. Without an error of angle it is empty.`;
   const { velocity, position, printed: reckoned } = errorsAfter(time, angle);
-  return `${axes}, for an angle that is off by ${formatted(angle)}°. All are straight lines, and position rises twice as steeply as velocity. At ${duration(time).long} velocity is off by ${formatted(velocity)} m/s, position by ${distance(position)}, and as in the table by ${distance(reckoned)}.`;
+  return `${axes}, for an angle that is off by ${formatted(angle)}°. All are straight lines, and position rises twice as steeply as velocity. At ${duration(time).long} velocity is off by ${formatted(velocity)} m/s, position by ${distance(position)}, and without the factor ½, as the note reckons, by ${distance(reckoned)}.`;
 }
 function duration(time) {
   const seconds = Number(time.toFixed(time < 10 ? 1 : 0));
@@ -535,7 +535,7 @@ var SIZES = [[100, "a sports field"], [1e4, "a city"], [1e6, "a country"]];
 var CURVES = [
   { error: "velocity", text: "velocity", colour: "accent", dash: [2, 3], width: 3, shape: "square", at: 500, offset: [14, 14] },
   { error: "position", text: "position", colour: "proved", dash: [], width: 3, shape: "circle", at: 60, offset: [14, 12] },
-  { error: "printed", text: "as in the table", colour: "corrected", dash: [8, 4], width: 2.5, shape: "triangle", at: 120, offset: [-14, -10] }
+  { error: "printed", text: "without ½", colour: "corrected", dash: [8, 4], width: 2.5, shape: "triangle", at: 120, offset: [-14, -10] }
 ];
 function draw(context, { width, height }, { angle_error: angle, time }, colours) {
   const [left, right, top, bottom] = [46, width - 14, 30, height - 40];
@@ -598,7 +598,7 @@ var definition = {
     { name: "acceleration_error", label: "Acceleration error", unit: { short: "m/s²", long: "metres per second squared" } },
     { name: "velocity_error", label: "Velocity error", unit: { short: "m/s", long: "metres per second" } },
     { name: "position_error", label: "Position error", unit: METRES },
-    { name: "printed_position_error", label: "Position as printed", unit: METRES },
+    { name: "printed_position_error", label: "Position without ½", unit: METRES },
     { name: "meaning", label: "What it means", wide: true },
     { name: "row", table: true }
   ],

@@ -1,6 +1,12 @@
 // Bundled by `python -m chr_notes.demos.build` with esbuild@0.28.2. Do not edit.
 // From chr_notes/demos/*.js and chr_notes/generated/javascript.
 (() => {
+  // <define:AIRCRAFT>
+  var define_AIRCRAFT_default = { sections: [[-0.55, 0.012, 0.02, -0.05], [-0.42, 0.035, 0.045, -0.035], [-0.15, 0.075, 0.085, -0.01], [0.12, 0.085, 0.09, 0], [0.32, 0.07, 0.07, 0.01], [0.45, 0.04, 0.042, 0.018], [0.54, 8e-3, 8e-3, 0.02]], canopy: [[0.02, 0.035, 0.03, -0.085], [0.12, 0.05, 0.055, -0.085], [0.24, 0.045, 0.045, -0.07], [0.33, 0.02, 0.02, -0.05]], belly: [[-0.05, 0.03, 0.02, 0.085], [0.15, 0.03, 0.02, 0.085]], wing: [[0.2, -0.1, 0.06, 0.02, 0.022], [0.04, -0.09, 0.42, -5e-3, 0.012], [0, -0.085, 0.53, -0.013, 8e-3]], tail: [[-0.38, -0.52, 0.02, -0.05, 0.012], [-0.46, -0.53, 0.2, -0.06, 6e-3]], fin: [[-0.3, -0.52, 0, -0.05, 0.012], [-0.46, -0.56, 0, -0.25, 6e-3]] };
+
+  // <define:DASHES>
+  var define_DASHES_default = { x: [], y: [7, 3], z: [2, 2], alert: [7, 2, 2, 2] };
+
   // <define:TABLE_1>
   var define_TABLE_1_default = { "0.1": ["0.017", "0.17", "1.7", "61.2", "6120", "220 e 3"], "0.5": ["0.086", "0.86", "8.6", "309.6", "30960", "1.1 e 6"], "1.0": ["0.17", "1.7", "17", "612", "61200", "2.2 e 6"], "1.5": ["0.256", "2.56", "25.6", "921.6", "92160", "3.3 e 6"], "2.0": ["0.342", "3.42", "34.2", "1231.2", "123120", "4.4 e 6"], "3.0": ["0.513", "5.13", "51.3", "1846.8", "184680", "6.6 e 6"], "5.0": ["0.854", "8.54", "85.4", "3074.4", "307440", "11 e 6"] };
 
@@ -817,7 +823,7 @@
     const axes = "A chart on logarithmic axes of the errors of velocity and position from 1 second to 1 hour";
     if (angle === 0) return `${axes}. Without an error of angle it is empty.`;
     const { velocity, position, printed: reckoned } = errorsAfter(time, angle);
-    return `${axes}, for an angle that is off by ${formatted(angle)}°. All are straight lines, and position rises twice as steeply as velocity. At ${duration(time).long} velocity is off by ${formatted(velocity)} m/s, position by ${distance(position)}, and as in the table by ${distance(reckoned)}.`;
+    return `${axes}, for an angle that is off by ${formatted(angle)}°. All are straight lines, and position rises twice as steeply as velocity. At ${duration(time).long} velocity is off by ${formatted(velocity)} m/s, position by ${distance(position)}, and without the factor ½, as the note reckons, by ${distance(reckoned)}.`;
   }
   function duration(time) {
     const seconds = Number(time.toFixed(time < 10 ? 1 : 0));
@@ -842,7 +848,7 @@
   var CURVES = [
     { error: "velocity", text: "velocity", colour: "accent", dash: [2, 3], width: 3, shape: "square", at: 500, offset: [14, 14] },
     { error: "position", text: "position", colour: "proved", dash: [], width: 3, shape: "circle", at: 60, offset: [14, 12] },
-    { error: "printed", text: "as in the table", colour: "corrected", dash: [8, 4], width: 2.5, shape: "triangle", at: 120, offset: [-14, -10] }
+    { error: "printed", text: "without ½", colour: "corrected", dash: [8, 4], width: 2.5, shape: "triangle", at: 120, offset: [-14, -10] }
   ];
   function draw(context, { width, height }, { angle_error: angle, time }, colours) {
     const [left, right, top, bottom] = [46, width - 14, 30, height - 40];
@@ -905,7 +911,7 @@
       { name: "acceleration_error", label: "Acceleration error", unit: { short: "m/s²", long: "metres per second squared" } },
       { name: "velocity_error", label: "Velocity error", unit: { short: "m/s", long: "metres per second" } },
       { name: "position_error", label: "Position error", unit: METRES },
-      { name: "printed_position_error", label: "Position as printed", unit: METRES },
+      { name: "printed_position_error", label: "Position without ½", unit: METRES },
       { name: "meaning", label: "What it means", wide: true },
       { name: "row", table: true }
     ],
@@ -926,20 +932,11 @@
 
   // aircraft.js
   var CORNERS = 10;
-  var SECTIONS = [
-    [-0.55, 0.012, 0.02, -0.05],
-    [-0.42, 0.035, 0.045, -0.035],
-    [-0.15, 0.075, 0.085, -0.01],
-    [0.12, 0.085, 0.09, 0],
-    [0.32, 0.07, 0.07, 0.01],
-    [0.45, 0.04, 0.042, 0.018]
-  ];
-  var TIP = [0.54, 8e-3, 8e-3, 0.02];
   var section = ([x, wide, high, middle]) => Array.from({ length: CORNERS }, (_, i) => {
     const angle = 2 * Math.PI * (i + 0.5) / CORNERS;
     return [x, wide * Math.cos(angle), middle + high * Math.sin(angle)];
   });
-  var plate = (root, tip, fill, upright = false) => {
+  var plate = ([root, tip], fill, upright = false) => {
     const outline = ([front, back, side, height, half]) => {
       const at = (x, offset) => upright ? [x, offset, height] : [x, side, height + offset];
       const thickest = (2 * front + back) / 3;
@@ -952,31 +949,20 @@
     points: polygon.points.map(([x, y, z]) => [x, -y, z]).reverse()
   }));
   function aircraft({ body, glass, x, y, z }) {
-    const wing = plate([0.2, -0.1, 0.06, 0.02, 0.022], [0.04, -0.09, 0.42, -5e-3, 0.012], body);
-    const tip = plate([0.04, -0.09, 0.42, -5e-3, 0.012], [0, -0.085, 0.53, -0.013, 8e-3], y);
-    const bare = plate([0.04, -0.09, 0.42, -5e-3, 0.012], [0, -0.085, 0.53, -0.013, 8e-3], body);
-    const tail = plate([-0.38, -0.52, 0.02, -0.05, 0.012], [-0.46, -0.53, 0.2, -0.06, 6e-3], body);
-    const fin = plate([-0.3, -0.52, 0, -0.05, 0.012], [-0.46, -0.56, 0, -0.25, 6e-3], body, true);
-    const canopy = loft(
-      [
-        section([0.02, 0.035, 0.03, -0.085]),
-        section([0.12, 0.05, 0.055, -0.085]),
-        section([0.24, 0.045, 0.045, -0.07]),
-        section([0.33, 0.02, 0.02, -0.05])
-      ],
-      glass
-    );
-    const belly = loft([section([-0.05, 0.03, 0.02, 0.085]), section([0.15, 0.03, 0.02, 0.085])], z);
+    const { sections, wing, ...other } = define_AIRCRAFT_default;
+    const inner = plate(wing.slice(0, 2), body);
+    const [right, left] = [y, body].map((fill) => plate(wing.slice(1), fill));
+    const tail = plate(other.tail, body);
     return [
-      ...loft(SECTIONS.map(section), body),
-      ...loft([SECTIONS.at(-1), TIP].map(section), x),
-      ...wing,
-      ...tip,
+      ...loft(sections.slice(0, -1).map(section), body),
+      ...loft(sections.slice(-2).map(section), x),
+      ...inner,
+      ...right,
       ...tail,
-      ...mirrored([...wing, ...bare, ...tail]),
-      ...fin,
-      ...canopy,
-      ...belly
+      ...mirrored([...inner, ...left, ...tail]),
+      ...plate(other.fin, body, true),
+      ...loft(other.canopy.map(section), glass),
+      ...loft(other.belly.map(section), z)
     ];
   }
 
@@ -1343,7 +1329,7 @@
     { title: "roll error over 1 s", axis: "x", shape: "circle" },
     { title: "pitch error over 1 s", axis: "y", shape: "square" }
   ];
-  var DASH = { x: [], y: [7, 3], z: [2, 2], real: [9, 5], believed: [2, 4] };
+  var DASH = { ...define_DASHES_default, real: [9, 5], believed: [2, 4] };
   var LEGEND = [
     { symbol: ["f"], colour: "ink", width: 3.5, text: "what the accelerometer feels" },
     { symbol: ["−g"], colour: "z", dash: DASH.z, width: 3, text: "held up against gravity" },
@@ -1549,7 +1535,7 @@
       { state: { ...still2, roll: 25, pitch: 15 }, says: "Tilted, and still at rest: both angles are right." },
       { state: { ...still2, forward_acceleration: 4 }, says: "Level again, and gaining speed. An aircraft at rest with its nose up would give the same reading, so that is what the sensor believes." },
       { state: { ...still2, roll: 30, lateral_acceleration: 4.9 }, says: "Banked in a turn. The reading has no sideways part left, and the sensor takes 30° of roll for none." },
-      { state: { ...still2, vibration: 3 }, says: "At rest, but shaken. Single readings scatter on both sides, and their average is right." },
+      { state: { ...still2, vibration: 3 }, says: "At rest, but shaken. Single readings scatter on both sides, and the average reading is right." },
       { state: { ...still2, forward_acceleration: 4, vibration: 3 }, says: "Shaken and gaining speed. An average gets rid of the shaking and keeps the error of the acceleration." }
     ],
     readouts: readouts3,

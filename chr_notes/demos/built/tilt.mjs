@@ -1,6 +1,12 @@
 // Bundled by `python -m chr_notes.demos.build` with esbuild@0.28.2. Do not edit.
 // From chr_notes/demos/*.js and chr_notes/generated/javascript.
 
+// <define:AIRCRAFT>
+var define_AIRCRAFT_default = { sections: [[-0.55, 0.012, 0.02, -0.05], [-0.42, 0.035, 0.045, -0.035], [-0.15, 0.075, 0.085, -0.01], [0.12, 0.085, 0.09, 0], [0.32, 0.07, 0.07, 0.01], [0.45, 0.04, 0.042, 0.018], [0.54, 8e-3, 8e-3, 0.02]], canopy: [[0.02, 0.035, 0.03, -0.085], [0.12, 0.05, 0.055, -0.085], [0.24, 0.045, 0.045, -0.07], [0.33, 0.02, 0.02, -0.05]], belly: [[-0.05, 0.03, 0.02, 0.085], [0.15, 0.03, 0.02, 0.085]], wing: [[0.2, -0.1, 0.06, 0.02, 0.022], [0.04, -0.09, 0.42, -5e-3, 0.012], [0, -0.085, 0.53, -0.013, 8e-3]], tail: [[-0.38, -0.52, 0.02, -0.05, 0.012], [-0.46, -0.53, 0.2, -0.06, 6e-3]], fin: [[-0.3, -0.52, 0, -0.05, 0.012], [-0.46, -0.56, 0, -0.25, 6e-3]] };
+
+// <define:DASHES>
+var define_DASHES_default = { x: [], y: [7, 3], z: [2, 2], alert: [7, 2, 2, 2] };
+
 // parts.js
 var SVG = "http://www.w3.org/2000/svg";
 var rounded = (value) => String(Number(value.toFixed(2))).replace("-", "−");
@@ -683,20 +689,11 @@ function estimates(state) {
 
 // aircraft.js
 var CORNERS = 10;
-var SECTIONS = [
-  [-0.55, 0.012, 0.02, -0.05],
-  [-0.42, 0.035, 0.045, -0.035],
-  [-0.15, 0.075, 0.085, -0.01],
-  [0.12, 0.085, 0.09, 0],
-  [0.32, 0.07, 0.07, 0.01],
-  [0.45, 0.04, 0.042, 0.018]
-];
-var TIP = [0.54, 8e-3, 8e-3, 0.02];
 var section = ([x, wide, high, middle]) => Array.from({ length: CORNERS }, (_, i) => {
   const angle = 2 * Math.PI * (i + 0.5) / CORNERS;
   return [x, wide * Math.cos(angle), middle + high * Math.sin(angle)];
 });
-var plate = (root, tip, fill, upright = false) => {
+var plate = ([root, tip], fill, upright = false) => {
   const outline = ([front, back, side, height, half]) => {
     const at = (x, offset) => upright ? [x, offset, height] : [x, side, height + offset];
     const thickest = (2 * front + back) / 3;
@@ -709,31 +706,20 @@ var mirrored = (polygons) => polygons.map((polygon) => ({
   points: polygon.points.map(([x, y, z]) => [x, -y, z]).reverse()
 }));
 function aircraft({ body, glass, x, y, z }) {
-  const wing = plate([0.2, -0.1, 0.06, 0.02, 0.022], [0.04, -0.09, 0.42, -5e-3, 0.012], body);
-  const tip = plate([0.04, -0.09, 0.42, -5e-3, 0.012], [0, -0.085, 0.53, -0.013, 8e-3], y);
-  const bare = plate([0.04, -0.09, 0.42, -5e-3, 0.012], [0, -0.085, 0.53, -0.013, 8e-3], body);
-  const tail = plate([-0.38, -0.52, 0.02, -0.05, 0.012], [-0.46, -0.53, 0.2, -0.06, 6e-3], body);
-  const fin = plate([-0.3, -0.52, 0, -0.05, 0.012], [-0.46, -0.56, 0, -0.25, 6e-3], body, true);
-  const canopy = loft(
-    [
-      section([0.02, 0.035, 0.03, -0.085]),
-      section([0.12, 0.05, 0.055, -0.085]),
-      section([0.24, 0.045, 0.045, -0.07]),
-      section([0.33, 0.02, 0.02, -0.05])
-    ],
-    glass
-  );
-  const belly = loft([section([-0.05, 0.03, 0.02, 0.085]), section([0.15, 0.03, 0.02, 0.085])], z);
+  const { sections, wing, ...other } = define_AIRCRAFT_default;
+  const inner = plate(wing.slice(0, 2), body);
+  const [right, left] = [y, body].map((fill) => plate(wing.slice(1), fill));
+  const tail = plate(other.tail, body);
   return [
-    ...loft(SECTIONS.map(section), body),
-    ...loft([SECTIONS.at(-1), TIP].map(section), x),
-    ...wing,
-    ...tip,
+    ...loft(sections.slice(0, -1).map(section), body),
+    ...loft(sections.slice(-2).map(section), x),
+    ...inner,
+    ...right,
     ...tail,
-    ...mirrored([...wing, ...bare, ...tail]),
-    ...fin,
-    ...canopy,
-    ...belly
+    ...mirrored([...inner, ...left, ...tail]),
+    ...plate(other.fin, body, true),
+    ...loft(other.canopy.map(section), glass),
+    ...loft(other.belly.map(section), z)
   ];
 }
 
@@ -816,7 +802,7 @@ var STRIPS = [
   { title: "roll error over 1 s", axis: "x", shape: "circle" },
   { title: "pitch error over 1 s", axis: "y", shape: "square" }
 ];
-var DASH = { x: [], y: [7, 3], z: [2, 2], real: [9, 5], believed: [2, 4] };
+var DASH = { ...define_DASHES_default, real: [9, 5], believed: [2, 4] };
 var LEGEND = [
   { symbol: ["f"], colour: "ink", width: 3.5, text: "what the accelerometer feels" },
   { symbol: ["−g"], colour: "z", dash: DASH.z, width: 3, text: "held up against gravity" },
@@ -1069,7 +1055,7 @@ var definition = {
     { state: { ...still, roll: 25, pitch: 15 }, says: "Tilted, and still at rest: both angles are right." },
     { state: { ...still, forward_acceleration: 4 }, says: "Level again, and gaining speed. An aircraft at rest with its nose up would give the same reading, so that is what the sensor believes." },
     { state: { ...still, roll: 30, lateral_acceleration: 4.9 }, says: "Banked in a turn. The reading has no sideways part left, and the sensor takes 30° of roll for none." },
-    { state: { ...still, vibration: 3 }, says: "At rest, but shaken. Single readings scatter on both sides, and their average is right." },
+    { state: { ...still, vibration: 3 }, says: "At rest, but shaken. Single readings scatter on both sides, and the average reading is right." },
     { state: { ...still, forward_acceleration: 4, vibration: 3 }, says: "Shaken and gaining speed. An average gets rid of the shaking and keeps the error of the acceleration." }
   ],
   readouts,
