@@ -19,7 +19,9 @@ from chr_notes import (
     inertial_acceleration,
     stillest_stretch,
 )
+from chr_notes.conventions import NOTES_GRAVITY
 from chr_notes.derivations import dead_reckoning as derived
+from chr_notes.ledger.table_1 import PRINTED_G
 from chr_notes.simulated_sensors import SensorErrors, spoil
 from chr_notes.simulation import ideal_readings, minimum_jerk, swing, trajectory
 from chr_notes.symbols import T
@@ -146,6 +148,10 @@ def test_table_1_as_it_should_be() -> None:
     assert_allclose(acceleration, 0.17103, rtol=1e-4)
     assert_allclose(velocity[0], 1.7103, rtol=1e-4)
     assert_allclose(position, [8.5517, 307.86, 30786, 1108295], rtol=1e-4)
+
+
+def test_the_gravity_of_the_notes_is_the_one_that_their_table_is_judged_by() -> None:
+    assert float(PRINTED_G) == NOTES_GRAVITY
 
 
 def test_drift_broadcasts() -> None:

@@ -21,7 +21,7 @@ ALLOWED = {
     "printed": NOTATION | {"printed"},
     "derivations": NOTATION | {"derivations"},
     "typeset": set(),
-    "ledger": NOTATION | {"printed", "derivations", "typeset", "conventions", "ledger"},
+    "ledger": NOTATION | {"printed", "derivations", "typeset", "ledger"},
     "codegen": NOTATION | {"derivations", "codegen"},
     "generated": set(),
     "_arrays": set(),

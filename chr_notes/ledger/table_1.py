@@ -4,7 +4,6 @@ from functools import partial
 
 from sympy import And, Basic, Eq, Rational, Symbol, pi, sin
 
-from chr_notes.conventions import NOTES_GRAVITY
 from chr_notes.derivations import dead_reckoning as derived
 from chr_notes.derivations.steps import Step
 from chr_notes.ledger.case import Case
@@ -13,7 +12,7 @@ from chr_notes.printed.statement import Approximately
 from chr_notes.printed.table_1 import CELLS, COLUMNS, ROWS, Cell, error
 from chr_notes.symbols import g
 
-PRINTED_G = Rational(str(NOTES_GRAVITY))
+PRINTED_G = Rational(98, 10)
 # Errors of any tilt after any time.
 ACCELERATION, VELOCITY, POSITION = (
     Symbol(rf"\Delta {letter}", real=True) for letter in ("a", "v", "r")
