@@ -71,9 +71,17 @@ class Cards:
         return "\n".join(card.markdown() for card in self.cards)
 
 
-def show_each(*names: str) -> Cards:
-    """Show several entries of the ledger, see `show`."""
-    return Cards(tuple(map(show, names)))
+def show_additions(document: str) -> Cards:
+    """Show what a document says besides what its chapter treats: all its `printed.ADDITIONS`.
+
+    Parameters
+    ----------
+    document
+        Its topic, for example `"euler"`.
+    """
+    from chr_notes.printed import ADDITIONS  # noqa: PLC0415 (cards of known ids need no SymPy)
+
+    return Cards(tuple(show(printed.id) for printed in ADDITIONS[document]))
 
 
 def badge(verdict: Verdict) -> str:

@@ -14,17 +14,25 @@ from chr_notes.printed import (
 )
 from chr_notes.printed.statement import Printed, Rotation
 
+TOPICS = {
+    "euler": euler,
+    "quaternions": quaternions,
+    "sensors": sensors,
+    "estimation": estimation,
+    "dead_reckoning": dead_reckoning,
+    "validation": validation,
+}
+ADDITIONS: dict[str, tuple[Printed, ...]] = {
+    "quaternions": quaternions_claims.ADDITIONS,
+}
+"""More claims of each document, which its chapter shows together at the end."""
+
 DOCUMENTS: dict[str, tuple[Printed, ...]] = {
-    "euler": euler.PRINTED,
-    "quaternions": (*quaternions.PRINTED, *quaternions_claims.ADDITIONS),
-    "sensors": sensors.PRINTED,
-    "estimation": estimation.PRINTED,
-    "dead_reckoning": dead_reckoning.PRINTED,
-    "validation": validation.PRINTED,
+    name: (*topic.PRINTED, *ADDITIONS.get(name, ())) for name, topic in TOPICS.items()
 }
 
 BY_ID: dict[str, Printed] = {
     statement.id: statement for printed in DOCUMENTS.values() for statement in printed
 }
 
-__all__ = ["BY_ID", "DOCUMENTS", "Printed", "Rotation"]
+__all__ = ["ADDITIONS", "BY_ID", "DOCUMENTS", "Printed", "Rotation"]

@@ -3,7 +3,8 @@
 import re
 
 from chr_notes.ledger import entries
-from chr_notes.ledger.show import AND, LONG, display, show
+from chr_notes.ledger.show import AND, LONG, display, show, show_additions
+from chr_notes.printed import ADDITIONS
 
 
 def test_short_formulas_stay_as_they_are() -> None:
@@ -43,3 +44,9 @@ def test_no_step_of_a_derivation_is_shown_as_a_mere_truth() -> None:
         for formula in re.findall(r"\$\$\n(.*)\n\$\$", text):
             left, _, right = formula.partition(" = ")
             assert left != right, entry.id
+
+
+def test_all_additions_of_a_document_are_shown_in_their_order() -> None:
+    for document, additions in ADDITIONS.items():
+        shown = [card.entry.id for card in show_additions(document).cards]
+        assert shown == [printed.id for printed in additions]
