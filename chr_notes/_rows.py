@@ -81,7 +81,10 @@ class Rows:
 
     def __call__(self, *given: ArrayLike, out: Floats | None = None) -> Floats:
         """Compute; the arguments come in the order of the general function's."""
-        return self.located(*given, out=out)[0]
+        done = self._kernel(*given, out) if self._kernel is not None else None
+        if done.__class__ is np.ndarray:
+            return done
+        return self._finished(done, given, out, self._names)[0]
 
     def located(
         self,
@@ -121,19 +124,29 @@ class Rows:
         done = self._kernel(*given, out) if self._kernel is not None else None
         if done.__class__ is np.ndarray:
             return done, NONE_LOCKED
-        names = names or self._names
+        return self._finished(done, given, out, names or self._names, every_place=every_place)
+
+    def _finished(
+        self,
+        done: tuple[Floats, bytes] | None,
+        given: tuple[ArrayLike, ...],
+        out: Floats | None,
+        names: tuple[str, ...],
+        *,
+        every_place: bool = False,
+    ) -> tuple[Floats, Locked]:
+        """Check and compute what the kernel has left: some rows, or all."""
         arrays = [floats(n, g, *last) for n, g, last in zip(names, given, self._lasts, strict=True)]
         axes = map(len, self._lasts)
         leading = common_shape(*zip(names, arrays, axes, strict=True))
         _check_out(out, (*leading, *self._result))
         rows = [_rows(a, leading, last) for a, last in zip(arrays, self._lasts, strict=True)]
-        if done is None and self._kernel is not None:
-            done = self._kernel(*rows, None)
+        now = self._kernel(*rows, None) if done is None and self._kernel is not None else done
         shape, locked = (*leading, *self._result), NONE_LOCKED
-        if isinstance(done, np.ndarray):
-            result = done.reshape(shape)
+        if isinstance(now, np.ndarray):
+            result = now.reshape(shape)
         else:
-            result, left = done or (np.empty(shape), None)
+            result, left = now or (np.empty(shape), None)
             result = result.reshape(shape)
             locked = self._complete(result, left, rows, leading, names[0], every_place=every_place)
         if out is None or out is result:

@@ -7,7 +7,12 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from chr_notes import euler_from_quaternion, matrix_from_euler, matrix_from_quaternion
+from chr_notes import (
+    euler_from_quaternion,
+    matrix_from_euler,
+    matrix_from_quaternion,
+    wrap_angle,
+)
 
 Floats = NDArray[np.float64]
 MP = mpmath.mp.clone()
@@ -20,6 +25,7 @@ FUNCTIONS = (
     "chr_notes.quaternions._euler_from_quaternion",
     "chr_notes.quaternions._matrix_from_quaternion",
     "chr_notes.euler._matrix_from_euler",
+    "chr_notes.euler._wrap_angle",
 )
 
 
@@ -113,3 +119,19 @@ def test_matrices_of_random_attitudes(count: int) -> None:
 def test_matrices_of_random_angles(count: int) -> None:
     euler = np.random.default_rng(3).uniform(-np.pi, np.pi, (count, 3))
     assert worst(matrix_from_euler(euler), exact_matrices_of_angles(euler)) < ELEMENTS
+
+
+def test_whole_turns_taken_off_angles(count: int) -> None:
+    generator = np.random.default_rng(5)
+    halves = np.pi * generator.integers(-300_000, 300_000, count)
+    angles = np.concatenate(
+        [
+            *(generator.uniform(-most, most, count) for most in (10, 1e6, 1e12)),
+            *(halves, np.nextafter(halves, np.inf), np.nextafter(halves, -np.inf)),
+        ]
+    )
+    wrapped = wrap_angle(angles)
+    assert ((-np.pi <= wrapped) & (wrapped < np.pi)).all()
+    turn = 2 * MP.pi
+    exact = ([MP.mpf(x) - turn * MP.nint(MP.mpf(x) / turn)] for x in angles.tolist())
+    assert worst(wrapped[:, np.newaxis], exact, turns=True) < ANGLES

@@ -128,7 +128,7 @@ class ColumnC(C):
         arguments = ", ".join(self._print(argument) for argument in value.args)
         return f"{self.functions}_{type(value).__name__}({arguments})"
 
-    _print_sin = _print_cos = _print_atan2 = _print_own
+    _print_sin = _print_cos = _print_atan2 = _print_principal = _print_own
 
     def _print_And(self, value: And) -> str:
         return " & ".join(self.parenthesize(part, PRECEDENCE["Atom"]) for part in value.args)

@@ -7,6 +7,7 @@ from sympy.logic.boolalg import BooleanFunction
 from chr_notes.codegen.expressions import ColumnC, Spelling, StepC
 from chr_notes.codegen.header import folded, made_how
 from chr_notes.codegen.lowering import Program, expressions
+from chr_notes.codegen.rewriting import principal
 from chr_notes.derivations.computation import Choice, Let
 
 COLUMN, STEP = ColumnC(), StepC()
@@ -101,7 +102,7 @@ def _handled(program: Program, used: set[str]) -> list[str]:
     angles = {
         call.args[0]
         for value in expressions(program.steps, program.results)
-        for call in value.atoms(sin, cos)
+        for call in value.atoms(sin, cos, principal)
     }
     conditions += [
         f"(fabs({COLUMN.written(angle)}) < LARGEST_ANGLE)" for angle in sorted(angles, key=str)

@@ -85,6 +85,17 @@ INLINE double column_cos(double angle)
     return by_quarter(quarters + 1, near_sine(rest), near_cosine(rest));
 }
 
+/* What is left of an angle after whole turns, from -pi to pi. */
+INLINE double column_principal(double angle)
+{
+    const double round = 0x1.8p52;
+    const double turns = 4.0 * ((angle * (0.25 * TWO_OVER_PI) + round) - round);
+    const double rest = ((angle - turns * HALF_PI_1) - turns * HALF_PI_2) - turns * HALF_PI_3;
+    /* The number of turns was rounded: near half a turn it can be one off. */
+    const double back = rest > 0x1.921fb54442d18p+1 ? 4.0 : rest < -0x1.921fb54442d18p+1 ? -4.0 : 0.0;
+    return ((rest - back * HALF_PI_1) - back * HALF_PI_2) - back * HALF_PI_3;
+}
+
 /* Of finite numbers. */
 INLINE double column_atan2(double y, double x)
 {

@@ -4,90 +4,85 @@
  * A function of arrays takes them, and None or an array for the result. It returns
  * - the result,
  * - or the result and the rows that are left to the general way, a byte each,
- * - or None where an argument is not a NumPy array of float64 in C order, or its shape does not
- *   fit without a copy; then nothing is done.
+ * - or None where an argument is neither a NumPy array of float64 in C order nor a float in place
+ *   of numbers, or its shape does not fit without a copy; then nothing is done.
  *
  * A function of numbers, whose name ends in _of_numbers, takes the elements of one row of each
  * array. It returns those of the result, or None where the row is left to the general way.
  */
 #define Py_LIMITED_API 0x030B0000
 #include <Python.h>
+#define NPY_NO_DEPRECATED_API NPY_2_0_API_VERSION
+#define NPY_TARGET_VERSION NPY_2_0_API_VERSION
+#include <numpy/arrayobject.h>
 #include <stdlib.h>
 
 #include "../generated/c/kernels.c"
 #include "../generated/c/stamp.h"
 
-enum { MOST_AXES = 32, LONG = 10000, MOST_ELEMENTS = 9 };
+enum { LONG = 10000, MOST_ELEMENTS = 9, MOST_AXES = 32, FEW = 256 };
 
-static PyTypeObject *array_type;
-static PyObject *empty;
-
+/* An argument: where its rows begin, and the axes over which they stand. */
 typedef struct {
-    Py_buffer buffers[MOST_ARRAYS + 1];
-    int held;
-} Held;
-
-static void release(Held *held)
-{
-    while (held->held) PyBuffer_Release(&held->buffers[--held->held]);
-}
+    const double *first;
+    const npy_intp *shape;
+    int axes;
+    npy_intp rows;
+    npy_intp bytes;
+} Rows;
 
 /* Last axes of an array by the number of its elements. */
 static int last_axes(int elements) { return elements == 9 ? 2 : elements > 0; }
 
-/* Look at an array; NULL where it is not as the kernels need it. */
-static Py_buffer *look(Held *held, PyObject *value, int elements, int flags)
+/* Look at an array; 0 where it is not as the kernels need it. */
+static int look(PyObject *value, int elements, Rows *rows)
 {
-    Py_buffer *buffer = &held->buffers[held->held];
-    const int axes = last_axes(elements);
-    if (Py_TYPE(value) != array_type) return NULL;
-    if (PyObject_GetBuffer(value, buffer, flags | PyBUF_FORMAT | PyBUF_C_CONTIGUOUS)) {
-        PyErr_Clear();
-        return NULL;
-    }
-    held->held++;
-    if (buffer->itemsize != sizeof(double) || buffer->format[0] != 'd' || buffer->format[1])
-        return NULL;
-    if (buffer->ndim < axes || buffer->ndim > MOST_AXES) return NULL;
-    if (axes == 1 && buffer->shape[buffer->ndim - 1] != elements) return NULL;
-    if (axes == 2 && (buffer->shape[buffer->ndim - 1] != 3 || buffer->shape[buffer->ndim - 2] != 3))
-        return NULL;
-    return buffer;
+    PyArrayObject *const array = (PyArrayObject *)value;
+    const int last = last_axes(elements);
+    if (!PyArray_CheckExact(value) || PyArray_TYPE(array) != NPY_DOUBLE
+        || !PyArray_ISCARRAY_RO(array))
+        return 0;
+    rows->first = PyArray_DATA(array);
+    rows->shape = PyArray_DIMS(array);
+    rows->axes = PyArray_NDIM(array) - last;
+    rows->rows = 1;
+    if (rows->axes < 0 || rows->axes > MOST_AXES) return 0;
+    for (int axis = 0; axis < rows->axes; axis++) rows->rows *= rows->shape[axis];
+    rows->bytes = rows->rows * (elements ? elements : 1) * (npy_intp)sizeof(double);
+    if (last == 1) return rows->shape[rows->axes] == elements;
+    return !last || (rows->shape[rows->axes] == 3 && rows->shape[rows->axes + 1] == 3);
 }
 
-static Py_ssize_t rows_of(const Py_buffer *buffer, int axes)
+static int same_axes(const Rows *one, const Rows *other)
 {
-    Py_ssize_t rows = 1;
-    for (int axis = 0; axis < axes; axis++) rows *= buffer->shape[axis];
-    return rows;
+    if (one->axes != other->axes) return 0;
+    for (int axis = 0; axis < one->axes; axis++)
+        if (one->shape[axis] != other->shape[axis]) return 0;
+    return 1;
 }
 
-static int overlap(const Py_buffer *one, const Py_buffer *other)
+static int overlap(const Rows *one, const Rows *other)
 {
-    const char *const first = one->buf, *const second = other->buf;
-    return first < second + other->len && second < first + one->len;
+    const char *const first = (const char *)one->first, *const second = (const char *)other->first;
+    return first < second + other->bytes && second < first + one->bytes;
 }
 
-static PyObject *new_result(const Kernel *kernel, const Py_buffer *model, int leading)
+static PyObject *new_result(const Kernel *kernel, const Rows *model)
 {
-    const int axes = last_axes(kernel->result);
-    PyObject *const shape = PyTuple_New(leading + axes);
-    PyObject *result;
-    if (!shape) return NULL;
-    for (int axis = 0; axis < leading + axes; axis++) {
-        const Py_ssize_t size = axis < leading ? model->shape[axis] : axes == 2 ? 3 : kernel->result;
-        PyTuple_SetItem(shape, axis, PyLong_FromSsize_t(size));
-    }
-    result = PyObject_CallFunctionObjArgs(empty, shape, NULL);
-    Py_DECREF(shape);
-    return result;
+    const int last = last_axes(kernel->result);
+    npy_intp shape[MOST_AXES + 2];
+    for (int axis = 0; axis < model->axes; axis++) shape[axis] = model->shape[axis];
+    if (last) shape[model->axes] = last == 2 ? 3 : kernel->result;
+    if (last == 2) shape[model->axes + 1] = 3;
+    return PyArray_SimpleNew(model->axes + last, shape, NPY_DOUBLE);
 }
 
 /* Compute into `result`, a new reference, which is returned or given up. */
-static PyObject *compute(const Kernel *kernel, Py_ssize_t rows, const double *const *in,
-    const ptrdiff_t *step, double *out, PyObject *result)
+static PyObject *compute(const Kernel *kernel, npy_intp rows, const double *const *in,
+    const ptrdiff_t *step, PyObject *result)
 {
-    unsigned char *const odd = calloc(rows ? (size_t)rows : 1, 1);
+    double *const out = PyArray_DATA((PyArrayObject *)result);
+    unsigned char few[FEW] = {0}, *const odd = rows <= FEW ? few : calloc((size_t)rows, 1);
     int64_t any;
     if (!odd) {
         Py_DECREF(result);
@@ -107,7 +102,7 @@ static PyObject *compute(const Kernel *kernel, Py_ssize_t rows, const double *co
         Py_DECREF(result);
         result = both;
     }
-    free(odd);
+    if (odd != few) free(odd);
     return result;
 }
 
@@ -115,12 +110,11 @@ static PyObject *call(PyObject *self, PyObject *const *given, Py_ssize_t count)
 {
     const Kernel *const kernel = PyCapsule_GetPointer(self, NULL);
     const double *in[MOST_ARRAYS];
+    double numbers[MOST_ARRAYS];
     ptrdiff_t step[MOST_ARRAYS];
-    Py_ssize_t rows = 1;
-    int model = 0, leading = -1;
-    Held held = {.held = 0};
-    PyObject *result = NULL;
-    Py_buffer *target;
+    Rows arrays[MOST_ARRAYS], target;
+    const Rows *model = arrays;
+    PyObject *result;
     if (!kernel) return NULL;
     if (count != kernel->arrays + 1) {
         PyErr_Format(PyExc_TypeError, "%s: expected %d arrays and a result, got %zd arguments",
@@ -129,52 +123,38 @@ static PyObject *call(PyObject *self, PyObject *const *given, Py_ssize_t count)
     }
     for (int array = 0; array < kernel->arrays; array++) {
         const int elements = kernel->shape[array];
-        const Py_buffer *const buffer = look(&held, given[array], elements, 0);
-        int axes;
-        Py_ssize_t own;
-        if (!buffer) goto unlike;
-        axes = buffer->ndim - last_axes(elements);
-        own = rows_of(buffer, axes);
-        in[array] = buffer->buf;
-        step[array] = own == 1 ? 0 : elements ? elements : 1;
-        if (own != 1 ? rows == 1 : rows == 1 && axes > leading) {
-            if (own != 1 && axes < leading) goto unlike;
-            rows = own;
-            model = array;
-            leading = axes;
-        } else if (own != 1) {
-            if (axes != leading) goto unlike;
-            for (int axis = 0; axis < axes; axis++)
-                if (buffer->shape[axis] != held.buffers[model].shape[axis]) goto unlike;
-        } else if (axes > leading) {
-            goto unlike;
+        Rows *const own = arrays + array;
+        if (elements == 0 && PyFloat_CheckExact(given[array])) {
+            numbers[array] = PyFloat_AsDouble(given[array]);
+            *own = (Rows){.first = numbers + array, .rows = 1};
+        } else if (!look(given[array], elements, own)) {
+            Py_RETURN_NONE;
+        }
+        in[array] = own->first;
+        step[array] = own->rows == 1 ? 0 : elements ? elements : 1;
+        /* The result has the axes of the array with the most rows, and a row for all has fewer. */
+        if (own->rows != 1 && model->rows != 1) {
+            if (!same_axes(own, model)) Py_RETURN_NONE;
+        } else if (own->rows != 1 || (model->rows == 1 && own->axes > model->axes)) {
+            if (own->axes < model->axes) Py_RETURN_NONE;
+            model = own;
+        } else if (own->axes > model->axes) {
+            Py_RETURN_NONE;
         }
     }
     result = given[count - 1];
     if (result == Py_None) {
-        result = new_result(kernel, &held.buffers[model], leading);
-        if (!result) goto failed;
-        target = look(&held, result, kernel->result, PyBUF_WRITABLE);
+        result = new_result(kernel, model);
+        if (!result) return NULL;
     } else {
-        Py_INCREF(result);
-        target = look(&held, result, kernel->result, PyBUF_WRITABLE);
-        if (!target || target->ndim != leading + last_axes(kernel->result)) goto unlike;
-        for (int axis = 0; axis < leading; axis++)
-            if (target->shape[axis] != held.buffers[model].shape[axis]) goto unlike;
+        if (!look(result, kernel->result, &target) || !same_axes(&target, model)
+            || !PyArray_ISWRITEABLE((PyArrayObject *)result))
+            Py_RETURN_NONE;
         for (int array = 0; array < kernel->arrays; array++)
-            if (overlap(target, &held.buffers[array])) goto unlike;
+            if (overlap(&target, arrays + array)) Py_RETURN_NONE;
+        Py_INCREF(result);
     }
-    if (!target) goto unlike;
-    result = compute(kernel, rows, in, step, target->buf, result);
-    release(&held);
-    return result;
-unlike:
-    Py_XDECREF(result);
-    release(&held);
-    Py_RETURN_NONE;
-failed:
-    release(&held);
-    return NULL;
+    return compute(kernel, model->rows, in, step, result);
 }
 
 static PyObject *call_with_numbers(PyObject *self, PyObject *const *given, Py_ssize_t count)
@@ -226,12 +206,10 @@ static struct PyModuleDef definition = {
 
 PyMODINIT_FUNC PyInit__compiled(void)
 {
-    PyObject *const module = PyModule_Create(&definition);
-    PyObject *const numpy = PyImport_ImportModule("numpy");
-    if (!module || !numpy) goto failed;
-    array_type = (PyTypeObject *)PyObject_GetAttrString(numpy, "ndarray");
-    empty = PyObject_GetAttrString(numpy, "empty");
-    if (!array_type || !empty || PyModule_AddStringConstant(module, "stamp", STAMP)) goto failed;
+    PyObject *module;
+    import_array();
+    module = PyModule_Create(&definition);
+    if (!module || PyModule_AddStringConstant(module, "stamp", STAMP)) goto failed;
     for (const Kernel *kernel = KERNELS; kernel->name; kernel++) {
         PyObject *const self = PyCapsule_New((void *)kernel, NULL, NULL);
         PyObject *const name = PyUnicode_FromFormat("%s_of_numbers", kernel->name);
@@ -242,10 +220,8 @@ PyMODINIT_FUNC PyInit__compiled(void)
         Py_XDECREF(name);
         if (wrong) goto failed;
     }
-    Py_DECREF(numpy);
     return module;
 failed:
-    Py_XDECREF(numpy);
     Py_XDECREF(module);
     return NULL;
 }

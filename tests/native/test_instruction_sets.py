@@ -12,7 +12,7 @@ from chr_notes.generated.arrays.shapes import SHAPES
 
 ROOT = Path(__file__).resolve().parents[2]
 FLAGS = (
-    *("-std=c99", "-O2", "-ftree-vectorize", "-fvect-cost-model=dynamic"),
+    *("-std=c99", "-O3", "-fvect-cost-model=dynamic"),
     *("-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math", "-shared", "-fPIC"),
 )
 LEVELS = ("x86-64", "x86-64-v3", "x86-64-v4")

@@ -295,9 +295,7 @@ EVERY_INSTRUCTION_SET static int64_t wrap_angle
         LOAD(angle_in, 0, 1)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double angle = angle_in[0][row];
-            const double sin_angle = column_sin(angle);
-            const double cos_angle = column_cos(angle);
-            const double principal = column_atan2(sin_angle, cos_angle);
+            const double principal = column_principal(angle);
             const double wrapped = (angle >= -3.141592653589793) & (angle < 3.141592653589793) ?
                 angle : principal >= 3.141592653589793 ? -3.141592653589793 : principal;
             results[0][row] = wrapped;
