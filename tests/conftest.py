@@ -1,11 +1,11 @@
 """What tests share: recordings beside the project, and a browser without a network."""
 
 import functools
-import shutil
 import threading
 from collections.abc import Callable, Iterator
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
+from types import ModuleType
 
 import pytest
 from hypothesis import settings
@@ -25,7 +25,7 @@ CHROMIUM_FLAGS = [
     "--disable-sync",
 ]
 
-PATIENCE = 120_000  # milliseconds; a busy machine typesets slowly
+PATIENCE = 120_000  # milliseconds; the machine may be busy
 expect.set_options(timeout=PATIENCE)
 
 
@@ -41,27 +41,27 @@ def samples(pytestconfig: pytest.Config) -> Callable[[int, int], int]:
 
 
 @pytest.fixture(scope="session")
-def wait_for(pytestconfig: pytest.Config) -> Callable[[str], None]:
-    """Leave out a test for want of what it waits for; the list is in the outermost conftest.py."""
-    rules = pytestconfig.pluginmanager.get_plugin(str(pytestconfig.rootpath / "conftest.py"))
-    wait: Callable[[str], None] = rules.wait_for
-    return wait
+def rules(pytestconfig: pytest.Config) -> ModuleType:
+    """The outermost conftest.py, with the list of what tests may wait for."""
+    path = pytestconfig.rootpath / "conftest.py"
+    plugin: ModuleType = pytestconfig.pluginmanager.get_plugin(str(path))
+    return plugin
 
 
 @pytest.fixture
-def recordings(wait_for: Callable[[str], None]) -> Path:
+def recordings(rules: ModuleType) -> Path:
     """The folder with other people's recordings."""
-    wait_for("../shared/data")
+    rules.wait_for("../shared/data")
     return Path(__file__).resolve().parents[2] / "shared" / "data"
 
 
 @pytest.fixture(scope="session")
-def program(wait_for: Callable[[str], None]) -> Callable[[str], str]:
+def program(rules: ModuleType) -> Callable[[str], str]:
     """Find a program."""
 
     def find(name: str) -> str:
-        wait_for(name)
-        return str(shutil.which(name))
+        rules.wait_for(name)
+        return str(rules.program(name))
 
     return find
 

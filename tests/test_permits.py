@@ -5,6 +5,7 @@ import re
 import shutil
 from collections.abc import Iterator
 from pathlib import Path
+from types import ModuleType
 
 import pytest
 
@@ -18,8 +19,7 @@ def functions(path: Path) -> Iterator[ast.FunctionDef]:
 
 
 @pytest.fixture(scope="module")
-def permits(pytestconfig: pytest.Config) -> dict[str, tuple[str, ...]]:
-    rules = pytestconfig.pluginmanager.get_plugin(str(ROOT / "conftest.py"))
+def permits(rules: ModuleType) -> dict[str, tuple[str, ...]]:
     permitted: dict[str, tuple[str, ...]] = rules.PERMITTED
     return permitted
 
@@ -36,10 +36,12 @@ def test_tests_on_recordings_are_those_of_the_list(permits: dict[str, tuple[str,
 
 
 def test_each_program_of_the_list_is_installed_by_the_check_of_changes(
-    permits: dict[str, tuple[str, ...]],
+    rules: ModuleType, permits: dict[str, tuple[str, ...]]
 ) -> None:
     text = (ROOT / ".ci" / "run").read_text(encoding="utf-8")
-    assert {*re.findall(r"command -v (\w+)", text)} == {n for n in permits if "/" not in n}
+    assert {*re.findall(r"command -v ([\w-]+)", text)} == {
+        rules.NAMES.get(name, (name,))[0] for name in permits if "/" not in name
+    }
 
 
 LEFT_OUT = """
