@@ -120,6 +120,7 @@ def test_c_in_double_precision(
     check(double, languages.c(file, tmp_path, "double"), DOUBLE.epsilon)
 
 
+@pytest.mark.slow
 def test_c_in_single_precision(program: Callable[[str], str], tmp_path: Path) -> None:
     program("gcc")
     single = vectors(SINGLE)

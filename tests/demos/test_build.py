@@ -4,10 +4,13 @@ import shutil
 from collections.abc import Callable
 from pathlib import Path
 
+import pytest
+
 from chr_notes.demos import build
 from chr_notes.demos.base import BUILT
 
 
+@pytest.mark.slow
 def test_committed_bundles_are_as_made_now(program: Callable[[str], str]) -> None:
     program("npx")
     assert build.check() == []

@@ -15,7 +15,7 @@ from .equivalents import EQUIVALENT
 from .misprints import misprints
 from .planting import planted
 
-FEW = 2
+FEW = 1
 
 
 def is_seen(name: str, wrong: Basic) -> bool:

@@ -1,8 +1,8 @@
 """Each statement stands where its place says; the documents lie beside the project."""
 
 import re
-from collections.abc import Callable
 from pathlib import Path
+from types import ModuleType
 
 import pytest
 
@@ -120,8 +120,8 @@ def test_a_place_is_a_section_and_a_paragraph_or_an_equation(name: str) -> None:
     assert (document == "validation") != place.startswith("section")
 
 
-def test_statements_stand_in_their_places(wait_for: Callable[[str], None]) -> None:
-    wait_for("../shared/sources")
+def test_statements_stand_in_their_places(rules: ModuleType) -> None:
+    rules.wait_for("../shared/sources")
     texts = places(Path(__file__).resolve().parents[3] / "shared" / "sources")
     for name, statement in STATEMENTS.items():
         text = " ".join(texts[statement.document][statement.place].split())
