@@ -13,6 +13,7 @@ from sympy import (
     Interval,
     Matrix,
     Set,
+    acos,
     cos,
     eye,
     pi,
@@ -23,7 +24,7 @@ from sympy import (
     trigsimp,
 )
 
-from chr_notes.symbols import BODY_RATES, EULER_RATES, phi, psi, theta
+from chr_notes.symbols import BODY_RATES, EULER, EULER_RATES, phi, psi, theta
 
 # The frames in the order in which the turns reach them, and each turn: (axis, angle).
 FRAMES = ("I", "v1", "v2", "B")
@@ -31,12 +32,31 @@ TURNS = {"v1": (2, psi), "v2": (1, theta), "B": (0, phi)}
 X, Y, Z = (ImmutableMatrix(eye(3).col(axis)) for axis in range(3))
 
 
-def frame_rotation(axis: int, angle: Expr) -> ImmutableMatrix:
-    """Matrix of a frame turned by the right-hand rule about one of its own axes.
+def turned_axes(axis: int, angle: Expr) -> tuple[ImmutableMatrix, ImmutableMatrix, ImmutableMatrix]:
+    """Turn a frame by the right-hand rule about one of its own axes; its axes in the old frame.
 
-    The turned frame's basis is written in the old one: the axis stays, the axis after it turns
-    towards the one after that. Component i in the new frame is then the projection on basis
-    vector i, which makes row i of the matrix.
+    The axis stays, the axis after it turns towards the one after that.
+
+    Parameters
+    ----------
+    axis
+        0, 1 or 2 for x, y or z.
+    angle
+        Angle of the turn, radians.
+    """
+    after, last = (axis + 1) % 3, (axis + 2) % 3
+    old = (X, Y, Z)
+    turned = list(old)
+    turned[after] = ImmutableMatrix(cos(angle) * old[after] + sin(angle) * old[last])
+    turned[last] = ImmutableMatrix(-sin(angle) * old[after] + cos(angle) * old[last])
+    return turned[0], turned[1], turned[2]
+
+
+def frame_rotation(axis: int, angle: Expr) -> ImmutableMatrix:
+    """Matrix of a frame turned as in `turned_axes`.
+
+    Component i in the new frame is the projection on its basis vector i, which makes row i of the
+    matrix.
 
     Parameters
     ----------
@@ -50,11 +70,7 @@ def frame_rotation(axis: int, angle: Expr) -> ImmutableMatrix:
     ImmutableMatrix
         3 by 3, `v_new = R v_old`.
     """
-    after, last = (axis + 1) % 3, (axis + 2) % 3
-    old = (X, Y, Z)
-    turned = list(old)
-    turned[after] = cos(angle) * old[after] + sin(angle) * old[last]
-    turned[last] = -sin(angle) * old[after] + cos(angle) * old[last]
+    old, turned = (X, Y, Z), turned_axes(axis, angle)
     return ImmutableMatrix(3, 3, lambda row, column: turned[row].dot(old[column]))
 
 
@@ -142,7 +158,58 @@ def euler_rates_condition() -> Expr:
     return high.subs(sin(theta), Abs(sin(theta))) / sqrt(simplify(high * low))
 
 
+def any_axes() -> ImmutableMatrix:
+    """Axes of any right-handed frame at all, as rows.
+
+    The x-axis has some heading psi and some climb theta. The y-axis is at right angles to it: it
+    has turned by some phi about it from where it would be level. The z-axis then has no choice.
+    """
+    forward = ImmutableMatrix([cos(theta) * cos(psi), cos(theta) * sin(psi), -sin(theta)])
+    level = ImmutableMatrix([-sin(psi), cos(psi), 0])
+    right = cos(phi) * level + sin(phi) * forward.cross(level)
+    return ImmutableMatrix([row.T for row in (forward, right, forward.cross(right))])
+
+
 def lock_pitches(domain: Set | None = None) -> Set:
-    """Pitch angles at which Euler rates cannot be had from body rates, from -90° to 90°."""
+    """Pitch angles, from -90° to 90°, at which other angles give the same attitude.
+
+    There the angles can change while the matrix does not: its derivatives by the three angles are
+    linearly dependent, and the determinant of their products vanishes.
+    """
     domain = Interval(-pi / 2, pi / 2) if domain is None else domain
-    return solveset(simplify(body_rates_matrix().det()), theta, domain)
+    derivatives = ImmutableMatrix(rotation("I", "B").reshape(9, 1).jacobian(EULER))
+    products = ImmutableMatrix(derivatives.T * derivatives).applyfunc(simplify)
+    return solveset(simplify(products.det()), theta, domain)
+
+
+def sequence_determinant(*axes: int) -> Expr:
+    """Take the determinant of the matrix from angle rates to body rates, for turns about any axes.
+
+    Each column is the axis of a turn, seen from the body: the turns that follow are left to do.
+    The angles are psi, theta and phi, in the order of the turns; where it is zero, they lock.
+
+    Parameters
+    ----------
+    axes
+        0, 1 or 2 for x, y or z, in the order of the turns: 2, 1, 0 for yaw, pitch, roll.
+    """
+    matrix, columns = ImmutableMatrix(eye(3)), []
+    for axis, angle in zip(axes[::-1], (phi, theta, psi), strict=True):
+        columns.append(matrix * (X, Y, Z)[axis])
+        matrix = ImmutableMatrix(matrix * frame_rotation(axis, angle))
+    return simplify(Matrix.hstack(*columns).det())
+
+
+def sequence_locks(*axes: int) -> Set:
+    """Middle angles from 0° to 180° at which three turns about the given axes lock."""
+    return solveset(sequence_determinant(*axes), theta, Interval(0, pi))
+
+
+def yaw_roll_yaw_upright() -> Expr:
+    """`sequence_determinant` of turns about z, x, z where the nose points straight up.
+
+    The middle one of these three turns leads from the old z-axis to the new one, so its angle is
+    the one between the two.
+    """
+    upright = rotation("I", "B").subs(theta, pi / 2)
+    return sequence_determinant(2, 0, 2).subs(theta, acos(upright[2, 2]))

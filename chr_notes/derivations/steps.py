@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 
+from sympy import Basic, Eq
 from sympy.logic.boolalg import Boolean
 
 
@@ -19,3 +20,8 @@ class Step:
 
     says: str
     statement: Boolean
+
+
+def equation(left: Basic, right: Basic) -> Eq:
+    """Say that two sides are equal. SymPy does not compare them at once, as `Eq` alone does."""
+    return Eq(left, right, evaluate=False)

@@ -1,227 +1,272 @@
-"""The Euler-angle note before the judgement."""
+"""The Euler-angle note before the judgement, up to the body frame.
+
+`euler_lock` and `euler_rates` have the rest.
+"""
 
 from sympy import (
-    And,
-    Eq,
-    FiniteSet,
-    Ge,
     Identity,
     ImmutableMatrix,
-    Interval,
     MatAdd,
     MatMul,
     Ne,
-    Set,
-    Symbol,
+    Transpose,
     cos,
-    pi,
     sin,
-    symbols,
-    tan,
 )
 
-from chr_notes.derivations import euler as derived
-from chr_notes.derivations.steps import Step
+from chr_notes.derivations.steps import Step, equation
 from chr_notes.ledger.case import DEGREE, Case, Condition, complete
-from chr_notes.ledger.reading import elements, reading
-from chr_notes.printed import BY_ID
-from chr_notes.printed import euler as printed
-from chr_notes.printed.statement import Rotation, words
-from chr_notes.symbols import (
-    BODY_RATES,
-    EULER,
-    EULER_RATES,
-    p,
-    phi,
-    pitch_rate,
-    psi,
-    q,
-    r,
-    roll_rate,
-    theta,
-    yaw_rate,
+from chr_notes.ledger.edits import Edit
+from chr_notes.ledger.euler_lock import SETTLED as LOCK
+from chr_notes.ledger.euler_rates import SETTLED as RATES
+from chr_notes.ledger.euler_reading import (
+    AXES_B,
+    AXES_V1,
+    AXES_V2,
+    READ,
+    V_V1,
+    V_V2,
+    VECTOR,
 )
+from chr_notes.printed import DOCUMENTS
+from chr_notes.printed import euler as printed
+from chr_notes.printed import euler_claims as claims
+from chr_notes.printed.statement import InOrder, Rotation, words
+from chr_notes.symbols import phi, psi, theta
 
-GROUND = Symbol(r"z_{\text{ground}}", real=True)
-FRAME_NAMES = {"v1": words("vehicle-1"), "v2": words("vehicle-2"), "B": words("body")}
-VECTOR = ImmutableMatrix(symbols("v_N v_E v_D", real=True))
-
-
-def _other_arguments_of_d() -> Set:
-    return FiniteSet(*derived.euler_rates_matrix().free_symbols - set(EULER))
-
-
-MEANING = {
-    printed.Z_I: GROUND - printed.ALTITUDE,
-    printed.PITCH_AXIS: derived.rotation("v1", "I") * derived.Y,
-    printed.FIGURE_3_FRAME: FRAME_NAMES[derived.FRAMES[2]],
-    printed.LOCK_PITCHES: derived.lock_pitches,
-    printed.ROLL_FOR_YAW: -psi,
-    # One vector in two frames: its body components come from its inertial ones.
-    printed.V_I: VECTOR,
-    printed.V_B: ImmutableMatrix(derived.rotation("I", "B") * VECTOR),
-    printed.D: derived.euler_rates_matrix,
-    printed.OTHER_ARGUMENTS: _other_arguments_of_d,
-    **elements(EULER_RATES, derived.euler_rates),
-}
-READ = reading(MEANING)
-READ_UPWARDS = reading({**MEANING, printed.LOCK_PITCHES: derived.lock_pitches(Interval(0, pi / 2))})
-
-_SINE, _COSINE = (Symbol(name, positive=True) for name in ("s", "c"))
+PROJECTED = (
+    "The component of a vector along a turned axis is its projection on that axis. So the axes are "
+    "the rows of the matrix."
+)
+YAW_AND_PITCH = ImmutableMatrix(
+    [
+        [cos(theta) * cos(psi), cos(theta) * sin(psi), -sin(theta)],
+        [-sin(psi), cos(psi), 0],
+        [sin(theta) * cos(psi), sin(theta) * sin(psi), cos(theta)],
+    ]
+)
+UNDONE = Step(
+    "A turn is undone by the same turn the other way round; so are the other two.",
+    equation(MatMul(Rotation("I", "v1", -psi), printed.R_YAW), Identity(3)),
+)
 
 SETTLED = (
     Case(
+        "euler.1.a",
+        steps=(
+            Step(
+                "Let the x-axis of any frame have some heading ψ and climb θ. These two reach "
+                "every direction.",
+                equation(
+                    MatMul(Transpose(claims.ANY_ROTATION), claims.E_X),
+                    ImmutableMatrix([cos(theta) * cos(psi), cos(theta) * sin(psi), -sin(theta)]),
+                ),
+            ),
+            Step(
+                "The y-axis is at right angles to it: it has turned by some φ from where it would "
+                "be level. The z-axis has no choice then.",
+                equation(
+                    MatMul(Transpose(claims.ANY_ROTATION), printed.E_Y),
+                    MatAdd(
+                        MatMul(cos(phi), ImmutableMatrix([-sin(psi), cos(psi), 0])),
+                        MatMul(
+                            sin(phi),
+                            ImmutableMatrix(
+                                [sin(theta) * cos(psi), sin(theta) * sin(psi), cos(theta)]
+                            ),
+                        ),
+                    ),
+                ),
+            ),
+        ),
+    ),
+    Case(
         "euler.2.a",
-        READ,
-        condition=Condition(Eq(GROUND, 0)),
-        witness={GROUND: 100, printed.ALTITUDE: 30},
-        remark="The sign is right: down is positive. But a coordinate counts from the frame's "
-        "origin, and altitude above ground from the ground. With the origin 100 m above the "
-        "ground, a point 30 m above the ground lies at z = +70 m.",
+        remark="Counted from the ground. The coordinate of the frame counts from the frame's "
+        "origin: with that one 100 m above the ground, a point 30 m above the ground has "
+        "z = +70 m.",
+    ),
+    Case(
+        "euler.3.1",
+        steps=(
+            Step(
+                "Yaw leaves the z-axis where it is and turns x towards y. The new axes, in the old "
+                "frame:",
+                InOrder(
+                    equation(AXES_V1[0], ImmutableMatrix([cos(psi), sin(psi), 0])),
+                    equation(AXES_V1[1], ImmutableMatrix([-sin(psi), cos(psi), 0])),
+                ),
+            ),
+            Step(
+                PROJECTED,
+                equation(
+                    MatMul(printed.R_YAW, VECTOR),
+                    ImmutableMatrix(
+                        [
+                            cos(psi) * VECTOR[0] + sin(psi) * VECTOR[1],
+                            -sin(psi) * VECTOR[0] + cos(psi) * VECTOR[1],
+                            VECTOR[2],
+                        ]
+                    ),
+                ),
+            ),
+        ),
+    ),
+    Case(
+        "euler.4.1",
+        steps=(
+            Step(
+                "Pitch leaves the y-axis where it is and turns z towards x: the nose comes up. The "
+                "new axes, in the frame before:",
+                InOrder(
+                    equation(AXES_V2[0], ImmutableMatrix([cos(theta), 0, -sin(theta)])),
+                    equation(AXES_V2[2], ImmutableMatrix([sin(theta), 0, cos(theta)])),
+                ),
+            ),
+            Step(
+                PROJECTED,
+                equation(
+                    MatMul(printed.R_PITCH, VECTOR),
+                    ImmutableMatrix(
+                        [
+                            cos(theta) * VECTOR[0] - sin(theta) * VECTOR[2],
+                            VECTOR[1],
+                            sin(theta) * VECTOR[0] + cos(theta) * VECTOR[2],
+                        ]
+                    ),
+                ),
+            ),
+        ),
+    ),
+    Case(
+        "euler.4.2",
+        steps=(
+            Step(
+                "Yaw takes the components of a vector to vehicle-1, pitch from there to vehicle-2.",
+                InOrder(
+                    equation(V_V1, MatMul(printed.R_YAW, printed.V_I)),
+                    equation(V_V2, MatMul(printed.R_PITCH, V_V1)),
+                ),
+            ),
+            Step(
+                "Put one into the other. It holds for every vector, so the product is the matrix; "
+                "the turn that comes first stands next to the vector.",
+                equation(V_V2, MatMul(printed.R_PITCH, printed.R_YAW, printed.V_I)),
+            ),
+        ),
     ),
     Case(
         "euler.4.a",
-        READ,
-        condition=Condition(Ne(cos(psi), 1)),
-        witness={psi: 0},
-        remark="Pitch turns about the y-axis of vehicle-1. That one coincides with the inertial "
-        "y-axis as long as there is no yaw.",
+        given=(Condition(Ne(cos(psi), 1)),),
+        remark="Pitch turns about the y-axis of vehicle-1. Without yaw that one coincides with the "
+        "inertial y-axis.",
     ),
     Case(
         "euler.4.b",
-        READ,
-        correction=Eq(printed.FIGURE_3_FRAME, FRAME_NAMES["v2"]),
+        edits=(Edit(words("vehicle-3"), words("vehicle-2")),),
+        root="vehicle-3",
+        weight="small print",
+        steps=(
+            Step(
+                "Yaw leads to vehicle-1 and pitch from there to vehicle-2: this is the matrix of "
+                "both.",
+                equation(printed.R_IV2, YAW_AND_PITCH),
+            ),
+        ),
         remark="There are four frames in all, and no vehicle-3 among them.",
     ),
     Case(
-        "euler.5.5",
-        READ,
-        correction=Eq(printed.R_BI, BY_ID["euler.5.5"].statement.rhs),
-        witness={phi: 30 * DEGREE, theta: 20 * DEGREE, psi: 60 * DEGREE},
+        "euler.5.1",
         steps=(
             Step(
-                "A matrix made of three orthonormal rows is undone by its transpose. So the way "
-                "back is the transpose of the way there.",
-                Eq(MatMul(derived.rotation("I", "B").T, derived.rotation("I", "B")), Identity(3)),
+                "Roll leaves the x-axis where it is and turns y towards z. The new axes, in the "
+                "frame before:",
+                InOrder(
+                    equation(AXES_B[1], ImmutableMatrix([0, cos(phi), sin(phi)])),
+                    equation(AXES_B[2], ImmutableMatrix([0, -sin(phi), cos(phi)])),
+                ),
             ),
             Step(
-                "Transposed, the derived matrix is what the note prints on the right-hand side. "
-                "The elements are right; the symbol in front of them names the other direction.",
-                Eq(derived.rotation("I", "B").T, derived.rotation("B", "I"), evaluate=False),
+                PROJECTED,
+                equation(
+                    MatMul(printed.R_ROLL, VECTOR),
+                    ImmutableMatrix(
+                        [
+                            VECTOR[0],
+                            cos(phi) * VECTOR[1] + sin(phi) * VECTOR[2],
+                            -sin(phi) * VECTOR[1] + cos(phi) * VECTOR[2],
+                        ]
+                    ),
+                ),
+            ),
+        ),
+    ),
+    Case(
+        "euler.5.2",
+        steps=(
+            Step(
+                "Yaw and pitch take the components of a vector to vehicle-2, roll from there to "
+                "the body.",
+                InOrder(
+                    equation(V_V2, MatMul(printed.R_IV2, printed.V_I)),
+                    equation(printed.V_B, MatMul(printed.R_ROLL, V_V2)),
+                ),
+            ),
+            Step(
+                "Put one into the other, with the product of pitch and yaw in its place.",
+                equation(
+                    printed.V_B,
+                    MatMul(printed.R_ROLL, printed.R_PITCH, printed.R_YAW, printed.V_I),
+                ),
+            ),
+        ),
+    ),
+    Case(
+        "euler.5.3",
+        steps=(
+            Step("Multiply pitch and yaw first.", equation(printed.R_IV2, YAW_AND_PITCH)),
+            Step(
+                "Roll keeps the first row and mixes the other two.",
+                equation(printed.R_IB, MatMul(printed.R_ROLL, YAW_AND_PITCH)),
+            ),
+        ),
+    ),
+    Case(
+        "euler.5.4",
+        steps=(
+            UNDONE,
+            Step(
+                "To go back, undo the last turn first: roll, then pitch, then yaw.",
+                equation(
+                    MatMul(*printed.TURNS_BACK, printed.R_ROLL, printed.R_PITCH, printed.R_YAW),
+                    Identity(3),
+                ),
+            ),
+        ),
+    ),
+    Case(
+        "euler.5.5",
+        edits=(Edit(printed.R_IB, printed.R_BI),),
+        witness={phi: 30 * DEGREE, theta: 20 * DEGREE, psi: 60 * DEGREE},
+        root="body-to-inertial-symbol",
+        weight="label",
+        steps=(
+            Step(
+                "The rows of the matrix are three axes at right angles, of length one. So its "
+                "transpose undoes it.",
+                equation(MatMul(Transpose(printed.R_IB), printed.R_IB), Identity(3)),
+            ),
+            Step(
+                "The way back is the transpose of the way there: what is printed, without the "
+                "symbol in front.",
+                equation(printed.R_BI, Transpose(printed.R_IB)),
             ),
         ),
         remark="The right-hand side is the matrix from body to inertial, as the sentence before "
         "it says; the symbol on the left repeats the one of the opposite direction.",
     ),
-    Case(
-        "euler.6.a",
-        READ_UPWARDS,
-        given=(Condition(Ge(theta, 0)),),
-        steps=(
-            Step(
-                "Euler rates come from body rates by undoing the matrix that leads the other way. "
-                "That fails where its determinant is zero.",
-                Eq(derived.body_rates_matrix().det(), cos(theta), evaluate=False),
-            ),
-        ),
-        remark="Straight down, at −90°, it is locked as well; the note's last section says so.",
-    ),
-    Case(
-        "euler.6.b",
-        READ,
-        steps=(
-            Step(
-                "At a pitch of 90° the matrix depends on roll and yaw only through their "
-                "difference.",
-                Eq(
-                    derived.rotation("I", "B").subs(theta, pi / 2),
-                    ImmutableMatrix(
-                        [
-                            [0, 0, -1],
-                            [sin(phi - psi), cos(phi - psi), 0],
-                            [cos(phi - psi), -sin(phi - psi), 0],
-                        ]
-                    ),
-                    evaluate=False,
-                ),
-            ),
-        ),
-        remark="The roll is the negative of the yaw: at +90° the two turn the aircraft about the "
-        "same line in opposite senses. At −90° they turn it in the same sense.",
-    ),
-    Case(
-        "euler.7.a",
-        READ,
-        correction=Eq(
-            ImmutableMatrix(BODY_RATES),
-            MatAdd(
-                ImmutableMatrix([roll_rate, 0, 0]),
-                MatMul(Rotation("v2", "B", phi), ImmutableMatrix([0, pitch_rate, 0])),
-                MatMul(Rotation("v1", "B"), ImmutableMatrix([0, 0, yaw_rate])),
-            ),
-            evaluate=False,
-        ),
-        witness={phi: 0, theta: 60 * DEGREE, psi: 0, p: 0, q: 0, r: 1},
-        steps=(
-            Step(
-                "Each Euler rate is a turn about one known axis: roll about x of vehicle-2, pitch "
-                "about y of vehicle-1, yaw about z of the inertial frame. Brought to the body "
-                "frame, they add up to what the gyros read.",
-                Eq(
-                    ImmutableMatrix(derived.body_rates()),
-                    ImmutableMatrix(
-                        derived.rotation("v2", "B") * derived.X * roll_rate
-                        + derived.rotation("v1", "B") * derived.Y * pitch_rate
-                        + derived.rotation("I", "B") * derived.Z * yaw_rate
-                    ),
-                    evaluate=False,
-                ),
-            ),
-            Step(
-                "The three axes are not at right angles, so one cannot read off each rate as a "
-                "projection. One has to solve for the three together: D is an inverse.",
-                Eq(
-                    MatMul(derived.euler_rates_matrix(), derived.body_rates_matrix()),
-                    Identity(3),
-                    evaluate=False,
-                ),
-            ),
-        ),
-        remark="The matrix D that follows is right, but these words do not lead to it: rotating "
-        "each gyro's output and reading off one component gives factors of cos(pitch) where D "
-        "divides by it. The rotation has to go from the Euler rates to the body, and then be "
-        "inverted.",
-    ),
-    Case(
-        "euler.7.b",
-        READ,
-        condition=Condition(Ne((q * sin(phi) + r * cos(phi)) * tan(theta), 0)),
-        witness={phi: 0, theta: 0, p: 1, q: 2, r: 3},
-        remark="In level flight the gyros do report the Euler rates: there D is the identity.",
-    ),
-    Case(
-        "euler.7.c",
-        READ,
-        condition=Condition(
-            And(Ne(sin(phi), 0), Ne(cos(phi), 0)),
-        ),
-        witness={phi: 0},
-        remark="With no roll the middle element is zero at every pitch and does not diverge; with "
-        "90° of roll the last one is. One of the two always does. The first row diverges as well, "
-        "for tan(pitch) divides by cos(pitch) too.",
-    ),
-    Case(
-        "euler.7.d",
-        READ,
-        steps=(
-            Step(
-                "Turning the whole picture about the vertical changes yaw and nothing else, so "
-                "yaw cannot matter: as derived, no element of D has it.",
-                Eq(printed.D, derived.euler_rates_matrix(), evaluate=False),
-            ),
-        ),
-        remark="Nor does it depend on yaw: roll and pitch are enough.",
-    ),
+    Case("euler.5.a", steps=(UNDONE,)),
+    Case("euler.7.e", remark="As euler.3.a says of the first."),
 )
 
-CASES = complete(printed.PRINTED, READ, SETTLED)
+CASES = complete(DOCUMENTS["euler"], READ, (*SETTLED, *LOCK, *RATES))

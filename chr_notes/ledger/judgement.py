@@ -113,6 +113,7 @@ def _verdict(case: Case) -> Judged:
     if case.condition is None and case.right is None:
         if introduces_name(case):
             return Judged("definition", "the name has no meaning before; it is read by this later")
+        _check_says_something(case)
         findings = _prove(case, case.printed.statement, "not proved as printed", *case.given)
         return Judged("proved", f"derived independently: {_how(findings)}")
     if any(excludes(given, case.witness) for given in case.given):
@@ -160,6 +161,17 @@ def _corrected(case: Case) -> Judged:
         raise CannotJudgeError(msg)
     shown = "as printed it fails at the witness" if case.witness else "as printed it fails"
     return Judged("corrected", f"the correction is proved: {_how(findings)}; {shown}")
+
+
+def _check_says_something(case: Case) -> None:
+    """Refuse the same on both sides, and the same statement twice."""
+    stated = [in_order(part) for part in parts(case.printed.statement)]
+    if len(set(stated)) < len(stated):
+        msg = f"{case.id}: the statement says one thing twice"
+        raise CannotJudgeError(msg)
+    if any(isinstance(part, Eq) and part.lhs == part.rhs for part in stated):
+        msg = f"{case.id}: the statement says nothing, it has the same on both sides"
+        raise CannotJudgeError(msg)
 
 
 def _is_empty(relation: Basic) -> bool:

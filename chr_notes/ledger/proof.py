@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
-from itertools import product
+from itertools import chain, product
 
 from sympy import (
     Basic,
@@ -190,25 +190,41 @@ def _within_its_digits(relation: Approximately, read: Read, by: Mapping[Basic, B
 def _never_equal(
     relation: Ne, read: Read, by: Mapping[Basic, Basic], conditions: tuple[Condition, ...]
 ) -> bool:
-    """Whether some component of the difference is one that is, or is presumed to be, not zero."""
-    components = difference(*sides(relation, read, by))
-    excluded = [
-        evaluate(each.lhs - each.rhs, read, by)
-        for condition in conditions
-        for each in parts(condition.holds)
-        if isinstance(each, Ne)
-    ]
-    return any(
-        component.is_nonzero
-        or is_positive(component)
-        or is_positive(-component)
-        or any(_nonzero_multiple(component, other) for other in excluded)
-        for component in components
+    """Whether some component of the difference is one that is, or is presumed to be, not zero.
+
+    Of two sets, whether one has an element that the other lacks.
+    """
+    left, right = sides(relation, read, by)
+    if isinstance(left, Set) and isinstance(right, Set):
+        return (left ^ right).is_empty is False
+    components = difference(left, right)
+    # Of a condition that may be met in several ways each one must do.
+    ways = product(*(_excluded(condition, read, by) for condition in conditions))
+    return all(
+        any(
+            component.is_nonzero
+            or is_positive(component)
+            or is_positive(-component)
+            or any(_vanishes_only_with(component, other) for other in chain(*way))
+            for component in components
+        )
+        for way in ways
     )
 
 
-def _nonzero_multiple(component: Expr, excluded: Expr) -> bool:
+def _excluded(condition: Condition, read: Read, by: Mapping[Basic, Basic]) -> list[list[Basic]]:
+    """List what a condition says not to be zero, for each way to meet it."""
+    holds = condition.holds
+    return [
+        [evaluate(each.lhs - each.rhs, read, by) for each in parts(way) if isinstance(each, Ne)]
+        for way in (holds.args if isinstance(holds, Or) else (holds,))
+    ]
+
+
+def _vanishes_only_with(component: Expr, excluded: Expr) -> bool:
     """Whether a component vanishes only where the excluded expression does."""
+    if any(is_zero(component - sign * excluded) for sign in (1, -1)):
+        return True
     factor = cancel(component / excluded)
     return bool(factor.is_nonzero and is_zero(component - factor * excluded))
 

@@ -7,6 +7,7 @@ from chr_notes.printed import (
     dead_reckoning,
     estimation,
     euler,
+    euler_claims,
     quaternions,
     quaternions_claims,
     sensors,
@@ -23,6 +24,7 @@ TOPICS = {
     "validation": validation,
 }
 ADDITIONS: dict[str, tuple[Printed, ...]] = {
+    "euler": euler_claims.ADDITIONS,
     "quaternions": quaternions_claims.ADDITIONS,
 }
 """More claims of each document, which its chapter shows together at the end."""

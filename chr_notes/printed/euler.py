@@ -43,6 +43,11 @@ FIGURE_3_FRAME = words("frame of Figure 3")
 R_YAW = Rotation("I", "v1", psi)
 R_PITCH = Rotation("v1", "v2", theta)
 R_ROLL = Rotation("v2", "B", phi)
+TURNS_BACK = (
+    Rotation("I", "v1", -psi),
+    Rotation("v1", "v2", -theta),
+    Rotation("v2", "B", -phi),
+)
 R_IV2 = Rotation("I", "v2", theta, psi)
 R_IB = Rotation("I", "B", phi, theta, psi)
 R_BI = Rotation("B", "I", phi, theta, psi)
@@ -167,14 +172,7 @@ with as_printed():
             "equation",
             "section 5, paragraph 6",
             "Body to inertial frame, as a product with negated angles.",
-            Eq(
-                R_BI,
-                MatMul(
-                    Rotation("I", "v1", -psi),
-                    Rotation("v1", "v2", -theta),
-                    Rotation("v2", "B", -phi),
-                ),
-            ),
+            Eq(R_BI, MatMul(*TURNS_BACK)),
         ),
         Printed(
             "euler.5.5",
@@ -205,17 +203,7 @@ with as_printed():
             "claim",
             "section 5, paragraph 8",
             "To go back, take the turns in reverse order and each the other way round.",
-            Eq(
-                MatMul(
-                    Rotation("I", "v1", -psi),
-                    Rotation("v1", "v2", -theta),
-                    Rotation("v2", "B", -phi),
-                    R_ROLL,
-                    R_PITCH,
-                    R_YAW,
-                ),
-                Identity(3),
-            ),
+            Eq(MatMul(*TURNS_BACK, R_ROLL, R_PITCH, R_YAW), Identity(3)),
         ),
         Printed(
             "euler.6.a",
@@ -293,10 +281,10 @@ with as_printed():
             "The last row of D divides by cos(pitch) in two places; towards ±90 degrees its "
             "elements diverge.",
             InOrder(
-                Eq(Limit(abs(D[2, 1]), theta, pi / 2, "-"), oo),
-                Eq(Limit(abs(D[2, 2]), theta, pi / 2, "-"), oo),
-                Eq(Limit(abs(D[2, 1]), theta, -pi / 2, "+"), oo),
-                Eq(Limit(abs(D[2, 2]), theta, -pi / 2, "+"), oo),
+                Eq(Limit(abs(D[2, 1]), theta, pi / 2, "+-"), oo),
+                Eq(Limit(abs(D[2, 2]), theta, pi / 2, "+-"), oo),
+                Eq(Limit(abs(D[2, 1]), theta, -pi / 2, "+-"), oo),
+                Eq(Limit(abs(D[2, 2]), theta, -pi / 2, "+-"), oo),
             ),
         ),
         Printed(

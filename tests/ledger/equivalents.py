@@ -5,7 +5,30 @@ The test proves each one: what the print says with it is still what the ledger s
 
 RENAMED = "the elements of any quaternion are called otherwise, on both sides"
 
+ANGLES_RENAMED = "the angles are called otherwise, on both sides"
+AXIS_STAYS = "the axis of a turn stays where it is on the way back as well"
+ANY_ANGLE = "the axis stays whatever the angle is called"
+BOTH_WAYS = "what differs, or is the same, is so both ways"
+
 EQUIVALENT: dict[tuple[str, str], str] = {
     **{("quaternions.3.a", f"swapped symbols, throughout {n}"): RENAMED for n in range(1, 7)},
-    ("quaternions.4.c", "swapped symbols, throughout 1"): "what differs, differs both ways",
+    ("quaternions.4.c", "swapped symbols, throughout 1"): BOTH_WAYS,
+    **{("euler.3.a", kind): AXIS_STAYS for kind in ("transposed 1", "wrong frame 1")},
+    ("euler.4.2", "swapped symbols, throughout 1"): ANGLES_RENAMED,
+    ("euler.4.a", "digit 1"): "no unit vector is twice as long",
+    ("euler.4.b", "swapped symbols, throughout 1"): BOTH_WAYS,
+    **{
+        (f"euler.5.{entry}", f"swapped symbols, throughout {n}"): ANGLES_RENAMED
+        for entry in "234a"
+        for n in range(1, 4)
+    },
+    ("euler.5.a", "factors in reverse order 1"): "there after back is the same as back after there",
+    ("euler.6.b", "swapped symbols, throughout 1"): "each is the negative of the other",
+    ("euler.6.c", "swapped symbols, throughout 1"): "at the lock the column has neither angle",
+    ("euler.6.d", "swapped symbols, throughout 1"): BOTH_WAYS,
+    **{("euler.7.e", f"transposed {n}"): AXIS_STAYS for n in range(1, 4)},
+    **{("euler.7.e", f"wrong frame {n}"): AXIS_STAYS for n in (1, 6, 11)},
+    **{("euler.7.e", f"swapped symbols, throughout {n}"): ANY_ANGLE for n in range(1, 4)},
+    **{("euler.7.b", f"swapped symbols, throughout {n}"): BOTH_WAYS for n in (1, 11, 14)},
+    ("euler.7.f", "swapped symbols, throughout 1"): BOTH_WAYS,
 }

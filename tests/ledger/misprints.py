@@ -218,7 +218,10 @@ def misprints(statement: Basic) -> Iterator[tuple[str, Basic]]:
         number = 0
         for path, node in nodes(statement):
             for wrong in wrongs(node, statement):
-                misprinted = put(statement, path, wrong)
+                try:
+                    misprinted = put(statement, path, wrong)
+                except IndexError:
+                    continue  # an element that the matrix does not have cannot be written down
                 if in_order(misprinted) not in seen:
                     seen.add(in_order(misprinted))
                     number += 1

@@ -64,6 +64,13 @@ def test_a_false_one_is_refused_with_what_is_left_over(say: Say) -> None:
         say(Eq(ImmutableMatrix([y, y]), ImmutableMatrix([x * x, x]), evaluate=False))
 
 
+def test_what_says_nothing_is_refused(say: Say) -> None:
+    with pytest.raises(CannotJudgeError, match="the same on both sides"):
+        say(InOrder(Eq(y, x * x), Eq(z, z, evaluate=False)))
+    with pytest.raises(CannotJudgeError, match="one thing twice"):
+        say(InOrder(Eq(y, x * x), Eq(y, x**2)))
+
+
 def test_an_exact_condition_is_told_from_a_sufficient_one(say: Say) -> None:
     exact = say(Eq(y, z), condition=Condition(Eq(z, x**2)), witness={x: 2, z: 1}, **ROOTED)
     assert (exact.verdict, exact.exact) == ("qualified", True)

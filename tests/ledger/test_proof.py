@@ -6,6 +6,7 @@ from sympy import (
     Basic,
     Eq,
     Expr,
+    FiniteSet,
     Function,
     Gt,
     Identity,
@@ -115,6 +116,23 @@ def test_what_a_condition_excludes_is_not_zero() -> None:
     assert proves(Ne(s * (1 - cos(x)), 0), same, condition)
     assert not proves(Ne(s * (1 - cos(x)), 0), same)
     assert not proves(Ne(x * (1 - cos(x)), 0), same, condition)
+
+
+def test_each_way_to_meet_a_condition_must_do() -> None:
+    either = Condition(Or(Ne(x, 1), Ne(sin(x), s), evaluate=False))
+    pair = ImmutableMatrix([x, sin(x)])
+    assert proves(Ne(pair, ImmutableMatrix([1, s])), same, either)
+    assert proves(Ne(ImmutableMatrix([1, s]), pair), same, either)
+    assert not proves(Ne(pair, ImmutableMatrix([1, d])), same, either)
+    assert not proves(Ne(pair, ImmutableMatrix([1, s])), same)
+
+
+def test_sets_differ_by_an_element() -> None:
+    one, other = FiniteSet(0, pi), FiniteSet(pi / 2)
+    assert proves(Ne(one, other), same)
+    assert proves(Ne(FiniteSet(0, pi / 2), other), same)
+    assert not proves(Ne(one, FiniteSet(pi, 0), evaluate=False), same)
+    assert not proves(Ne(FiniteSet(x), FiniteSet(0)), same), "x may be 0"
 
 
 def test_conditions_hold_together() -> None:

@@ -12,17 +12,30 @@ from typing import Any, ClassVar
 
 import numpy as np
 import pytest
-from sympy import Basic, Eq, MatMul, MatrixBase, MatrixSymbol, Symbol, atan, atan2, fraction
+from sympy import (
+    Basic,
+    Eq,
+    Identity,
+    Inverse,
+    MatMul,
+    MatrixBase,
+    MatrixSymbol,
+    Symbol,
+    atan,
+    atan2,
+    fraction,
+)
 from sympy.matrices.expressions.matexpr import MatrixElement
 
 import chr_notes
 from chr_notes.ledger.cases import CASES
 from chr_notes.ledger.edits import in_order
 from chr_notes.ledger.evaluation import parts
+from chr_notes.printed import euler, euler_claims
 from chr_notes.printed import quaternions as quaternion
 from chr_notes.printed.hamilton import Conjugate, Product, Pure, Reciprocal
 from chr_notes.printed.statement import Rotation
-from chr_notes.symbols import EULER, FIRST, QUATERNION, SECOND
+from chr_notes.symbols import BODY_RATES, EULER, EULER_RATES, FIRST, QUATERNION, SECOND
 
 ATTITUDES = 10
 
@@ -51,6 +64,8 @@ class Known(dict[Basic, Any]):
         source, target = symbol.frames
         if isinstance(symbol.angles[0], Conjugate):  # the opposite turn
             return self.value(Rotation(target, source, *symbol.angles[0].args))
+        if symbol.angles[0].could_extract_minus_sign():
+            return self[Rotation(source, target, *(-angle for angle in symbol.angles))].T
         return self[Rotation(target, source, *symbol.angles)].T
 
     def _matrix(self, matrix: MatrixBase) -> np.ndarray:
@@ -67,6 +82,8 @@ class Known(dict[Basic, Any]):
         Rotation: _rotation,
         MatrixBase: _matrix,
         MatMul: _product,
+        Inverse: lambda self, m: np.linalg.inv(self.value(m.args[0])),
+        Identity: lambda _, m: np.eye(int(m.rows)),
         Product: _quaternion_product,
         Pure: lambda self, v: np.concatenate(([0.0], self.value(v.args[0]))),
         Reciprocal: lambda self, q: chr_notes.quaternion_inverse(self.value(q.args[0])),
@@ -122,3 +139,31 @@ def test_quaternion_note(seed: int) -> None:
     )
     roll, pitch, yaw = chr_notes.euler_from_quaternion(q)
     assert [numbers[angle] for angle in EULER] == pytest.approx([roll, pitch, yaw])
+
+
+@pytest.mark.parametrize("seed", range(ATTITUDES))
+def test_euler_note(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    angles = rng.uniform((-np.pi, -1.5, -np.pi), (np.pi, 1.5, np.pi))
+    gyros, (v, field) = rng.normal(size=3), rng.normal(size=(2, 3))
+    matrix = chr_notes.matrix_from_euler(angles)
+    rates = chr_notes.euler_rates_from_body_rates(angles, gyros)
+    numbers = Known(
+        {
+            **dict(zip(EULER, map(float, angles), strict=True)),
+            **dict(zip(BODY_RATES, map(float, gyros), strict=True)),
+            **dict(zip(EULER_RATES, map(float, rates), strict=True)),
+            euler.V_I: v,
+            euler.V_B: matrix @ v,
+            euler_claims.FIELD_I: field,
+            euler_claims.FIELD_B: matrix @ field,
+        }
+    )
+    # Names of frames and sets of angles; any rotation; and what is said of the lock.
+    others = ("4.b", "7.d", "1.a", "6.a", "6.b", "6.c", "6.e", "7.c")
+    statements = list(equations("euler", *(f"euler.{name}" for name in others)))
+    assert apply(statements, numbers) == []
+    np.testing.assert_allclose(numbers[euler.R_IB], matrix)
+    np.testing.assert_allclose(numbers.value(euler.R_BI), matrix.T)
+    np.testing.assert_allclose(numbers[euler.D], chr_notes.euler_rates_matrix(angles))
+    assert {"euler.5.3", "euler.5.5", "euler.7.a", "euler.7.e"} < {name for name, _ in statements}

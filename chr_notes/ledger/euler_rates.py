@@ -1,0 +1,165 @@
+"""The Euler-angle note's section 7, vectors and rates in other frames, before the judgement."""
+
+from sympy import (
+    And,
+    Identity,
+    ImmutableMatrix,
+    Inverse,
+    MatAdd,
+    MatMul,
+    Ne,
+    Or,
+    cos,
+    sin,
+)
+from sympy.matrices.expressions.matexpr import MatrixElement
+
+from chr_notes.derivations.steps import Step, equation
+from chr_notes.ledger.case import DEGREE, Case, Condition
+from chr_notes.ledger.edits import Edit
+from chr_notes.ledger.euler_reading import PITCH_TURN, ROLL_TURN, YAW_TURN
+from chr_notes.printed import euler as printed
+from chr_notes.printed.statement import InOrder, Rotation
+from chr_notes.symbols import p, phi, pitch_rate, psi, q, r, roll_rate, theta, yaw_rate
+
+AXES_OF_THE_TURNS = ImmutableMatrix(
+    [
+        [1, 0, -sin(theta)],
+        [0, cos(phi), sin(phi) * cos(theta)],
+        [0, -sin(phi), cos(phi) * cos(theta)],
+    ]
+)
+# Gyro x taken to vehicle-2, y to vehicle-1, z to the inertial frame, and one component of each.
+PROJECTIONS = ImmutableMatrix(
+    [
+        MatrixElement(MatMul(Rotation("B", frame), reading), row, 0)
+        for row, (frame, reading) in enumerate(
+            (
+                ("v2", ImmutableMatrix([p, 0, 0])),
+                ("v1", ImmutableMatrix([0, q, 0])),
+                ("I", ImmutableMatrix([0, 0, r])),
+            )
+        )
+    ]
+)
+TURNS = Step(
+    "Each Euler rate is a turn about one known axis: roll about x of vehicle-2, pitch about y of "
+    "vehicle-1, yaw about z of the inertial frame. Brought to the body frame they are:",
+    InOrder(
+        equation(ROLL_TURN, ImmutableMatrix([roll_rate, 0, 0])),
+        equation(PITCH_TURN, ImmutableMatrix([0, pitch_rate * cos(phi), -pitch_rate * sin(phi)])),
+        equation(
+            YAW_TURN,
+            ImmutableMatrix(
+                [
+                    -yaw_rate * sin(theta),
+                    yaw_rate * sin(phi) * cos(theta),
+                    yaw_rate * cos(phi) * cos(theta),
+                ]
+            ),
+        ),
+    ),
+)
+SUM = Step(
+    "They add up to what the gyros read.",
+    equation(printed.GYROS, MatMul(AXES_OF_THE_TURNS, printed.RATES)),
+)
+INVERSE = Step(
+    "The three axes are not at right angles, so no rate can be read off as a projection. One has "
+    "to solve for the three together: D is an inverse.",
+    equation(MatMul(printed.D, AXES_OF_THE_TURNS), Identity(3)),
+)
+
+SETTLED = (
+    Case(
+        "euler.7.1",
+        steps=(
+            Step(
+                "What the sensor reads in its body frame are the components of one vector, taken "
+                "there from the inertial frame.",
+                equation(printed.V_B, MatMul(printed.R_IB, printed.V_I)),
+            ),
+            Step(
+                "The matrix of the other direction undoes that.",
+                equation(MatMul(printed.R_BI, printed.R_IB), Identity(3)),
+            ),
+        ),
+    ),
+    Case("euler.7.2", steps=(TURNS, SUM, INVERSE)),
+    Case(
+        "euler.7.3",
+        steps=(
+            Step(
+                "Multiply the gyros' readings by the matrix D.",
+                equation(printed.RATES, MatMul(printed.D, printed.GYROS)),
+            ),
+        ),
+    ),
+    Case(
+        "euler.7.a",
+        edits=(Edit(PROJECTIONS, MatMul(Inverse(AXES_OF_THE_TURNS), printed.GYROS)),),
+        witness={phi: 0, theta: 60 * DEGREE, psi: 0, p: 0, q: 0, r: 1},
+        root="rates-by-projection",
+        weight="misleads",
+        steps=(TURNS, SUM, INVERSE),
+        remark="The matrix D that follows is right, but these words do not lead to it: rotating "
+        "each gyro's output and reading off one component gives factors of cos(pitch) where D "
+        "divides by it. The rotation has to go from the Euler rates to the body, and then be "
+        "inverted.",
+    ),
+    Case(
+        "euler.7.b",
+        given=(
+            Condition(
+                Or(
+                    Ne(yaw_rate * sin(theta), 0),
+                    Ne(pitch_rate * (1 - cos(phi)), yaw_rate * sin(phi) * cos(theta)),
+                    Ne(pitch_rate * sin(phi), yaw_rate * (cos(phi) * cos(theta) - 1)),
+                    evaluate=False,
+                )
+            ),
+        ),
+        steps=(
+            SUM,
+            Step(
+                "Take the readings from the Euler rates: this is left.",
+                equation(
+                    MatAdd(printed.RATES, MatMul(-1, printed.GYROS)),
+                    ImmutableMatrix(
+                        [
+                            yaw_rate * sin(theta),
+                            pitch_rate * (1 - cos(phi)) - yaw_rate * sin(phi) * cos(theta),
+                            pitch_rate * sin(phi) - yaw_rate * (cos(phi) * cos(theta) - 1),
+                        ]
+                    ),
+                ),
+            ),
+        ),
+        remark="In general. They agree while the sensor does nothing but roll, in level flight "
+        "without roll, where D is the identity, and while it only rolls and pitches with a roll "
+        "of zero.",
+    ),
+    Case(
+        "euler.7.c",
+        given=(Condition(And(Ne(sin(phi), 0), Ne(cos(phi), 0))),),
+        remark="In general. With no roll the middle element is zero at every pitch and does not "
+        "diverge; with 90° of roll the last one is. One of the two always does. The first row "
+        "diverges as well, for tan(pitch) divides by cos(pitch) too.",
+    ),
+    Case(
+        "euler.7.d",
+        steps=(
+            Step(
+                "Turning the whole picture about the vertical changes yaw and nothing else, so "
+                "yaw cannot matter: none of the axes from which D comes has it.",
+                equation(Inverse(printed.D), AXES_OF_THE_TURNS),
+            ),
+        ),
+        remark="Nor does it depend on yaw: roll and pitch are enough.",
+    ),
+    Case(
+        "euler.7.f",
+        remark="At rest the measured one points up with one g, see sensors.2.a. Gravity added to "
+        "it leaves the actual one.",
+    ),
+)
