@@ -1,6 +1,7 @@
 """Steps of filters, run over a recording: by a kernel, or sample by sample in Python."""
 
 from collections.abc import Callable, Iterable
+from functools import partial
 from itertools import repeat
 
 import numpy as np
@@ -8,11 +9,16 @@ import numpy as np
 from chr_notes._arrays import Floats
 from chr_notes._kernels import kernel
 
-_LISTED = 1024
-"""Samples at a time, few enough that they stay in cache: Python's numbers take more room."""
+_TOGETHER = 4096
+"""Samples at a time, few enough that what is between them and the result stays in cache."""
 
 
-def run(step: Callable[..., tuple[float, ...]], state: Iterable[float], *inputs: Floats) -> Floats:
+def run(
+    step: Callable[..., tuple[float, ...]],
+    state: Iterable[float],
+    *inputs: Floats,
+    finish: Callable[[Floats], Floats] = np.asarray,
+) -> Floats:
     """Run a generated step over a recording.
 
     Parameters
@@ -23,35 +29,44 @@ def run(step: Callable[..., tuple[float, ...]], state: Iterable[float], *inputs:
         Before the first sample.
     *inputs
         Of each sample, shape (N,) or (N, size); what is the same for all has no axis of samples.
+    finish
+        From states to what is wanted of them, row by row.
 
     Returns
     -------
     ndarray
-        The state after each sample, shape (N, size of the state).
+        What is wanted of the state after each sample, shape (N, size).
     """
-    state = tuple(state)
-    count = max(len(array) for array in inputs if array.ndim)
     compiled = kernel(step.__name__)
-    if compiled is not None and count:
-        done: Floats | None = compiled(
-            np.array(state), *(np.ascontiguousarray(array) for array in inputs), None
-        )
-        if done is not None:
-            return done
-    kept = np.empty((count, len(state)))
-    for start in range(0, count, _LISTED):
-        part = slice(start, start + _LISTED)
-        rows = []
-        for sample in zip(*(c for array in inputs for c in _columns(array, part)), strict=False):
-            state = step(*state, *sample)
-            rows.append(state)
-        kept[part] = rows
+    advance = partial(_by_python, step) if compiled is None else partial(_by_kernel, compiled)
+    given = [np.ascontiguousarray(array) if array.ndim else array for array in inputs]
+    count = max(len(array) for array in given if array.ndim)
+    now = np.array([*state])
+    kept = np.empty((count, finish(now[np.newaxis].copy()).shape[1]))
+    for start in range(0, count, _TOGETHER):
+        part = slice(start, start + _TOGETHER)
+        states = advance(now, [array[part] if array.ndim else array for array in given])
+        now = states[-1].copy()  # what finishes may write on the states
+        kept[part] = finish(states)
     return kept
 
 
-def _columns(array: Floats, part: slice) -> list[Iterable[float]]:
+def _by_kernel(compiled: Callable[..., Floats], state: Floats, inputs: list[Floats]) -> Floats:
+    return compiled(state, *inputs, None)
+
+
+def _by_python(
+    step: Callable[..., tuple[float, ...]], before: Floats, inputs: list[Floats]
+) -> Floats:
+    state, rows = tuple(before.tolist()), []
+    for sample in zip(*(column for array in inputs for column in _columns(array)), strict=False):
+        state = step(*state, *sample)
+        rows.append(state)
+    return np.array(rows)
+
+
+def _columns(array: Floats) -> list[Iterable[float]]:
     """Give Python's own numbers, a column each; without end where one is for all."""
     if not array.ndim:
         return [repeat(float(array))]
-    rows = array[part]
-    return [rows.tolist()] if rows.ndim == 1 else [column.tolist() for column in rows.T]
+    return [array.tolist()] if array.ndim == 1 else [column.tolist() for column in array.T]

@@ -139,7 +139,7 @@ class Rows:
         arrays = [floats(n, g, *last) for n, g, last in zip(names, given, self._lasts, strict=True)]
         axes = map(len, self._lasts)
         leading = common_shape(*zip(names, arrays, axes, strict=True))
-        _check_out(out, (*leading, *self._result))
+        check_out(out, (*leading, *self._result))
         rows = [_rows(a, leading, last) for a, last in zip(arrays, self._lasts, strict=True)]
         now = self._kernel(*rows, None) if done is None and self._kernel is not None else done
         shape, locked = (*leading, *self._result), NONE_LOCKED
@@ -151,7 +151,7 @@ class Rows:
             locked = self._complete(result, left, rows, leading, names[0], every_place=every_place)
         if out is None or out is result:
             return result, locked
-        np.copyto(out, result, casting="same_kind")
+        np.copyto(out, result)
         return out, locked
 
     def _complete(  # noqa: PLR0913 (what there is, and what to say of it)
@@ -177,33 +177,36 @@ class Rows:
                     if not block.size:
                         continue
                 parts = [array if len(array) == 1 else array[block] for array in rows]
+                values = flat[block]  # a view, but where rows were picked
                 try:
-                    flat[block], lock = self._block(parts, len(flat[block]))
+                    lock = self._block(parts, values)
                 except _WrongRow as wrong:
                     several = len(rows[0]) > 1
                     index = np.unravel_index(np.r_[block][wrong.row], leading) if several else ()
                     msg = wrong.message.format(f"{name}: ", tuple(map(int, index)))
                     raise ValueError(msg) from None
+                if odd is not None:
+                    flat[block] = values
                 if lock is not None and lock.any():
                     if every_place or not places:
                         places.append(np.r_[block][lock][: None if every_place else 1])
                     locked += int(np.count_nonzero(lock))
         return Locked(locked, np.concatenate(places)) if places else NONE_LOCKED
 
-    def _block(self, parts: list[Floats], size: int) -> tuple[Floats, Bools | None]:
-        missing = reduce(np.logical_or, map(_missing, parts))
+    def _block(self, parts: list[Floats], values: Floats) -> Bools | None:
+        missing = _missing(parts)
         if self._rotation:
             _check_rotations(parts[0], missing)
         exponent = None
         if self._scaled is not None:
             parts[0], exponent = _scaled(parts[0], refused=self._scaled == "refused")
-        values = np.empty((size, *self._result))
         lock = self._general(*parts, values)
         if exponent is not None and self._degree:
             exponent = self._degree * exponent
-            values = np.ldexp(values, exponent.reshape(-1, *[1] * len(self._result)))
-        values[np.broadcast_to(missing, size)] = np.nan
-        return values, lock
+            np.ldexp(values, exponent.reshape(-1, *[1] * len(self._result)), out=values)
+        if missing is not None:
+            values[np.broadcast_to(missing, len(values))] = np.nan
+        return lock
 
 
 class _WrongRow(Exception):  # noqa: N818 (it becomes an error once its place is known)
@@ -214,11 +217,49 @@ class _WrongRow(Exception):  # noqa: N818 (it becomes an error once its place is
         self.row, self.message = row, message
 
 
-def _check_out(out: Floats | None, shape: tuple[int, ...]) -> None:
-    if out is not None and (not isinstance(out, np.ndarray) or out.shape != shape):
-        got = out.shape if isinstance(out, np.ndarray) else type(out).__name__
+def check_out(out: Floats | None, shape: tuple[int, ...]) -> None:
+    """Refuse what a result of that shape cannot go to.
+
+    Raises
+    ------
+    ValueError
+        If the shape differs, or the array may not be written to.
+    TypeError
+        If it is no array of float64.
+    """
+    if out is None:
+        return
+    if not isinstance(out, np.ndarray) or out.dtype != np.float64:
+        got = str(out.dtype) if isinstance(out, np.ndarray) else type(out).__name__
+        msg = f"out: expected an array of float64, got {got}"
+        raise TypeError(msg)
+    if out.shape != shape or not out.flags.writeable:
+        got = "one that may not be written to" if out.shape == shape else f"shape {out.shape}"
         msg = f"out: expected an array of shape {shape}, got {got}"
         raise ValueError(msg)
+
+
+def handed_out(parts: tuple[Floats, ...], out: tuple[Floats, ...] | None) -> tuple[Floats, ...]:
+    """Give each part of a result as an array of its own, or write it to one of `out`.
+
+    Raises
+    ------
+    TypeError
+        If `out` is no tuple of as many arrays of float64.
+    ValueError
+        As `check_out`.
+    """
+    if out is None:
+        return tuple(part.copy()[()] for part in parts)
+    if not isinstance(out, tuple) or len(out) != len(parts):
+        got = len(out) if isinstance(out, tuple) else type(out).__name__
+        msg = f"out: expected a tuple of {len(parts)} arrays, got {got}"
+        raise TypeError(msg)
+    for part, to in zip(parts, out, strict=True):
+        check_out(to, part.shape)
+    for part, to in zip(parts, out, strict=True):
+        np.copyto(to, part)
+    return out
 
 
 def _rows(array: Floats, leading: tuple[int, ...], last: tuple[int, ...]) -> Floats:
@@ -228,9 +269,13 @@ def _rows(array: Floats, leading: tuple[int, ...], last: tuple[int, ...]) -> Flo
     return np.ascontiguousarray(np.broadcast_to(array, (*leading, *last))).reshape(-1, *last)
 
 
-def _missing(part: Floats) -> Bools:
-    """Say which rows have NaN: what comes of them is NaN as a whole."""
-    return np.asarray(np.isnan(part).reshape(len(part), -1).any(axis=1))
+def _missing(parts: list[Floats]) -> Bools | None:
+    """Say which rows have NaN: what comes of them is NaN as a whole. None where no row has."""
+    total = sum(part.sum() for part in parts)
+    if total == total:  # noqa: PLR0124 (it would be NaN too)
+        return None
+    each = [np.isnan(part).reshape(len(part), -1).any(axis=1) for part in parts]
+    return np.asarray(reduce(np.logical_or, each))
 
 
 def _scaled(rows: Floats, *, refused: bool) -> tuple[Floats, NDArray[np.intc] | None]:
@@ -244,21 +289,22 @@ def _scaled(rows: Floats, *, refused: bool) -> tuple[Floats, NDArray[np.intc] | 
         Power of two by which each was divided; None if none was.
     """
     largest = reduce(np.maximum, np.abs(rows).T)
+    if largest.min() > _LEAST and largest.max() < _MOST:
+        return rows, None
     if refused and (largest == 0).any():
         row = int(np.argmax(largest == 0))
         raise _WrongRow(row, "{}expected no row of zeros, got one at index {}")
-    if ((largest > _LEAST) & (largest < _MOST)).all():
-        return rows, None
     exponent = np.where(np.isfinite(largest), np.frexp(largest)[1], 0)
     return np.ldexp(rows, -exponent[:, np.newaxis]), exponent
 
 
-def _check_rotations(matrix: Floats, missing: Bools) -> None:
+def _check_rotations(matrix: Floats, missing: Bools | None) -> None:
     """Refuse matrices that are not rotations; those with NaN are passed over."""
     defects = np.empty((len(matrix), 2))
     rotation_defect(matrix, defects)
     off_by, determinant = defects.T
-    wrong = np.flatnonzero(~((off_by <= ROTATION_TOLERANCE) & (determinant >= 0)) & ~missing)
+    right = (off_by <= ROTATION_TOLERANCE) & (determinant >= 0)
+    wrong = np.flatnonzero(~(right if missing is None else right | missing))
     if wrong.size:
         first = int(wrong[0])
         raise _WrongRow(

@@ -36,6 +36,8 @@ def whole_samples(name: str, value: ArrayLike) -> Floats:
 
 def complete(array: Floats, below: float = np.inf) -> NDArray[np.bool_]:
     """Say which rows of a two-dimensional array hold numbers of a magnitude below a limit alone."""
+    if array.size and -below < array.min() and array.max() < below:  # and nothing is NaN
+        return np.ones(len(array), dtype=np.bool_)
     # Column by column: along an axis of three NumPy is several times slower.
     return np.asarray(np.logical_and.reduce([np.abs(column) < below for column in array.T]))
 
@@ -60,7 +62,8 @@ def one_sample(name: str, value: ArrayLike) -> list[float]:
         If the shape is not (3,); it states the received shape.
     """
     if _is_three(value):
-        return list(value.tolist())
+        numbers: list[float] = value.tolist()
+        return numbers
     array = floats(name, value, 3)
     if array.ndim != 1:
         msg = f"{name}: expected shape (3,), got {array.shape}"
@@ -95,11 +98,13 @@ def start(name: str, value: ArrayLike) -> list[float]:
         If there are not three, or one is not finite.
     """
     array = value if _is_three(value) else floats(name, value, 3)
-    numbers = array.tolist()
+    numbers: list[float] = array.tolist()
+    if array.ndim == 1 and isfinite(sum(numbers)):
+        return numbers
     if array.ndim != 1 or not all(map(isfinite, numbers)):
         msg = f"{name}: expected three finite numbers, got {numbers}"
         raise ValueError(msg)
-    return list(numbers)
+    return numbers
 
 
 def number(name: str, value: ArrayLike | float) -> float:

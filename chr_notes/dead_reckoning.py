@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 
 from chr_notes._arrays import Floats
 from chr_notes._recordings import run
-from chr_notes._rows import Rows
+from chr_notes._rows import Rows, handed_out
 from chr_notes._samples import complete, number, periods, same_length, samples, start
 from chr_notes.conventions import NOTES_GRAVITY, STANDARD_GRAVITY
 from chr_notes.generated.arrays import dead_reckoning as generated
@@ -147,7 +147,11 @@ def dead_reckon(  # noqa: PLR0913 (an initial value for each integral)
 
 
 def drift_from_tilt_error(
-    angle_error: ArrayLike, time: ArrayLike, gravity: ArrayLike = NOTES_GRAVITY
+    angle_error: ArrayLike,
+    time: ArrayLike,
+    gravity: ArrayLike = NOTES_GRAVITY,
+    *,
+    out: tuple[Floats, Floats, Floats] | None = None,
 ) -> tuple[Floats, Floats, Floats]:
     """Tell how far dead reckoning goes astray along the ground when the attitude is off.
 
@@ -159,6 +163,8 @@ def drift_from_tilt_error(
         Since the start, seconds, shape (...).
     gravity
         Magnitude of gravity, m/s², shape (...).
+    out
+        Arrays for acceleration, velocity and position.
 
     Returns
     -------
@@ -175,5 +181,6 @@ def drift_from_tilt_error(
     Ledger: dead_reckoning.4.a, dead_reckoning.4.b, and the cells of Table 1.
     """
     errors = _drift_from_tilt_error(angle_error, time, gravity)
-    acceleration, velocity, position = np.moveaxis(errors, -1, 0).copy()
+    parts = tuple(np.moveaxis(errors, -1, 0))
+    acceleration, velocity, position = handed_out(tuple(map(np.asarray, parts)), out)
     return acceleration, velocity, position

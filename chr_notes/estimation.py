@@ -88,7 +88,7 @@ def integrate_gyro(
     dt: ArrayLike,
     initial: ArrayLike = (0.0, 0.0, 0.0),
     *,
-    method: Literal["euler", "quaternion"] = "euler",
+    method: Literal["quaternion", "euler"] = "quaternion",
 ) -> Floats:
     """Integrate gyros from a known attitude.
 
@@ -101,14 +101,14 @@ def integrate_gyro(
     initial
         Roll, pitch, yaw before the first time step, radians, shape (3,).
     method
-        "euler" steps the three angles by their rates, as the notes do, which is off by the
-        square of the step and fails near a pitch of ±90°; "quaternion" turns the attitude by
-        each sample exactly.
+        "quaternion" turns the attitude by each sample exactly; "euler" steps the three angles by
+        their rates, as the notes do, which is off by the square of the step and fails near a
+        pitch of ±90°.
 
     Returns
     -------
     ndarray
-        Roll, pitch, yaw after each sample, roll and yaw in [-pi, pi], pitch in [-pi/2, pi/2],
+        Roll, pitch, yaw after each sample, roll and yaw in [-pi, pi), pitch in [-pi/2, pi/2],
         shape (N, 3). A row whose rates hold NaN, or 1e12 rad/s and more, comes out as NaN, and the
         next goes on as if the body had stood still.
 
@@ -122,19 +122,28 @@ def integrate_gyro(
     -----
     Ledger: estimation.3.2, estimation.3.3, estimation.3.a.
     """
-    if method not in ("euler", "quaternion"):
-        msg = f'method: expected "euler" or "quaternion", got {method!r}'
+    if method not in ("quaternion", "euler"):
+        msg = f'method: expected "quaternion" or "euler", got {method!r}'
         raise ValueError(msg)
     rates, missing = held_out("body_rates", body_rates, WILD_RATE)
     steps = periods(dt, len(rates))
     first = start("initial", initial)
     if method == "quaternion":
-        turned = run(gyro_turn, quaternion_from_euler(first).tolist(), rates, steps)
-        out = euler_from_quaternion(turned, on_gimbal_lock="ignore")
+        begin = quaternion_from_euler(first).tolist()
+        out = run(gyro_turn, begin, rates, steps, finish=attitudes_in_range)
     else:
-        out = in_range(run(gyro_step, first, rates, steps))
+        out = run(gyro_step, first, rates, steps, finish=in_range)
     out[missing] = np.nan
     return out
+
+
+def attitudes_in_range(states: Floats) -> Floats:
+    """Turn quaternions, shape (N, 4), to Euler angles with roll and yaw in [-pi, pi)."""
+    euler = euler_from_quaternion(states, on_gimbal_lock="ignore")
+    half = euler >= np.pi
+    if half.any():
+        euler[half] = -np.pi
+    return euler
 
 
 def in_range(euler: Floats) -> Floats:

@@ -1,20 +1,22 @@
 """A watch over the factor E that adapts an observer's gain first, and raises an alarm after."""
 
 from dataclasses import dataclass
-from itertools import islice
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from chr_notes._arrays import Floats
+from chr_notes._recordings import run
+from chr_notes._rows import Rows
 from chr_notes._samples import WILD_RATE, complete, number, periods, same_length, samples
-from chr_notes.generated.scalar.validation import validation_factor
+from chr_notes.estimation import attitudes_in_range
+from chr_notes.generated.arrays import validation as generated
+from chr_notes.generated.scalar.validation import monitor_count, monitor_gain, monitored_turn
 from chr_notes.observer import check_gain, first_tilt, way_of
-from chr_notes.validation import part_down
+from chr_notes.validation import part_down, validation_factor
 
-if TYPE_CHECKING:
-    from collections.abc import Callable
+_monitor_gain = Rows(generated.monitor_gain)
 
 
 @dataclass(frozen=True)
@@ -58,8 +60,8 @@ class Monitor:
         if not self.threshold > 0:
             msg = f"threshold: expected a positive number, got {self.threshold}"
             raise ValueError(msg)
-        if not self.patience >= 1:
-            msg = f"patience: expected at least 1 sample, got {self.patience}"
+        if not (self.patience >= 1 and self.patience == int(self.patience)):
+            msg = f"patience: expected a whole number of samples, 1 or more, got {self.patience}"
             raise ValueError(msg)
         for name in ("gain", "lowest", "highest"):
             check_gain(name, getattr(self, name))
@@ -89,13 +91,9 @@ class Monitor:
         Watch
             With the gain to use for the next sample.
         """
-        if np.isnan(factor):
-            return before
-        above = before.above + 1 if factor > self.threshold else 0
-        if above == 0 or above > 2 * self.patience:
-            return Watch(above, self.gain, alarm=above > 0)
-        gain = self.highest if above <= self.patience else self.lowest
-        return Watch(above, gain, alarm=False)
+        above = int(monitor_count(before.above, factor, self.threshold))
+        gain = monitor_gain(above, self.patience, self.gain, self.lowest, self.highest)
+        return Watch(above, gain, alarm=above > 2 * self.patience)
 
 
 class Watch(NamedTuple):
@@ -175,22 +173,27 @@ def monitored_observer(  # noqa: PLR0913 (three sensors, and what they are measu
     rates, forces = samples("body_rates", body_rates), samples("accel", accel)
     field = samples("mag", mag)
     count = same_length(("body_rates", rates), ("accel", forces), ("mag", field))
-    down = float(part_down(number("reference_down", reference_down)))
-    steps = np.broadcast_to(periods(dt, count), count)
-    way = way_of("quaternion")
-    judge: Callable[..., float] = validation_factor
+    down = part_down(number("reference_down", reference_down))
+    dt = periods(dt, count)
     begin, first = first_tilt(forces)
-    state, watch = way.begin(*first), monitor.begin()
-    euler, factors = np.full((count, 3), np.nan), np.full(count, np.nan)
-    gains, alarms = np.full(count, watch.gain), np.full(count, watch.alarm)
-    given = zip(rates.tolist(), forces.tolist(), field.tolist(), steps.tolist(), strict=True)
-    for sample, (turning, force, flux, step) in enumerate(islice(given, begin, None), begin):
-        gains[sample] = watch.gain
-        if sample > begin:
-            state = way.advance(*state, *turning, *force, step, watch.gain)
-        euler[sample] = angles = way.angles(state).tolist()
-        factors[sample] = factor = judge(*flux, *angles[:2], down)
-        watch = monitor.watch(watch, factor)
-        alarms[sample] = watch.alarm
+    watch = monitor.begin()
+    if begin < count:
+        factor = validation_factor(field[begin], first[:2], down)
+        watch = monitor.watch(watch, float(factor))
+    rest = slice(begin + 1, None)
+    rules = (monitor.threshold, monitor.patience, monitor.gain, monitor.lowest, monitor.highest)
+    states = run(
+        monitored_turn,
+        (*way_of("quaternion").begin(*first), float(watch.above)),
+        *(rates[rest], forces[rest], field[rest], dt[rest] if dt.ndim else dt, down),
+        *map(np.array, map(float, rules)),
+        finish=lambda states: np.column_stack([attitudes_in_range(states[:, :4]), states[:, 4]]),
+    )
+    euler, above = np.full((count, 3), np.nan), np.zeros(count)
+    euler[begin:][:1], above[begin:][:1] = first, watch.above
+    euler[rest], above[rest] = states[:, :3], states[:, 3]
+    factors = validation_factor(field, euler[:, :2], down)
+    gains = _monitor_gain(np.r_[0.0, above[:-1]], *rules[1:])
+    alarms = above > 2 * monitor.patience
     euler[~complete(rates, WILD_RATE)] = np.nan
     return Monitored(euler, factors, gains, alarms)

@@ -12,7 +12,6 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from chr_notes import quaternions
 from chr_notes._arrays import Floats
 from chr_notes._kernels import of_numbers
 from chr_notes._recordings import run
@@ -27,7 +26,7 @@ from chr_notes._samples import (
     samples,
     start,
 )
-from chr_notes.estimation import in_range
+from chr_notes.estimation import attitudes_in_range, in_range
 from chr_notes.generated.scalar import estimation as steps
 from chr_notes.generated.scalar.quaternions import euler_from_quaternion, quaternion_from_euler
 
@@ -44,6 +43,8 @@ class _Way:
         From state and sample to the next state, for a recording.
     advance
         The same for one sample.
+    sample
+        From Euler angles and sample to the next Euler angles.
     begin
         From Euler angles to a state.
     end, angles
@@ -52,6 +53,7 @@ class _Way:
 
     step: Callable[..., tuple[float, ...]]
     advance: Callable[..., tuple[float, ...]]
+    sample: Callable[..., tuple[float, ...]]
     begin: Callable[..., Sequence[float]]
     end: Callable[[Floats], Floats]
     angles: Callable[[Sequence[float]], Floats]
@@ -82,12 +84,14 @@ _WAYS = {
     "quaternion": _Way(
         steps.observer_turn,
         of_numbers(steps.observer_turn),
+        of_numbers(steps.observer_step),
         _quaternion,
-        lambda states: in_range(quaternions.euler_from_quaternion(states, on_gimbal_lock="ignore")),
+        attitudes_in_range,
         _angles,
     ),
     "euler": _Way(
         steps.euler_observer_step,
+        of_numbers(steps.euler_observer_step),
         of_numbers(steps.euler_observer_step),
         lambda *euler: euler,
         in_range,
@@ -166,17 +170,18 @@ def fixed_gain_observer(  # noqa: PLR0913 (a recording, and how to run through i
     rates, forces = samples("body_rates", body_rates), samples("accel", accel)
     count = same_length(("body_rates", rates), ("accel", forces))
     dt = periods(dt, count)
-    out = np.full((count, 3), np.nan)
     if initial is None:
         begin, first = first_tilt(forces)
-        out[begin:count][:1] = first
-        begin += 1
+        before = np.full((min(begin + 1, count), 3), np.nan)
+        before[begin:] = first
     else:
-        begin, first = 0, canonical("initial", initial)
-    if begin < count:
-        each = dt[begin:] if dt.ndim else dt
-        states = run(way.step, way.begin(*first), rates[begin:], forces[begin:], each, share)
-        out[begin:] = way.end(states)
+        before, first = np.empty((0, 3)), canonical("initial", initial)
+    rest = slice(len(before), None)
+    each = dt[rest] if dt.ndim else dt
+    given = (rates[rest], forces[rest], each, share)
+    out = run(way.step, way.begin(*first), *given, finish=way.end)
+    if len(before):
+        out = np.concatenate([before, out])
     out[~complete(rates, WILD_RATE)] = np.nan
     return out
 
@@ -241,11 +246,10 @@ def observe_sample(  # noqa: PLR0913 (a state and a sample)
     ValueError
         As `fixed_gain_observer`.
     """
-    way = way_of(method)
-    before = way.begin(*start("euler", euler))
+    before = start("euler", euler)
     rates, force = one_sample("body_rates", body_rates), one_sample("accel", accel)
     share = check_gain("gain", gain)
-    return way.angles(way.advance(*before, *rates, *force, period(dt), share))
+    return _angles_in_range(way_of(method).sample(*before, *rates, *force, period(dt), share))
 
 
 class Estimate(NamedTuple):
@@ -296,7 +300,8 @@ def observe(
     incomplete = 0
     for body_rates, accel, dt in stream:
         rates, force = one_sample("body_rates", body_rates), one_sample("accel", accel)
-        heard = any(force) and all(map(isfinite, force))
+        x, y, z = force
+        heard = isfinite(x) and isfinite(y) and isfinite(z) and any(force)
         p, q, r = rates
         turned = abs(p) < WILD_RATE and abs(q) < WILD_RATE and abs(r) < WILD_RATE
         incomplete += not (heard and turned)
@@ -349,7 +354,7 @@ def canonical(name: str, euler: ArrayLike) -> list[float]:
 
 def check_gain(name: str, gain: float) -> float:
     """Take a gain; refuse one that is not from 0 to 1."""
-    checked = number(name, gain)
+    checked = gain if isinstance(gain, float) else number(name, gain)
     if not 0 <= checked <= 1:
         msg = f"{name}: expected a number from 0 to 1, got {checked}"
         raise ValueError(msg)

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from chr_notes._arrays import Floats
 from chr_notes._attitudes import OnGimbalLock, with_lock
-from chr_notes._rows import Rows
+from chr_notes._rows import Rows, handed_out
 from chr_notes.generated.arrays import quaternions as generated
 
 _matrix_from_quaternion = Rows(generated.matrix_from_quaternion, scaled="refused")
@@ -183,13 +183,17 @@ def quaternion_from_axis_angle(
     return _quaternion_from_axis_angle(axis, angle, out=out)
 
 
-def axis_angle_from_quaternion(q: ArrayLike) -> tuple[Floats, Floats]:
+def axis_angle_from_quaternion(
+    q: ArrayLike, *, out: tuple[Floats, Floats] | None = None
+) -> tuple[Floats, Floats]:
     """Axis and angle of the turn that a quaternion stands for.
 
     Parameters
     ----------
     q
         Quaternions of any norm but zero, shape (..., 4).
+    out
+        Arrays for axis and angle.
 
     Returns
     -------
@@ -208,7 +212,8 @@ def axis_angle_from_quaternion(q: ArrayLike) -> tuple[Floats, Floats]:
     Ledger: quaternions.2.2.
     """
     both = _axis_angle_from_quaternion(q)
-    return both[..., :3].copy(), both[..., 3].copy()[()]
+    axis, angle = handed_out((both[..., :3], both[..., 3]), out)
+    return axis, angle
 
 
 def quaternion_multiply(p: ArrayLike, q: ArrayLike, *, out: Floats | None = None) -> Floats:

@@ -25,8 +25,16 @@ _TERMS = ("misalignment", "temperature", "temperature")
 _SINGULAR = 1e-12  # smallest singular value over the largest
 
 
+class _Checked:
+    """What is checked when it is made, and so when it is copied or read from a file too."""
+
+    def __reduce__(self) -> tuple[type, tuple[Floats, ...]]:
+        """Make it again from its fields."""
+        return type(self), tuple(vars(self).values())
+
+
 @dataclass(frozen=True, eq=False)
-class ThreeAxisCalibration:
+class ThreeAxisCalibration(_Checked):
     """Misalignment M, sensitivity S and bias b of a sensor: of a vector v it measures M (S v - b).
 
     Parameters
@@ -62,7 +70,13 @@ class ThreeAxisCalibration:
         _keep(self, "bias", _polynomial("bias", self.bias))
         _refuse_zeros(np.abs(self.sensitivity).max(axis=0))
 
-    def measure(self, actual: ArrayLike, temperature: ArrayLike | None = None) -> Floats:
+    def measure(
+        self,
+        actual: ArrayLike,
+        temperature: ArrayLike | None = None,
+        *,
+        out: Floats | None = None,
+    ) -> Floats:
         """Tell what the sensor reads.
 
         Parameters
@@ -71,6 +85,8 @@ class ThreeAxisCalibration:
             What is there, shape (..., 3).
         temperature
             In the unit of the polynomials, shape (...); needed if something depends on it.
+        out
+            An array for the result.
 
         Returns
         -------
@@ -84,17 +100,23 @@ class ThreeAxisCalibration:
         """
         sensitivity, bias = _at(self, temperature)
         given = (self.misalignment, sensitivity, bias, actual)
-        return _sensor_measures.located(*given, names=(*_TERMS, "actual"))[0]
+        return _sensor_measures.located(*given, out=out, names=(*_TERMS, "actual"))[0]
 
-    def correct(self, measured: ArrayLike, temperature: ArrayLike | None = None) -> Floats:
+    def correct(
+        self,
+        measured: ArrayLike,
+        temperature: ArrayLike | None = None,
+        *,
+        out: Floats | None = None,
+    ) -> Floats:
         """Tell what is there from what the sensor reads; parameters and errors as in `measure`."""
         sensitivity, bias = _at(self, temperature)
         given = (_inverse(self.misalignment), sensitivity, bias, measured)
-        return _sensor_corrected.located(*given, names=(*_TERMS, "measured"))[0]
+        return _sensor_corrected.located(*given, out=out, names=(*_TERMS, "measured"))[0]
 
 
 @dataclass(frozen=True, eq=False)
-class RateGyroCalibration:
+class RateGyroCalibration(_Checked):
     """A rate gyro, whose reading acceleration adds to: it measures M (S w - b + C a).
 
     Parameters
@@ -128,7 +150,12 @@ class RateGyroCalibration:
         _refuse_zeros(np.abs(self.sensitivity).max(axis=0))
 
     def measure(
-        self, actual: ArrayLike, accel: ArrayLike, temperature: ArrayLike | None = None
+        self,
+        actual: ArrayLike,
+        accel: ArrayLike,
+        temperature: ArrayLike | None = None,
+        *,
+        out: Floats | None = None,
     ) -> Floats:
         """Tell what the gyro reads.
 
@@ -140,6 +167,8 @@ class RateGyroCalibration:
             Specific force, as a corrected accelerometer gives it, m/s², shape (..., 3).
         temperature
             In the unit of the polynomials, shape (...); needed if something depends on it.
+        out
+            An array for the result.
 
         Returns
         -------
@@ -153,19 +182,26 @@ class RateGyroCalibration:
         """
         sensitivity, bias = _at(self, temperature)
         given = (self.misalignment, sensitivity, bias, self.coupling, accel, actual)
-        return _gyro_measures.located(*given, names=(*_TERMS, "coupling", "accel", "actual"))[0]
+        names = (*_TERMS, "coupling", "accel", "actual")
+        return _gyro_measures.located(*given, out=out, names=names)[0]
 
     def correct(
-        self, measured: ArrayLike, accel: ArrayLike, temperature: ArrayLike | None = None
+        self,
+        measured: ArrayLike,
+        accel: ArrayLike,
+        temperature: ArrayLike | None = None,
+        *,
+        out: Floats | None = None,
     ) -> Floats:
         """Tell the body rates from what the gyro reads; parameters and errors as in `measure`."""
         sensitivity, bias = _at(self, temperature)
         given = (_inverse(self.misalignment), sensitivity, bias, self.coupling, accel, measured)
-        return _gyro_corrected.located(*given, names=(*_TERMS, "coupling", "accel", "measured"))[0]
+        names = (*_TERMS, "coupling", "accel", "measured")
+        return _gyro_corrected.located(*given, out=out, names=names)[0]
 
 
 @dataclass(frozen=True, eq=False)
-class MagnetometerCalibration:
+class MagnetometerCalibration(_Checked):
     """Soft iron D and hard iron h: a distorted field b is corrected to D b - h.
 
     Parameters
@@ -193,13 +229,13 @@ class MagnetometerCalibration:
         _keep(self, "soft_iron", _invertible("soft_iron", self.soft_iron))
         _keep(self, "hard_iron", _finite("hard_iron", self.hard_iron, 3))
 
-    def measure(self, actual: ArrayLike) -> Floats:
+    def measure(self, actual: ArrayLike, *, out: Floats | None = None) -> Floats:
         """Tell what a magnetometer near the iron reads of a field, shape (..., 3)."""
-        return _iron_added(_inverse(self.soft_iron), self.hard_iron, actual)
+        return _iron_added(_inverse(self.soft_iron), self.hard_iron, actual, out=out)
 
-    def correct(self, field: ArrayLike) -> Floats:
+    def correct(self, field: ArrayLike, *, out: Floats | None = None) -> Floats:
         """Tell the field without the iron from a reading, shape (..., 3)."""
-        return _iron_removed(self.soft_iron, self.hard_iron, field)
+        return _iron_removed(self.soft_iron, self.hard_iron, field, out=out)
 
 
 def _keep(calibration: object, name: str, value: Floats) -> None:

@@ -18,8 +18,6 @@ Floats = NDArray[np.float64]
 MP = mpmath.mp.clone()
 MP.prec = 150
 ANGLES, ELEMENTS = 1e-15, 4e-16
-# From a quaternion also its squared length is rounded, and 1 minus up to 2 stands on the diagonal.
-ELEMENTS_BY_LENGTH = 1e-15
 FROM_THE_POLE = (1e-3, 1e-6, 1e-9)
 FUNCTIONS = (
     "chr_notes.quaternions._euler_from_quaternion",
@@ -113,7 +111,7 @@ def test_angles_near_the_pole(count: int, distance: float) -> None:
 
 def test_matrices_of_random_attitudes(count: int) -> None:
     q = unit(np.random.default_rng(2).normal(size=(count, 4)))
-    assert worst(matrix_from_quaternion(q), exact_matrices(q)) < ELEMENTS_BY_LENGTH
+    assert worst(matrix_from_quaternion(q), exact_matrices(q)) < ELEMENTS
 
 
 def test_matrices_of_random_angles(count: int) -> None:

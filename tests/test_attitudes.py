@@ -310,3 +310,10 @@ def test_whole_turns_are_those_of_pi_itself(angle: float) -> None:
 def test_angles_in_the_range_stay_as_they_are() -> None:
     angles = [-np.pi, 1e-300, -1e-300, 0.0, np.nextafter(np.pi, 0)]
     assert_array_equal(chr_notes.wrap_angle(angles), angles)
+
+
+@pytest.mark.parametrize("size", [1e-20, 1e-149, 1e-160, 1e-300, 5e-324])
+def test_the_smallest_turns_have_an_axis(size: float) -> None:
+    axis, angle = chr_notes.axis_angle_from_quaternion([-1.0, 0.0, size, -size])
+    assert_allclose(axis, np.array([0.0, -1.0, 1.0]) / np.sqrt(2), rtol=1e-15)
+    assert_allclose(angle, 2 * np.hypot(size, size), rtol=1e-15)

@@ -1,5 +1,6 @@
 """The monitor of the factor E."""
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -72,6 +73,30 @@ def test_it_starts_at_the_first_tilt_as_the_observer_does() -> None:
     assert not found.alarm.any()
 
 
+def test_it_is_the_observer_step_by_step_with_the_gain_of_the_watch() -> None:
+    iron = passing_iron(TIME, 10.0, 20.0, (0.0, 40.0, -60.0))
+    readings = ideal_readings(TRUTH, FIELD + iron)
+    rates = spoil(readings.body_rates, TIME, SensorErrors(noise_density=1e-3), seed=1)
+    accel = spoil(readings.accel, TIME, SensorErrors(noise_density=0.02), seed=2)
+    mag = readings.mag.copy()
+    rates[100], accel[200:210], mag[1100:1105], mag[1200] = np.nan, 0.0, np.nan, 0.0
+    monitor = Monitor(0.1, patience=40, gain=0.03)
+    found = run(replace(readings, body_rates=rates, accel=accel, mag=mag), monitor)
+    watch = monitor.begin()
+    euler = np.array([*chr_notes.tilt_from_accelerometer(accel[0]), 0.0])
+    for sample, (turning, force, flux) in enumerate(zip(rates, accel, mag, strict=True)):
+        assert found.gain[sample] == watch.gain
+        if sample:
+            euler = chr_notes.observe_sample(euler, turning, force, 0.01, watch.gain)
+        factor = validation_factor(flux, euler[:2], DOWN)
+        watch = monitor.watch(watch, float(factor))
+        assert found.alarm[sample] == watch.alarm
+        assert_allclose(found.factor[sample], factor, atol=1e-10)
+        if np.isfinite(turning).all():
+            assert_allclose(found.euler[sample], euler, atol=1e-10)
+    assert set(found.gain) == {0.01, 0.03, 0.07}
+
+
 def test_a_disturbed_field_raises_an_alarm_that_ends() -> None:
     iron = passing_iron(TIME, 10.0, 20.0, (0.0, 40.0, -60.0))
     found = run(ideal_readings(TRUTH, FIELD + iron), Monitor(0.1, patience=50))
@@ -106,7 +131,8 @@ def test_missing_samples_leave_the_watch_as_it_was() -> None:
 REFUSED = {
     "threshold": (lambda: Monitor(0.0, 5), r"threshold: expected a positive number, got 0\.0"),
     "threshold of NaN": (lambda: Monitor(np.nan, 5), "threshold: expected a positive number"),
-    "patience": (lambda: Monitor(0.1, 0), "patience: expected at least 1 sample, got 0"),
+    "patience": (lambda: Monitor(0.1, 0), "patience: expected a whole number .* or more, got 0"),
+    "half a sample": (lambda: Monitor(0.1, 1.5), "patience: expected a whole number .* got 1.5"),  # type: ignore[arg-type]
     "a gain above 1": (
         lambda: Monitor(0.1, 5, highest=1.5),
         r"highest: expected a number from 0 to 1, got 1\.5",

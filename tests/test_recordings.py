@@ -15,7 +15,8 @@ from chr_notes.generated.scalar import dead_reckoning, estimation
 
 STEPS = [
     *(estimation.gyro_step, estimation.gyro_turn, estimation.observer_turn),
-    *(estimation.euler_observer_step, dead_reckoning.dead_reckoning_held),
+    *(estimation.observer_step, estimation.euler_observer_step),
+    dead_reckoning.dead_reckoning_held,
 ]
 Inputs = list[NDArray[np.float64]]
 
@@ -69,7 +70,7 @@ def test_parts_of_a_recording_join(monkeypatch: pytest.MonkeyPatch) -> None:
     rates = generator.normal(0, 0.5, (1000, 3))
     forces = generator.normal(0, 1.0, (1000, 3)) + np.array([0, 0, -9.8])
     whole = fixed_gain_observer(rates, forces, 0.01, 0.02)
-    monkeypatch.setattr(_recordings, "_LISTED", 17)
+    monkeypatch.setattr(_recordings, "_TOGETHER", 17)
     assert_array_equal(fixed_gain_observer(rates, forces, 0.01, 0.02), whole)
 
 

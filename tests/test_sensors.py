@@ -1,5 +1,8 @@
 """Models of sensors, there and back."""
 
+import copy
+import pickle
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -177,3 +180,29 @@ def test_complex_parameters_are_refused() -> None:
 def test_what_cannot_be_a_sensor_is_refused(call: Any, message: str) -> None:  # noqa: ANN401
     with pytest.raises(ValueError, match=message):
         call()
+
+
+Calibration = ThreeAxisCalibration | RateGyroCalibration | MagnetometerCalibration
+CALIBRATIONS: tuple[Calibration, ...] = (
+    ThreeAxisCalibration(np.eye(3), [1.0, 2.0, 3.0], [0.1, 0.2, 0.3]),
+    RateGyroCalibration(np.eye(3), [1.0, 2.0, 3.0], [0.1, 0.2, 0.3], np.zeros((3, 3))),
+    MagnetometerCalibration(np.eye(3), [0.1, 0.2, 0.3]),
+)
+
+
+def pickled(calibration: Calibration) -> Calibration:
+    found: Calibration = pickle.loads(pickle.dumps(calibration))  # noqa: S301 (our own)
+    return found
+
+
+@pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, pickled])
+@pytest.mark.parametrize("calibration", CALIBRATIONS, ids=lambda c: type(c).__name__)
+def test_a_copy_is_as_guarded_as_what_it_was_made_of(
+    copied: Callable[[Calibration], Calibration], calibration: Calibration
+) -> None:
+    found = copied(calibration)
+    assert type(found) is type(calibration)
+    for name, value in vars(calibration).items():
+        assert_array_equal(getattr(found, name), value)
+        with pytest.raises(ValueError, match="read-only"):
+            getattr(found, name)[0] = 0.0

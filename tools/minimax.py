@@ -69,7 +69,7 @@ WANTED = (
         6,
     ),
     Wanted(
-        "column_atan2",
+        "near_arctangent_less",
         lambda z: (mp.atan(mp.sqrt(z)) / mp.sqrt(z) - 1) / z,
         mpf(-1) / 3,
         lambda z: z + mpf("1e-9"),

@@ -4,6 +4,7 @@ from sympy import ImmutableMatrix, Symbol
 
 from chr_notes.codegen.target import Argument
 from chr_notes.derivations import calibration, dead_reckoning, estimation, validation
+from chr_notes.derivations.forms import monitor
 from chr_notes.derivations.forms.dead_reckoning import NEXT as ACCELERATION_AFTER
 from chr_notes.derivations.forms.euler import ANGLE as WRAPPED
 from chr_notes.derivations.quaternions import MATRIX as ELEMENTS
@@ -114,6 +115,17 @@ NORTH, EAST, DOWN = (
         ),
         strict=True,
     )
+)
+ABOVE = Argument(
+    "above", monitor.ABOVE, "for how many samples in a row E has been above the threshold"
+)
+FACTOR = Argument("factor", monitor.FACTOR, "the factor E, NaN where it is not known")
+THRESHOLD = Argument("threshold", monitor.THRESHOLD, "of E, positive")
+PATIENCE = Argument("patience", monitor.PATIENCE, "samples for which each other gain is tried")
+GAINS = (
+    Argument("gain", monitor.USUAL, "weight of the accelerometer otherwise, from 0 to 1"),
+    Argument("lowest", monitor.LOWEST, "the gain that is tried second"),
+    Argument("highest", monitor.HIGHEST, "the gain that is tried first"),
 )
 GAIN = Argument("gain", estimation.L, "weight of the accelerometer, from 0 to 1")
 

@@ -8,7 +8,7 @@ from chr_notes.codegen.target import Target
 from chr_notes.derivations import calibration, dead_reckoning, estimation
 from chr_notes.derivations.forms import dead_reckoning as reckoning_forms
 from chr_notes.derivations.forms import estimation as filter_forms
-from chr_notes.derivations.forms import filters
+from chr_notes.derivations.forms import filters, monitor
 from chr_notes.derivations.forms import sensors as sensor_forms
 
 TARGETS = (
@@ -174,6 +174,14 @@ TARGETS = (
         "Roll, pitch and yaw one period later, the accelerometer heard with a fixed gain, radians",
         (*given.ANGLES, *given.RATES, *given.ACCEL, given.PERIOD, given.GAIN),
         filters.observer_step,
+        arrays=(
+            ("euler", given.ANGLES),
+            ("body_rates", given.RATES),
+            ("accel", given.ACCEL),
+            ("dt", (given.PERIOD,)),
+            ("gain", (given.GAIN,)),
+        ),
+        over_samples=True,
     ),
     Target(
         "euler_observer_step",
@@ -212,6 +220,56 @@ TARGETS = (
         filter_forms.factor,
         ("validation.17",),
         arrays=(("mag", given.MAG), ("tilt", given.ANGLES[:2]), ("reference_down", (given.DOWN,))),
+    ),
+    Target(
+        "monitor_gain",
+        "validation",
+        "Gain to use once E has been above the threshold for so many samples",
+        (given.ABOVE, given.PATIENCE, *given.GAINS),
+        monitor.gain,
+        arrays=(
+            ("above", (given.ABOVE,)),
+            ("patience", (given.PATIENCE,)),
+            *((each.name, (each,)) for each in given.GAINS),
+        ),
+    ),
+    Target(
+        "monitor_count",
+        "validation",
+        "For how many samples in a row E has been above the threshold; NaN tells nothing",
+        (given.ABOVE, given.FACTOR, given.THRESHOLD),
+        monitor.samples_above,
+    ),
+    Target(
+        "monitored_turn",
+        "validation",
+        "Attitude quaternion one period later by the gain that a monitor asks for, and its count",
+        (
+            *given.QUATERNION_ARGUMENTS,
+            given.ABOVE,
+            *given.RATES,
+            *given.ACCEL,
+            *given.MAG,
+            given.PERIOD,
+            given.DOWN,
+            given.THRESHOLD,
+            given.PATIENCE,
+            *given.GAINS,
+        ),
+        filters.monitored_turn,
+        ("validation.17",),
+        arrays=(
+            ("state", (*given.QUATERNION_ARGUMENTS, given.ABOVE)),
+            ("body_rates", given.RATES),
+            ("accel", given.ACCEL),
+            ("mag", given.MAG),
+            ("dt", (given.PERIOD,)),
+            ("reference_down", (given.DOWN,)),
+            ("threshold", (given.THRESHOLD,)),
+            ("patience", (given.PATIENCE,)),
+            *((each.name, (each,)) for each in given.GAINS),
+        ),
+        over_samples=True,
     ),
     Target(
         "inertial_acceleration",

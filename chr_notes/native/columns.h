@@ -9,7 +9,7 @@
 
 #include "elementary.h"
 
-enum { BLOCK = 64, TOGETHER = 8, MOST_ARRAYS = 8 };
+enum { BLOCK = 64, TOGETHER = 8, MOST_ARRAYS = 12 };
 
 /* The fastest instruction set is chosen at run time, where compiler and system can. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__gnu_linux__) \

@@ -28,6 +28,9 @@
 #define HALF_PI_2 0x1.0b4611a6p-34
 #define HALF_PI_3 0x1.3198a2e037073p-69
 #define TWO_OVER_PI 0x1.45f306dc9c883p-1
+/* pi/4, an eighth of a turn, and the tangent of half of it. */
+#define EIGHTH 0x1.921fb54442d18p-1
+#define TAN_SIXTEENTH 0x1.a827999fcef32p-2
 
 /* What is left of an angle after whole quarter turns, and how many those are. */
 INLINE double quarter_turns_off(double angle, int64_t *quarters)
@@ -39,23 +42,42 @@ INLINE double quarter_turns_off(double angle, int64_t *quarters)
     return ((angle - turns * HALF_PI_1) - turns * HALF_PI_2) - turns * HALF_PI_3;
 }
 
+/*
+ * Polynomials are added up in pairs, pairs of pairs and so on: a processor does not wait for one
+ * sum before the next.
+ */
+
 /* Sine on [-pi/4, pi/4]. */
 INLINE double near_sine(double x)
 {
-    const double z = x * x;
-    return x + x * z * (-0x1.5555555555549p-3 + z * (0x1.111111110f87dp-7
-        + z * (-0x1.a01a019c12029p-13 + z * (0x1.71de357815c43p-19
-        + z * (-0x1.ae5e6687ebf3p-26 + z * 0x1.5d9318300cd1ep-33)))));
+    const double z = x * x, z2 = z * z;
+    const double low = -0x1.5555555555549p-3 + z * 0x1.111111110f87dp-7;
+    const double middle = -0x1.a01a019c12029p-13 + z * 0x1.71de357815c43p-19;
+    const double high = -0x1.ae5e6687ebf3p-26 + z * 0x1.5d9318300cd1ep-33;
+    return x + x * z * ((low + z2 * middle) + z2 * z2 * high);
 }
 
 /* Cosine on [-pi/4, pi/4]; what 1 - z/2 loses by rounding is added again. */
 INLINE double near_cosine(double x)
 {
-    const double z = x * x, half = 0.5 * z, most = 1.0 - half;
-    return most + (((1.0 - most) - half) + z * z * (0x1.555555555554cp-5
-        + z * (-0x1.6c16c16c15181p-10 + z * (0x1.a01a019cb216ep-16
-        + z * (-0x1.27e4f80a33e95p-22 + z * (0x1.1ee9ec18bf103p-29
-        + z * -0x1.8faeb5fdf837bp-37))))));
+    const double z = x * x, z2 = z * z, half = 0.5 * z, most = 1.0 - half;
+    const double low = 0x1.555555555554cp-5 + z * -0x1.6c16c16c15181p-10;
+    const double middle = 0x1.a01a019cb216ep-16 + z * -0x1.27e4f80a33e95p-22;
+    const double high = 0x1.1ee9ec18bf103p-29 + z * -0x1.8faeb5fdf837bp-37;
+    return most + (((1.0 - most) - half) + z2 * ((low + z2 * middle) + z2 * z2 * high));
+}
+
+/* Arctangent on [-tan(pi/8), tan(pi/8)], less its argument. */
+INLINE double near_arctangent_less(double t)
+{
+    const double z = t * t, z2 = z * z, z4 = z2 * z2;
+    const double one = -0x1.555555555553dp-2 + z * 0x1.99999999958ebp-3;
+    const double two = -0x1.24924922b11d2p-3 + z * 0x1.c71c70e7a126dp-4;
+    const double three = -0x1.745cf90afef0cp-4 + z * 0x1.3b111c62e06a8p-4;
+    const double four = -0x1.10ebdd8da9adcp-4 + z * 0x1.df1166a2ad2ecp-5;
+    const double five = -0x1.9cdc233d9077p-5 + z * 0x1.37ed377704b8dp-5;
+    const double six = -0x1.259d3665679fbp-6;
+    return t * z * ((one + z2 * two) + z4 * ((three + z2 * four) + z4 * (five + z2 * six)));
 }
 
 /* The second of four signs or values by the quarter: every odd one the other function. */
@@ -103,16 +125,10 @@ INLINE double column_atan2(double y, double x)
     const int steep = across > along;
     const double longer = steep ? across : along, shorter = steep ? along : across;
     /* Above tan(pi/8) the angle is taken from pi/4. */
-    const int wide = shorter > 0x1.a827999fcef32p-2 * longer;
+    const int wide = shorter > TAN_SIXTEENTH * longer;
     const double above = wide ? shorter - longer : shorter;
     const double below = wide ? shorter + longer : longer;
-    const double t = above / (below == 0.0 ? 1.0 : below), z = t * t;
-    const double rest = t * z * (-0x1.555555555553dp-2 + z * (0x1.99999999958ebp-3
-        + z * (-0x1.24924922b11d2p-3 + z * (0x1.c71c70e7a126dp-4
-        + z * (-0x1.745cf90afef0cp-4 + z * (0x1.3b111c62e06a8p-4
-        + z * (-0x1.10ebdd8da9adcp-4 + z * (0x1.df1166a2ad2ecp-5
-        + z * (-0x1.9cdc233d9077p-5 + z * (0x1.37ed377704b8dp-5
-        + z * -0x1.259d3665679fbp-6))))))))));
+    const double t = above / (below == 0.0 ? 1.0 : below), rest = near_arctangent_less(t);
     /* The angle is a number of times pi/4, plus or minus what the polynomial gives. */
     double eighths = wide ? 1.0 : 0.0, sign = steep ? -1.0 : 1.0, result;
     int64_t bits;
@@ -120,25 +136,35 @@ INLINE double column_atan2(double y, double x)
     eighths = steep ? 2.0 - eighths : eighths;
     eighths = bits < 0 ? 4.0 - eighths : eighths;
     sign = bits < 0 ? -sign : sign;
-    result = eighths * 0x1.921fb54442d18p-1
+    result = eighths * EIGHTH
         + (sign * t + (sign * rest + eighths * 0x1.1a62633145c07p-55));
     return copysign(result, y);
 }
 
-/* The same for any number, in a loop over samples, where a branch costs nothing. */
+/*
+ * The same for any number, in a loop over samples, where a branch costs nothing, and each number
+ * waits for the one before: small angles, which are the rule, take the shortest way.
+ */
 INLINE double step_sin(double angle)
 {
-    return fabs(angle) < LARGEST_ANGLE ? column_sin(angle) : sin(angle);
+    const double size = fabs(angle);
+    return size < EIGHTH ? near_sine(angle) : size < LARGEST_ANGLE ? column_sin(angle) : sin(angle);
 }
 
 INLINE double step_cos(double angle)
 {
-    return fabs(angle) < LARGEST_ANGLE ? column_cos(angle) : cos(angle);
+    const double size = fabs(angle);
+    return size < EIGHTH ? near_cosine(angle)
+        : size < LARGEST_ANGLE ? column_cos(angle) : cos(angle);
 }
 
 INLINE double step_atan2(double y, double x)
 {
     const double most = fabs(y) + fabs(x);
+    if (fabs(y) <= TAN_SIXTEENTH * x && x > 0.0 && most - most == 0.0) {
+        const double t = y / x;
+        return t + near_arctangent_less(t);
+    }
     return most - most == 0.0 ? column_atan2(y, x) : atan2(y, x);
 }
 

@@ -161,7 +161,7 @@ def test_quaternion_and_axis_with_angle() -> None:
     derived = quaternions.from_axis_angle(unit, alpha)
     assert same(forms.quaternion_from_axis_angle().inlined(0), derived)
     axis, angle = quaternions.axis_angle_from_quaternion()
-    form = forms.axis_angle_from_quaternion().inlined(0, 1)
+    form = forms.axis_angle_from_quaternion().inlined(1, 0, 1)
     assert same(form, ImmutableMatrix([*axis, angle.subs(a, Abs(a))]))
 
 

@@ -8,18 +8,20 @@ from functools import cache
 
 from sympy import Abs, And, ImmutableMatrix, Symbol, atan2, cos, sqrt, symbols
 
-from chr_notes.derivations import estimation, hamilton
+from chr_notes.derivations import estimation, hamilton, quaternions
 from chr_notes.derivations.computation import (
     LARGEST,
     Choice,
     Computation,
     Let,
     otherwise,
+    step_names,
 )
 from chr_notes.derivations.forms import estimation as forms
+from chr_notes.derivations.forms import monitor
 from chr_notes.derivations.forms import quaternions as quaternion_forms
 from chr_notes.derivations.forms.euler import euler_rates
-from chr_notes.symbols import ACCELEROMETER, BODY_RATES, EULER, QUATERNION, Angle, T
+from chr_notes.symbols import ACCELEROMETER, BODY_RATES, EULER, QUATERNION, VECTOR, Angle, T
 
 WILD_RATE = 10**12
 """No gyro reads as much, rad/s: such rates come from damaged logs, and leave angles no digits."""
@@ -78,7 +80,8 @@ def observer_turn() -> Computation:
     across = symbols("across_x across_y across_z", real=True)
     length, half, stays, factor = symbols("sine_off half_turn_back turn_back_a factor", real=True)
     angle = turn[0].args[0]
-    lengths = {next(iter(angle.atoms(atan2))).args[0]: length}
+    # It stands there multiplied out, and as it is.
+    lengths = dict.fromkeys((next(iter(angle.atoms(atan2))).args[0], sqrt(off.dot(off))), length)
     common = (turn[1] / off[0]).subs({angle: half}).subs(lengths)
     back = ImmutableMatrix([stays, *(factor * name for name in across)])
     return Computation(
@@ -111,6 +114,37 @@ def observer_step() -> Computation:
     )
     steps = (*before.steps, *turn.steps, *map(Let, end, turn.results), *after.steps)
     return Computation(steps, after.results)
+
+
+@cache
+def monitored_turn() -> Computation:
+    """`observer_turn` by the gain that a watch over E asks for, and what E says afterwards.
+
+    The state is the quaternion, and for how many samples E has been above its threshold.
+    """
+    asked = monitor.gain()
+    turn = observer_turn().of({estimation.L: asked.results})
+    after = symbols("after_a after_b after_c after_d", real=True)
+    # E by the attitude itself, where `factor` has roll and pitch.
+    judged = forms.factor().of({}, "field_")
+    down = Symbol("field_level_z", real=True)
+    reading = symbols("field_reading_x field_reading_y field_reading_z", real=True)
+    level = quaternions.rotate_to_inertial()[2].xreplace(
+        dict(zip((*QUATERNION, *VECTOR), (*after, *reading), strict=True))
+    )
+    judging = (Let(down, level) if step_names(s) == (down,) else s for s in judged.steps)
+    watched = monitor.samples_above()
+    return Computation(
+        (
+            *asked.steps,
+            *turn.steps,
+            *map(Let, after, turn.results),
+            *judging,
+            Let(monitor.FACTOR, judged.results),
+            *watched.steps,
+        ),
+        ImmutableMatrix([*after, watched.results]),
+    )
 
 
 @cache

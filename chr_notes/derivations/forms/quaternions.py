@@ -72,29 +72,34 @@ def euler_from_quaternion() -> Computation:
 def matrix_from_quaternion() -> Computation:
     """Matrix `R_I^B` of a quaternion of any norm but zero.
 
-    Each element is made of twice the products of two elements over the squared norm, and on the
-    diagonal these are taken from 1. So b, c and d are scaled once, not each element of the matrix.
+    On the diagonal one sum of two squares is taken from another, and both together are the squared
+    norm: nothing is lost to 1, from which each could be taken too.
     """
-    norm = _norm()
-    factor = Symbol("factor", real=True)
-    scaled = dict(zip((b, c, d), symbols("scaled_b scaled_c scaled_d", real=True), strict=True))
-    products = {x * y: x * scaled[y] for x in QUATERNION for y in scaled}
-
-    def scale(value: Expr) -> Expr:
-        terms = [term.as_coeff_Mul() for term in expand(value / 2).as_ordered_terms()]
-        return Add(*(number * products[product] for number, product in terms))
-
     matrix = quaternions.matrix_from_quaternion()
-    lacking = symbols("one_minus_r11 one_minus_r22 one_minus_r33", real=True)
-    diagonal = zip(lacking, matrix.diagonal(), strict=True)
+    sums: list[Let] = []
+    for axis, element in zip("xyz", matrix.diagonal(), strict=True):
+        terms = element.as_ordered_terms()
+        for name, sign in (("along", 1), ("across", -1)):
+            squares = [term for term in terms if term.as_coeff_Mul()[0] == sign]
+            sums.append(Let(Symbol(f"{name}_{axis}", real=True), sign * Add(*squares)))
+    pairs = list(zip(sums[::2], sums[1::2], strict=True))
+    scale, twice = symbols("scale twice_scale", real=True)
     return Computation(
         (
-            norm,
-            Let(factor, 2 / NORM_SQUARED),
-            *(Let(name, factor * element) for element, name in scaled.items()),
-            *(Let(name, scale(norm.value - element)) for name, element in diagonal),
+            *sums,
+            Let(NORM_SQUARED, pairs[0][0].name + pairs[0][1].name),
+            Let(scale, 1 / NORM_SQUARED),
+            Let(twice, 2 * scale),
         ),
-        ImmutableMatrix(3, 3, lambda i, j: 1 - lacking[i] if i == j else scale(matrix[i, j])),
+        ImmutableMatrix(
+            3,
+            3,
+            lambda i, j: (
+                scale * (pairs[i][0].name - pairs[i][1].name)
+                if i == j
+                else twice * expand(matrix[i, j] / 2)
+            ),
+        ),
         guard=NORM_SQUARED,
     )
 
@@ -153,22 +158,29 @@ def quaternion_from_axis_angle() -> Computation:
 def axis_angle_from_quaternion() -> Computation:
     """Find unit axis and angle in [0, pi] of a quaternion of any norm but zero.
 
-    Where there is no turn, any axis does, and x is returned.
+    Where there is no turn, any axis does, and x is returned. Of the smallest turns too the axis is
+    right: no square vanishes once the vector part counts in units of its size.
     """
     axis, _ = quaternions.axis_angle_from_quaternion()
-    length_squared, length = symbols("length_squared length", real=True)
+    size, extent, length = symbols("size extent length", real=True)
     vector = hamilton.vector_part(Q)
+    parts = symbols("part_b part_c part_d", real=True)
+    in_parts = dict(zip(vector, parts, strict=True))
     names = symbols("x y z", real=True)
-    values = tuple(SIGN * element for element in axis.subs(sqrt(vector.dot(vector)), length))
-    one = length**0
+    values = axis.subs(sqrt(vector.dot(vector)), extent).xreplace(in_parts) * SIGN
+    one = size**0
+    # NaN is not zero, and comes out as NaN.
+    none = size <= 0
+    scaled = tuple(element / size for element in vector)
     return Computation(
         (
-            Let(length_squared, vector.dot(vector)),
-            Let(NORM_SQUARED, a**2 + length_squared),
-            Let(length, sqrt(length_squared)),
+            _norm(),
+            Let(size, sum(map(Abs, vector))),
+            Choice(parts, ((none, (one, 0 * one, 0 * one)), otherwise(*scaled))),
+            Let(extent, sqrt(sum(part**2 for part in parts))),
+            Let(length, size * extent),
             _positive(a),
-            # NaN is not zero, and comes out as NaN.
-            Choice(names, ((length <= 0, (one, 0 * one, 0 * one)), otherwise(*values))),
+            Choice(names, ((none, (one, 0 * one, 0 * one)), otherwise(*values))),
         ),
         ImmutableMatrix([*names, 2 * atan2(length, Abs(a))]),
         guard=NORM_SQUARED,

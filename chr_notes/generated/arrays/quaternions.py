@@ -23,32 +23,34 @@ def matrix_from_quaternion(q: Floats, out: Floats) -> None:
     b = q[..., 1]
     c = q[..., 2]
     d = q[..., 3]
-    norm_squared = a*a + b*b + c*c + d*d
-    factor = 2.0/norm_squared
-    scaled_b = b*factor
-    scaled_c = c*factor
-    scaled_d = d*factor
-    c_scaled_c = c*scaled_c
-    d_scaled_d = d*scaled_d
-    one_minus_r11 = c_scaled_c + d_scaled_d
-    b_scaled_b = b*scaled_b
-    one_minus_r22 = b_scaled_b + d_scaled_d
-    one_minus_r33 = b_scaled_b + c_scaled_c
-    c_scaled_b = c*scaled_b
-    a_scaled_d = a*scaled_d
-    d_scaled_b = d*scaled_b
-    a_scaled_c = a*scaled_c
-    d_scaled_c = d*scaled_c
-    a_scaled_b = a*scaled_b
-    out[..., 0, 0] = 1.0 - one_minus_r11
-    out[..., 0, 1] = a_scaled_d + c_scaled_b
-    out[..., 0, 2] = -a_scaled_c + d_scaled_b
-    out[..., 1, 0] = -a_scaled_d + c_scaled_b
-    out[..., 1, 1] = 1.0 - one_minus_r22
-    out[..., 1, 2] = a_scaled_b + d_scaled_c
-    out[..., 2, 0] = a_scaled_c + d_scaled_b
-    out[..., 2, 1] = -a_scaled_b + d_scaled_c
-    out[..., 2, 2] = 1.0 - one_minus_r33
+    a_squared = a*a
+    b_squared = b*b
+    along_x = a_squared + b_squared
+    c_squared = c*c
+    d_squared = d*d
+    across_x = c_squared + d_squared
+    along_y = a_squared + c_squared
+    across_y = b_squared + d_squared
+    along_z = a_squared + d_squared
+    across_z = b_squared + c_squared
+    norm_squared = across_x + along_x
+    scale = 1.0/norm_squared
+    twice_scale = 2.0*scale
+    b_c = b*c
+    a_d = a*d
+    b_d = b*d
+    a_c = a*c
+    c_d = c*d
+    a_b = a*b
+    out[..., 0, 0] = scale*(-across_x + along_x)
+    out[..., 0, 1] = twice_scale*(a_d + b_c)
+    out[..., 0, 2] = twice_scale*(-a_c + b_d)
+    out[..., 1, 0] = twice_scale*(-a_d + b_c)
+    out[..., 1, 1] = scale*(-across_y + along_y)
+    out[..., 1, 2] = twice_scale*(a_b + c_d)
+    out[..., 2, 0] = twice_scale*(a_c + b_d)
+    out[..., 2, 1] = twice_scale*(-a_b + c_d)
+    out[..., 2, 2] = scale*(-across_z + along_z)
 
 
 def quaternion_from_matrix(matrix: Floats, out: Floats) -> None:
@@ -199,12 +201,16 @@ def axis_angle_from_quaternion(q: Floats, out: Floats) -> None:
     b = q[..., 1]
     c = q[..., 2]
     d = q[..., 3]
-    length_squared = b*b + c*c + d*d
-    length = sqrt(length_squared)
+    size = abs(b) + abs(c) + abs(d)
+    part_b = where(size <= 0.0, 1.0, b/size)
+    part_c = where(size <= 0.0, 0.0, c/size)
+    part_d = where(size <= 0.0, 0.0, d/size)
+    extent = sqrt(part_b*part_b + part_c*part_c + part_d*part_d)
+    length = extent*size
     sign = where(a >= 0.0, 1.0, -1.0)
-    x = where(length <= 0.0, 1.0, b*sign/length)
-    y = where(length <= 0.0, 0.0, c*sign/length)
-    z = where(length <= 0.0, 0.0, d*sign/length)
+    x = where(size <= 0.0, 1.0, part_b*sign/extent)
+    y = where(size <= 0.0, 0.0, part_c*sign/extent)
+    z = where(size <= 0.0, 0.0, part_d*sign/extent)
     out[..., 0] = x
     out[..., 1] = y
     out[..., 2] = z

@@ -42,14 +42,23 @@ SHAPES: dict[str, tuple[dict[str, tuple[int, ...]], tuple[int, ...]]] = {
     "tilt_from_accelerometer": ({"accel": (3,)}, (2,)),
     "heading_from_magnetometer": ({"mag": (3,), "tilt": (2,), "reference": (2,)}, ()),
     "validation_factor": ({"mag": (3,), "tilt": (2,), "reference_down": ()}, ()),
+    "monitor_gain": ({"above": (), "patience": (), "gain": (), "lowest": (), "highest": ()}, ()),
     "inertial_acceleration": ({"accel": (3,), "euler": (3,), "gravity": ()}, (3,)),
     "accelerometer_from_acceleration": ({"acceleration": (3,), "euler": (3,), "gravity": ()}, (3,)),
     "drift_from_tilt_error": ({"angle_error": (), "time": (), "gravity": ()}, (3,)),
     "gyro_step": ({"euler": (3,), "body_rates": (3,), "dt": ()}, (3,)),
     "gyro_turn": ({"q": (4,), "body_rates": (3,), "dt": ()}, (4,)),
     "observer_turn": ({"q": (4,), "body_rates": (3,), "accel": (3,), "dt": (), "gain": ()}, (4,)),
+    "observer_step": (
+        {"euler": (3,), "body_rates": (3,), "accel": (3,), "dt": (), "gain": ()}, (3,)
+    ),
     "euler_observer_step": (
         {"euler": (3,), "body_rates": (3,), "accel": (3,), "dt": (), "gain": ()}, (3,)
+    ),
+    "monitored_turn": (
+        {"state": (5,), "body_rates": (3,), "accel": (3,), "mag": (3,), "dt": (), "reference_down":
+            (), "threshold": (), "patience": (), "gain": (), "lowest": (), "highest": ()},
+        (5,),
     ),
     "dead_reckoning_held": ({"state": (6,), "acceleration": (3,), "dt": ()}, (6,)),
 }

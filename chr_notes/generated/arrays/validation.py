@@ -69,3 +69,22 @@ def validation_factor(mag: Floats, tilt: Floats, reference_down: Floats, out: Fl
     level_z = cos_pitch*cos_roll*reading_z + cos_pitch*reading_y*sin_roll - reading_x*sin_pitch
     result = where(has_direction, abs(reference_down - level_z/sqrt(length_squared)), nan)
     out[...] = result
+
+
+def monitor_gain(
+    above: Floats, patience: Floats, gain: Floats, lowest: Floats, highest: Floats, out: Floats
+) -> None:
+    """Gain to use once E has been above the threshold for so many samples.
+
+    above: for how many samples in a row E has been above the threshold, shape (...)
+    patience: samples for which each other gain is tried, shape (...)
+    gain: weight of the accelerometer otherwise, from 0 to 1, shape (...)
+    lowest: the gain that is tried second, shape (...)
+    highest: the gain that is tried first, shape (...)
+    out: for the result, shape (...)
+    """
+    chosen_gain = (
+        where((above <= patience) & (above > 0.0), highest, where((above > patience) & (above <=
+            2.0*patience), lowest, gain))
+    )
+    out[...] = chosen_gain

@@ -286,62 +286,66 @@ float attitude_wrap_angle_f(float angle)
 
 void attitude_matrix_from_quaternion(double a, double b, double c, double d, double out[9])
 {
-    const double norm_squared = a*a + b*b + c*c + d*d;
-    const double factor = 2.0/norm_squared;
-    const double scaled_b = b*factor;
-    const double scaled_c = c*factor;
-    const double scaled_d = d*factor;
-    const double c_scaled_c = c*scaled_c;
-    const double d_scaled_d = d*scaled_d;
-    const double one_minus_r11 = c_scaled_c + d_scaled_d;
-    const double b_scaled_b = b*scaled_b;
-    const double one_minus_r22 = b_scaled_b + d_scaled_d;
-    const double one_minus_r33 = b_scaled_b + c_scaled_c;
-    const double c_scaled_b = c*scaled_b;
-    const double a_scaled_d = a*scaled_d;
-    const double d_scaled_b = d*scaled_b;
-    const double a_scaled_c = a*scaled_c;
-    const double d_scaled_c = d*scaled_c;
-    const double a_scaled_b = a*scaled_b;
-    out[0] = 1.0 - one_minus_r11;
-    out[1] = a_scaled_d + c_scaled_b;
-    out[2] = -a_scaled_c + d_scaled_b;
-    out[3] = -a_scaled_d + c_scaled_b;
-    out[4] = 1.0 - one_minus_r22;
-    out[5] = a_scaled_b + d_scaled_c;
-    out[6] = a_scaled_c + d_scaled_b;
-    out[7] = -a_scaled_b + d_scaled_c;
-    out[8] = 1.0 - one_minus_r33;
+    const double a_squared = a*a;
+    const double b_squared = b*b;
+    const double along_x = a_squared + b_squared;
+    const double c_squared = c*c;
+    const double d_squared = d*d;
+    const double across_x = c_squared + d_squared;
+    const double along_y = a_squared + c_squared;
+    const double across_y = b_squared + d_squared;
+    const double along_z = a_squared + d_squared;
+    const double across_z = b_squared + c_squared;
+    const double norm_squared = across_x + along_x;
+    const double scale = 1.0/norm_squared;
+    const double twice_scale = 2.0*scale;
+    const double b_c = b*c;
+    const double a_d = a*d;
+    const double b_d = b*d;
+    const double a_c = a*c;
+    const double c_d = c*d;
+    const double a_b = a*b;
+    out[0] = scale*(-across_x + along_x);
+    out[1] = twice_scale*(a_d + b_c);
+    out[2] = twice_scale*(-a_c + b_d);
+    out[3] = twice_scale*(-a_d + b_c);
+    out[4] = scale*(-across_y + along_y);
+    out[5] = twice_scale*(a_b + c_d);
+    out[6] = twice_scale*(a_c + b_d);
+    out[7] = twice_scale*(-a_b + c_d);
+    out[8] = scale*(-across_z + along_z);
 }
 
 void attitude_matrix_from_quaternion_f(float a, float b, float c, float d, float out[9])
 {
-    const float norm_squared = a*a + b*b + c*c + d*d;
-    const float factor = 2.0f/norm_squared;
-    const float scaled_b = b*factor;
-    const float scaled_c = c*factor;
-    const float scaled_d = d*factor;
-    const float c_scaled_c = c*scaled_c;
-    const float d_scaled_d = d*scaled_d;
-    const float one_minus_r11 = c_scaled_c + d_scaled_d;
-    const float b_scaled_b = b*scaled_b;
-    const float one_minus_r22 = b_scaled_b + d_scaled_d;
-    const float one_minus_r33 = b_scaled_b + c_scaled_c;
-    const float c_scaled_b = c*scaled_b;
-    const float a_scaled_d = a*scaled_d;
-    const float d_scaled_b = d*scaled_b;
-    const float a_scaled_c = a*scaled_c;
-    const float d_scaled_c = d*scaled_c;
-    const float a_scaled_b = a*scaled_b;
-    out[0] = 1.0f - one_minus_r11;
-    out[1] = a_scaled_d + c_scaled_b;
-    out[2] = -a_scaled_c + d_scaled_b;
-    out[3] = -a_scaled_d + c_scaled_b;
-    out[4] = 1.0f - one_minus_r22;
-    out[5] = a_scaled_b + d_scaled_c;
-    out[6] = a_scaled_c + d_scaled_b;
-    out[7] = -a_scaled_b + d_scaled_c;
-    out[8] = 1.0f - one_minus_r33;
+    const float a_squared = a*a;
+    const float b_squared = b*b;
+    const float along_x = a_squared + b_squared;
+    const float c_squared = c*c;
+    const float d_squared = d*d;
+    const float across_x = c_squared + d_squared;
+    const float along_y = a_squared + c_squared;
+    const float across_y = b_squared + d_squared;
+    const float along_z = a_squared + d_squared;
+    const float across_z = b_squared + c_squared;
+    const float norm_squared = across_x + along_x;
+    const float scale = 1.0f/norm_squared;
+    const float twice_scale = 2.0f*scale;
+    const float b_c = b*c;
+    const float a_d = a*d;
+    const float b_d = b*d;
+    const float a_c = a*c;
+    const float c_d = c*d;
+    const float a_b = a*b;
+    out[0] = scale*(-across_x + along_x);
+    out[1] = twice_scale*(a_d + b_c);
+    out[2] = twice_scale*(-a_c + b_d);
+    out[3] = twice_scale*(-a_d + b_c);
+    out[4] = scale*(-across_y + along_y);
+    out[5] = twice_scale*(a_b + c_d);
+    out[6] = twice_scale*(a_c + b_d);
+    out[7] = twice_scale*(-a_b + c_d);
+    out[8] = scale*(-across_z + along_z);
 }
 
 void attitude_quaternion_from_matrix(double r11, double r12, double r13, double r21, double r22,
@@ -552,18 +556,29 @@ void attitude_quaternion_from_axis_angle_f(float x, float y, float z, float angl
 
 void attitude_axis_angle_from_quaternion(double a, double b, double c, double d, double out[4])
 {
-    const double length_squared = b*b + c*c + d*d;
-    const double length = sqrt(length_squared);
+    const double size = fabs(b) + fabs(c) + fabs(d);
+    double part_b, part_c, part_d;
+    if (size <= 0.0) {
+        part_b = 1.0;
+        part_c = 0.0;
+        part_d = 0.0;
+    } else {
+        part_b = b/size;
+        part_c = c/size;
+        part_d = d/size;
+    }
+    const double extent = sqrt(part_b*part_b + part_c*part_c + part_d*part_d);
+    const double length = extent*size;
     const double sign = a >= 0.0 ? 1.0 : -1.0;
     double x, y, z;
-    if (length <= 0.0) {
+    if (size <= 0.0) {
         x = 1.0;
         y = 0.0;
         z = 0.0;
     } else {
-        x = b*sign/length;
-        y = c*sign/length;
-        z = d*sign/length;
+        x = part_b*sign/extent;
+        y = part_c*sign/extent;
+        z = part_d*sign/extent;
     }
     out[0] = x;
     out[1] = y;
@@ -573,18 +588,29 @@ void attitude_axis_angle_from_quaternion(double a, double b, double c, double d,
 
 void attitude_axis_angle_from_quaternion_f(float a, float b, float c, float d, float out[4])
 {
-    const float length_squared = b*b + c*c + d*d;
-    const float length = sqrtf(length_squared);
+    const float size = fabsf(b) + fabsf(c) + fabsf(d);
+    float part_b, part_c, part_d;
+    if (size <= 0.0f) {
+        part_b = 1.0f;
+        part_c = 0.0f;
+        part_d = 0.0f;
+    } else {
+        part_b = b/size;
+        part_c = c/size;
+        part_d = d/size;
+    }
+    const float extent = sqrtf(part_b*part_b + part_c*part_c + part_d*part_d);
+    const float length = extent*size;
     const float sign = a >= 0.0f ? 1.0f : -1.0f;
     float x, y, z;
-    if (length <= 0.0f) {
+    if (size <= 0.0f) {
         x = 1.0f;
         y = 0.0f;
         z = 0.0f;
     } else {
-        x = b*sign/length;
-        y = c*sign/length;
-        z = d*sign/length;
+        x = part_b*sign/extent;
+        y = part_c*sign/extent;
+        z = part_d*sign/extent;
     }
     out[0] = x;
     out[1] = y;
@@ -1146,9 +1172,7 @@ void attitude_observer_turn(double a, double b, double c, double d, double p, do
     double turn_back_a, factor;
     if (sine_off > 0.0) {
         turn_back_a = cos_half_turn_back;
-        factor = sin_half_turn_back*1.0/(sqrt((-e_x*reading_y + e_y*reading_x)*(-e_x*reading_y +
-            e_y*reading_x) + (e_x*reading_z - e_z*reading_x)*(e_x*reading_z - e_z*reading_x) +
-            (-e_y*reading_z + e_z*reading_y)*(-e_y*reading_z + e_z*reading_y)));
+        factor = sin_half_turn_back/sine_off;
     } else {
         turn_back_a = 1.0;
         factor = 0.0;
@@ -1227,9 +1251,7 @@ void attitude_observer_turn_f(float a, float b, float c, float d, float p, float
     float turn_back_a, factor;
     if (sine_off > 0.0f) {
         turn_back_a = cos_half_turn_back;
-        factor = sin_half_turn_back*1.0f/(sqrtf((-e_x*reading_y + e_y*reading_x)*(-e_x*reading_y +
-            e_y*reading_x) + (e_x*reading_z - e_z*reading_x)*(e_x*reading_z - e_z*reading_x) +
-            (-e_y*reading_z + e_z*reading_y)*(-e_y*reading_z + e_z*reading_y)));
+        factor = sin_half_turn_back/sine_off;
     } else {
         turn_back_a = 1.0f;
         factor = 0.0f;
@@ -1335,9 +1357,7 @@ void attitude_observer_step(double roll, double pitch, double yaw, double p, dou
     double turn_back_a, factor;
     if (sine_off > 0.0) {
         turn_back_a = cos_half_turn_back;
-        factor = sin_half_turn_back*1.0/(sqrt((-e_x*reading_y + e_y*reading_x)*(-e_x*reading_y +
-            e_y*reading_x) + (e_x*reading_z - e_z*reading_x)*(e_x*reading_z - e_z*reading_x) +
-            (-e_y*reading_z + e_z*reading_y)*(-e_y*reading_z + e_z*reading_y)));
+        factor = sin_half_turn_back/sine_off;
     } else {
         turn_back_a = 1.0;
         factor = 0.0;
@@ -1468,9 +1488,7 @@ void attitude_observer_step_f(float roll, float pitch, float yaw, float p, float
     float turn_back_a, factor;
     if (sine_off > 0.0f) {
         turn_back_a = cos_half_turn_back;
-        factor = sin_half_turn_back*1.0f/(sqrtf((-e_x*reading_y + e_y*reading_x)*(-e_x*reading_y +
-            e_y*reading_x) + (e_x*reading_z - e_z*reading_x)*(e_x*reading_z - e_z*reading_x) +
-            (-e_y*reading_z + e_z*reading_y)*(-e_y*reading_z + e_z*reading_y)));
+        factor = sin_half_turn_back/sine_off;
     } else {
         turn_back_a = 1.0f;
         factor = 0.0f;
@@ -1743,6 +1761,315 @@ float attitude_validation_factor_f(float mag_x, float mag_y, float mag_z, float 
         result = NAN;
     }
     return result;
+}
+
+double attitude_monitor_gain(double above, double patience, double gain, double lowest,
+    double highest)
+{
+    double chosen_gain;
+    if (above <= patience && above > 0.0) {
+        chosen_gain = highest;
+    } else if (above <= 2.0*patience && above > patience) {
+        chosen_gain = lowest;
+    } else {
+        chosen_gain = gain;
+    }
+    return chosen_gain;
+}
+
+float attitude_monitor_gain_f(float above, float patience, float gain, float lowest, float highest)
+{
+    float chosen_gain;
+    if (above <= patience && above > 0.0f) {
+        chosen_gain = highest;
+    } else if (above <= 2.0f*patience && above > patience) {
+        chosen_gain = lowest;
+    } else {
+        chosen_gain = gain;
+    }
+    return chosen_gain;
+}
+
+double attitude_monitor_count(double above, double factor, double threshold)
+{
+    double counted;
+    if (factor > threshold) {
+        counted = above + 1.0;
+    } else if (factor <= threshold) {
+        counted = 0.0;
+    } else {
+        counted = above;
+    }
+    return counted;
+}
+
+float attitude_monitor_count_f(float above, float factor, float threshold)
+{
+    float counted;
+    if (factor > threshold) {
+        counted = above + 1.0f;
+    } else if (factor <= threshold) {
+        counted = 0.0f;
+    } else {
+        counted = above;
+    }
+    return counted;
+}
+
+void attitude_monitored_turn(double a, double b, double c, double d, double above, double p,
+    double q, double r, double accel_x, double accel_y, double accel_z, double mag_x, double mag_y,
+    double mag_z, double dt, double reference_down, double threshold, double patience, double gain,
+    double lowest, double highest, double out[5])
+{
+    double chosen_gain;
+    if (above <= patience && above > 0.0) {
+        chosen_gain = highest;
+    } else if (above <= 2.0*patience && above > patience) {
+        chosen_gain = lowest;
+    } else {
+        chosen_gain = gain;
+    }
+    const double abs_p = fabs(p);
+    const double abs_q = fabs(q);
+    const double abs_r = fabs(r);
+    const double whole_turn = dt*(abs_p + abs_q + abs_r);
+    const int moves = whole_turn <= 1.7976931348623157e+308 && abs_p < 1000000000000.0 && abs_q <
+        1000000000000.0 && abs_r < 1000000000000.0;
+    double rate_x, rate_y, rate_z;
+    if (moves) {
+        rate_x = p;
+        rate_y = q;
+        rate_z = r;
+    } else {
+        rate_x = 0.0;
+        rate_y = 0.0;
+        rate_z = 0.0;
+    }
+    const double half_turn = 0.5*dt*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
+    const double sin_half_turn = sin(half_turn);
+    const double ratio = half_turn > 0.0 ? sin_half_turn/half_turn : 1.0;
+    const double cos_half_turn = cos(half_turn);
+    const double turn_a = cos_half_turn;
+    const double common_7 = 0.5*dt*ratio;
+    const double turn_b = common_7*rate_x;
+    const double turn_c = common_7*rate_y;
+    const double turn_d = common_7*rate_z;
+    const double predicted_a = a*turn_a - b*turn_b - c*turn_c - d*turn_d;
+    const double predicted_b = a*turn_b + b*turn_a + c*turn_d - d*turn_c;
+    const double predicted_c = a*turn_c - b*turn_d + c*turn_a + d*turn_b;
+    const double predicted_d = a*turn_d + b*turn_c - c*turn_b + d*turn_a;
+    const double e_x = 2.0*predicted_a*predicted_c - 2.0*predicted_b*predicted_d;
+    const double e_y = -2.0*predicted_a*predicted_b - 2.0*predicted_c*predicted_d;
+    const double e_z = -(predicted_a*predicted_a) + predicted_b*predicted_b +
+        predicted_c*predicted_c - (predicted_d*predicted_d);
+    const double size = fabs(accel_x) + fabs(accel_y) + fabs(accel_z);
+    const int has_direction = size <= 1.7976931348623157e+308 && size > 0.0;
+    double reading_x, reading_y, reading_z;
+    if (has_direction) {
+        reading_x = accel_x/size;
+        reading_y = accel_y/size;
+        reading_z = accel_z/size;
+    } else {
+        reading_x = 0.0;
+        reading_y = 0.0;
+        reading_z = 0.0;
+    }
+    const double across_x = -e_y*reading_z + e_z*reading_y;
+    const double across_y = e_x*reading_z - e_z*reading_x;
+    const double across_z = -e_x*reading_y + e_y*reading_x;
+    const double sine_off = sqrt(across_x*across_x + across_y*across_y + across_z*across_z);
+    const double half_turn_back = 0.5*chosen_gain*atan2(sine_off, e_x*reading_x + e_y*reading_y +
+        e_z*reading_z);
+    const double cos_half_turn_back = cos(half_turn_back);
+    const double sin_half_turn_back = sin(half_turn_back);
+    double turn_back_a, factor;
+    if (sine_off > 0.0) {
+        turn_back_a = cos_half_turn_back;
+        factor = sin_half_turn_back/sine_off;
+    } else {
+        turn_back_a = 1.0;
+        factor = 0.0;
+    }
+    const double across_x_factor = across_x*factor;
+    const double factor_predicted_c = factor*predicted_c;
+    const double factor_predicted_d = factor*predicted_d;
+    const double after_a = -across_x_factor*predicted_b - across_y*factor_predicted_c -
+        across_z*factor_predicted_d + predicted_a*turn_back_a;
+    const double after_b = across_x_factor*predicted_a - across_y*factor_predicted_d +
+        across_z*factor_predicted_c + predicted_b*turn_back_a;
+    const double across_y_factor = across_y*factor;
+    const double across_z_factor = across_z*factor;
+    const double after_c = across_x_factor*predicted_d + across_y_factor*predicted_a -
+        across_z_factor*predicted_b + predicted_c*turn_back_a;
+    const double after_d = -across_x_factor*predicted_c + across_y_factor*predicted_b +
+        across_z_factor*predicted_a + predicted_d*turn_back_a;
+    const double field_size = fabs(mag_x) + fabs(mag_y) + fabs(mag_z);
+    const int field_has_direction = field_size <= 1.7976931348623157e+308 && field_size > 0.0;
+    double field_reading_x, field_reading_y, field_reading_z;
+    if (field_has_direction) {
+        field_reading_x = mag_x/field_size;
+        field_reading_y = mag_y/field_size;
+        field_reading_z = mag_z/field_size;
+    } else {
+        field_reading_x = 0.0;
+        field_reading_y = 0.0;
+        field_reading_z = 0.0;
+    }
+    const double field_length_squared = field_reading_x*field_reading_x +
+        field_reading_y*field_reading_y + field_reading_z*field_reading_z;
+    const double field_level_z = 2.0*after_a*after_b*field_reading_y -
+        2.0*after_a*after_c*field_reading_x + 2.0*after_b*after_d*field_reading_x +
+        2.0*after_c*after_d*field_reading_y + field_reading_z*(after_a*after_a) -
+        field_reading_z*after_b*after_b - field_reading_z*after_c*after_c +
+        field_reading_z*(after_d*after_d);
+    double field_result;
+    if (field_has_direction) {
+        field_result = fabs(reference_down - field_level_z/sqrt(field_length_squared));
+    } else {
+        field_result = (double)NAN;
+    }
+    const double watched_factor = field_result;
+    double counted;
+    if (watched_factor > threshold) {
+        counted = above + 1.0;
+    } else if (watched_factor <= threshold) {
+        counted = 0.0;
+    } else {
+        counted = above;
+    }
+    out[0] = after_a;
+    out[1] = after_b;
+    out[2] = after_c;
+    out[3] = after_d;
+    out[4] = counted;
+}
+
+void attitude_monitored_turn_f(float a, float b, float c, float d, float above, float p, float q,
+    float r, float accel_x, float accel_y, float accel_z, float mag_x, float mag_y, float mag_z,
+    float dt, float reference_down, float threshold, float patience, float gain, float lowest,
+    float highest, float out[5])
+{
+    float chosen_gain;
+    if (above <= patience && above > 0.0f) {
+        chosen_gain = highest;
+    } else if (above <= 2.0f*patience && above > patience) {
+        chosen_gain = lowest;
+    } else {
+        chosen_gain = gain;
+    }
+    const float abs_p = fabsf(p);
+    const float abs_q = fabsf(q);
+    const float abs_r = fabsf(r);
+    const float whole_turn = dt*(abs_p + abs_q + abs_r);
+    const int moves = whole_turn <= 3.4028234663852886e+38f && abs_p < 1000000000000.0f && abs_q <
+        1000000000000.0f && abs_r < 1000000000000.0f;
+    float rate_x, rate_y, rate_z;
+    if (moves) {
+        rate_x = p;
+        rate_y = q;
+        rate_z = r;
+    } else {
+        rate_x = 0.0f;
+        rate_y = 0.0f;
+        rate_z = 0.0f;
+    }
+    const float half_turn = 0.5f*dt*sqrtf(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
+    const float sin_half_turn = sinf(half_turn);
+    const float ratio = half_turn > 0.0f ? sin_half_turn/half_turn : 1.0f;
+    const float cos_half_turn = cosf(half_turn);
+    const float turn_a = cos_half_turn;
+    const float common_7 = 0.5f*dt*ratio;
+    const float turn_b = common_7*rate_x;
+    const float turn_c = common_7*rate_y;
+    const float turn_d = common_7*rate_z;
+    const float predicted_a = a*turn_a - b*turn_b - c*turn_c - d*turn_d;
+    const float predicted_b = a*turn_b + b*turn_a + c*turn_d - d*turn_c;
+    const float predicted_c = a*turn_c - b*turn_d + c*turn_a + d*turn_b;
+    const float predicted_d = a*turn_d + b*turn_c - c*turn_b + d*turn_a;
+    const float e_x = 2.0f*predicted_a*predicted_c - 2.0f*predicted_b*predicted_d;
+    const float e_y = -2.0f*predicted_a*predicted_b - 2.0f*predicted_c*predicted_d;
+    const float e_z = -(predicted_a*predicted_a) + predicted_b*predicted_b + predicted_c*predicted_c
+        - (predicted_d*predicted_d);
+    const float size = fabsf(accel_x) + fabsf(accel_y) + fabsf(accel_z);
+    const int has_direction = size <= 3.4028234663852886e+38f && size > 0.0f;
+    float reading_x, reading_y, reading_z;
+    if (has_direction) {
+        reading_x = accel_x/size;
+        reading_y = accel_y/size;
+        reading_z = accel_z/size;
+    } else {
+        reading_x = 0.0f;
+        reading_y = 0.0f;
+        reading_z = 0.0f;
+    }
+    const float across_x = -e_y*reading_z + e_z*reading_y;
+    const float across_y = e_x*reading_z - e_z*reading_x;
+    const float across_z = -e_x*reading_y + e_y*reading_x;
+    const float sine_off = sqrtf(across_x*across_x + across_y*across_y + across_z*across_z);
+    const float half_turn_back = 0.5f*chosen_gain*atan2f(sine_off, e_x*reading_x + e_y*reading_y +
+        e_z*reading_z);
+    const float cos_half_turn_back = cosf(half_turn_back);
+    const float sin_half_turn_back = sinf(half_turn_back);
+    float turn_back_a, factor;
+    if (sine_off > 0.0f) {
+        turn_back_a = cos_half_turn_back;
+        factor = sin_half_turn_back/sine_off;
+    } else {
+        turn_back_a = 1.0f;
+        factor = 0.0f;
+    }
+    const float across_x_factor = across_x*factor;
+    const float factor_predicted_c = factor*predicted_c;
+    const float factor_predicted_d = factor*predicted_d;
+    const float after_a = -across_x_factor*predicted_b - across_y*factor_predicted_c -
+        across_z*factor_predicted_d + predicted_a*turn_back_a;
+    const float after_b = across_x_factor*predicted_a - across_y*factor_predicted_d +
+        across_z*factor_predicted_c + predicted_b*turn_back_a;
+    const float across_y_factor = across_y*factor;
+    const float across_z_factor = across_z*factor;
+    const float after_c = across_x_factor*predicted_d + across_y_factor*predicted_a -
+        across_z_factor*predicted_b + predicted_c*turn_back_a;
+    const float after_d = -across_x_factor*predicted_c + across_y_factor*predicted_b +
+        across_z_factor*predicted_a + predicted_d*turn_back_a;
+    const float field_size = fabsf(mag_x) + fabsf(mag_y) + fabsf(mag_z);
+    const int field_has_direction = field_size <= 3.4028234663852886e+38f && field_size > 0.0f;
+    float field_reading_x, field_reading_y, field_reading_z;
+    if (field_has_direction) {
+        field_reading_x = mag_x/field_size;
+        field_reading_y = mag_y/field_size;
+        field_reading_z = mag_z/field_size;
+    } else {
+        field_reading_x = 0.0f;
+        field_reading_y = 0.0f;
+        field_reading_z = 0.0f;
+    }
+    const float field_length_squared = field_reading_x*field_reading_x +
+        field_reading_y*field_reading_y + field_reading_z*field_reading_z;
+    const float field_level_z = 2.0f*after_a*after_b*field_reading_y -
+        2.0f*after_a*after_c*field_reading_x + 2.0f*after_b*after_d*field_reading_x +
+        2.0f*after_c*after_d*field_reading_y + field_reading_z*(after_a*after_a) -
+        field_reading_z*after_b*after_b - field_reading_z*after_c*after_c +
+        field_reading_z*(after_d*after_d);
+    float field_result;
+    if (field_has_direction) {
+        field_result = fabsf(reference_down - field_level_z/sqrtf(field_length_squared));
+    } else {
+        field_result = NAN;
+    }
+    const float watched_factor = field_result;
+    float counted;
+    if (watched_factor > threshold) {
+        counted = above + 1.0f;
+    } else if (watched_factor <= threshold) {
+        counted = 0.0f;
+    } else {
+        counted = above;
+    }
+    out[0] = after_a;
+    out[1] = after_b;
+    out[2] = after_c;
+    out[3] = after_d;
+    out[4] = counted;
 }
 
 void attitude_inertial_acceleration(double accel_x, double accel_y, double accel_z, double roll,

@@ -652,6 +652,61 @@ float attitude_validation_factor_f(float mag_x, float mag_y, float mag_z, float 
     float reference_down);
 
 /*
+ * Gain to use once E has been above the threshold for so many samples.
+ * above: for how many samples in a row E has been above the threshold
+ * patience: samples for which each other gain is tried
+ * gain: weight of the accelerometer otherwise, from 0 to 1
+ * lowest: the gain that is tried second
+ * highest: the gain that is tried first
+ */
+double attitude_monitor_gain(double above, double patience, double gain, double lowest,
+    double highest);
+float attitude_monitor_gain_f(float above, float patience, float gain, float lowest, float highest);
+
+/*
+ * For how many samples in a row E has been above the threshold; NaN tells nothing.
+ * above: for how many samples in a row E has been above the threshold
+ * factor: the factor E, NaN where it is not known
+ * threshold: of E, positive
+ */
+double attitude_monitor_count(double above, double factor, double threshold);
+float attitude_monitor_count_f(float above, float factor, float threshold);
+
+/*
+ * Attitude quaternion one period later by the gain that a monitor asks for, and its count (5).
+ * a: scalar part of the attitude quaternion
+ * b: factor of i of the attitude quaternion
+ * c: factor of j of the attitude quaternion
+ * d: factor of k of the attitude quaternion
+ * above: for how many samples in a row E has been above the threshold
+ * p: body rate about x, rad/s
+ * q: body rate about y, rad/s
+ * r: body rate about z, rad/s
+ * accel_x: reading of the accelerometer along x, m/s²
+ * accel_y: reading of the accelerometer along y, m/s²
+ * accel_z: reading of the accelerometer along z, m/s²
+ * mag_x: reading of the magnetometer along x, any unit
+ * mag_y: reading of the magnetometer along y, any unit
+ * mag_z: reading of the magnetometer along z, any unit
+ * dt: time that passes, s
+ * reference_down: part of the field that points down, the whole field being 1
+ * threshold: of E, positive
+ * patience: samples for which each other gain is tried
+ * gain: weight of the accelerometer otherwise, from 0 to 1
+ * lowest: the gain that is tried second
+ * highest: the gain that is tried first
+ * Ledger: validation.17.
+ */
+void attitude_monitored_turn(double a, double b, double c, double d, double above, double p,
+    double q, double r, double accel_x, double accel_y, double accel_z, double mag_x, double mag_y,
+    double mag_z, double dt, double reference_down, double threshold, double patience, double gain,
+    double lowest, double highest, double out[5]);
+void attitude_monitored_turn_f(float a, float b, float c, float d, float above, float p, float q,
+    float r, float accel_x, float accel_y, float accel_z, float mag_x, float mag_y, float mag_z,
+    float dt, float reference_down, float threshold, float patience, float gain, float lowest,
+    float highest, float out[5]);
+
+/*
  * Acceleration of the body in the inertial frame, m/s² (3).
  * accel_x: reading of the accelerometer along x, m/s²
  * accel_y: reading of the accelerometer along y, m/s²

@@ -327,32 +327,34 @@ EVERY_INSTRUCTION_SET static int64_t matrix_from_quaternion
             const double b = q_in[1][row];
             const double c = q_in[2][row];
             const double d = q_in[3][row];
-            const double norm_squared = a*a + b*b + c*c + d*d;
-            const double factor = 2.0/norm_squared;
-            const double scaled_b = b*factor;
-            const double scaled_c = c*factor;
-            const double scaled_d = d*factor;
-            const double c_scaled_c = c*scaled_c;
-            const double d_scaled_d = d*scaled_d;
-            const double one_minus_r11 = c_scaled_c + d_scaled_d;
-            const double b_scaled_b = b*scaled_b;
-            const double one_minus_r22 = b_scaled_b + d_scaled_d;
-            const double one_minus_r33 = b_scaled_b + c_scaled_c;
-            const double c_scaled_b = c*scaled_b;
-            const double a_scaled_d = a*scaled_d;
-            const double d_scaled_b = d*scaled_b;
-            const double a_scaled_c = a*scaled_c;
-            const double d_scaled_c = d*scaled_c;
-            const double a_scaled_b = a*scaled_b;
-            results[0][row] = 1.0 - one_minus_r11;
-            results[1][row] = a_scaled_d + c_scaled_b;
-            results[2][row] = -a_scaled_c + d_scaled_b;
-            results[3][row] = -a_scaled_d + c_scaled_b;
-            results[4][row] = 1.0 - one_minus_r22;
-            results[5][row] = a_scaled_b + d_scaled_c;
-            results[6][row] = a_scaled_c + d_scaled_b;
-            results[7][row] = -a_scaled_b + d_scaled_c;
-            results[8][row] = 1.0 - one_minus_r33;
+            const double a_squared = a*a;
+            const double b_squared = b*b;
+            const double along_x = a_squared + b_squared;
+            const double c_squared = c*c;
+            const double d_squared = d*d;
+            const double across_x = c_squared + d_squared;
+            const double along_y = a_squared + c_squared;
+            const double across_y = b_squared + d_squared;
+            const double along_z = a_squared + d_squared;
+            const double across_z = b_squared + c_squared;
+            const double norm_squared = across_x + along_x;
+            const double scale = 1.0/norm_squared;
+            const double twice_scale = 2.0*scale;
+            const double b_c = b*c;
+            const double a_d = a*d;
+            const double b_d = b*d;
+            const double a_c = a*c;
+            const double c_d = c*d;
+            const double a_b = a*b;
+            results[0][row] = scale*(-across_x + along_x);
+            results[1][row] = twice_scale*(a_d + b_c);
+            results[2][row] = twice_scale*(-a_c + b_d);
+            results[3][row] = twice_scale*(-a_d + b_c);
+            results[4][row] = scale*(-across_y + along_y);
+            results[5][row] = twice_scale*(a_b + c_d);
+            results[6][row] = twice_scale*(a_c + b_d);
+            results[7][row] = twice_scale*(-a_b + c_d);
+            results[8][row] = scale*(-across_z + along_z);
             left[row] = !(FINITE(a + b + c + d) & IN_RANGE(norm_squared));
             some |= left[row];
         }
@@ -580,13 +582,17 @@ EVERY_INSTRUCTION_SET static int64_t axis_angle_from_quaternion
             const double b = q_in[1][row];
             const double c = q_in[2][row];
             const double d = q_in[3][row];
-            const double length_squared = b*b + c*c + d*d;
-            const double norm_squared = length_squared + a*a;
-            const double length = sqrt(length_squared);
+            const double norm_squared = a*a + b*b + c*c + d*d;
+            const double size = fabs(b) + fabs(c) + fabs(d);
+            const double part_b = size <= 0.0 ? 1.0 : b/size;
+            const double part_c = size <= 0.0 ? 0.0 : c/size;
+            const double part_d = size <= 0.0 ? 0.0 : d/size;
+            const double extent = sqrt(part_b*part_b + part_c*part_c + part_d*part_d);
+            const double length = extent*size;
             const double sign = a >= 0.0 ? 1.0 : -1.0;
-            const double x = length <= 0.0 ? 1.0 : b*sign/length;
-            const double y = length <= 0.0 ? 0.0 : c*sign/length;
-            const double z = length <= 0.0 ? 0.0 : d*sign/length;
+            const double x = size <= 0.0 ? 1.0 : part_b*sign/extent;
+            const double y = size <= 0.0 ? 0.0 : part_c*sign/extent;
+            const double z = size <= 0.0 ? 0.0 : part_d*sign/extent;
             results[0][row] = x;
             results[1][row] = y;
             results[2][row] = z;
@@ -1311,6 +1317,46 @@ EVERY_INSTRUCTION_SET static int64_t validation_factor
     return any;
 }
 
+EVERY_INSTRUCTION_SET static int64_t monitor_gain
+    (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
+     unsigned char *odd)
+{
+    int64_t any = 0;
+    FOR_EACH_BLOCK(rows) {
+        double above_in[1][BLOCK];
+        double patience_in[1][BLOCK];
+        double gain_in[1][BLOCK];
+        double lowest_in[1][BLOCK];
+        double highest_in[1][BLOCK];
+        double results[1][BLOCK];
+        int64_t left[BLOCK], some = 0;
+        LOAD(above_in, 0, 1)
+        LOAD(patience_in, 1, 1)
+        LOAD(gain_in, 2, 1)
+        LOAD(lowest_in, 3, 1)
+        LOAD(highest_in, 4, 1)
+        for (ptrdiff_t row = 0; row < padded; row++) {
+            const double above = above_in[0][row];
+            const double patience = patience_in[0][row];
+            const double gain = gain_in[0][row];
+            const double lowest = lowest_in[0][row];
+            const double highest = highest_in[0][row];
+            const double chosen_gain = (above <= patience) & (above > 0.0) ? highest : (above >
+                patience) & (above <= 2.0*patience) ? lowest : gain;
+            results[0][row] = chosen_gain;
+            left[row] = !(FINITE(above + patience + gain + lowest + highest));
+            some |= left[row];
+        }
+        STORE(results, 1)
+        if (some) {
+            any = 1;
+            for (ptrdiff_t row = 0; row < count; row++)
+                odd[start + row] = left[row] != 0;
+        }
+    }
+    return any;
+}
+
 EVERY_INSTRUCTION_SET static int64_t inertial_acceleration
     (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
      unsigned char *odd)
@@ -1603,10 +1649,7 @@ static int64_t observer_turn
         const double cos_half_turn_back = step_cos(half_turn_back);
         const double sin_half_turn_back = step_sin(half_turn_back);
         const double turn_back_a = sine_off > 0.0 ? cos_half_turn_back : 1.0;
-        const double factor = sine_off > 0.0 ? sin_half_turn_back*1.0/(sqrt((-e_x*reading_y +
-            e_y*reading_x)*(-e_x*reading_y + e_y*reading_x) + (e_x*reading_z -
-            e_z*reading_x)*(e_x*reading_z - e_z*reading_x) + (-e_y*reading_z +
-            e_z*reading_y)*(-e_y*reading_z + e_z*reading_y))) : 0.0;
+        const double factor = sine_off > 0.0 ? sin_half_turn_back/sine_off : 0.0;
         const double across_x_factor = across_x*factor;
         const double factor_predicted_c = factor*predicted_c;
         const double factor_predicted_d = factor*predicted_d;
@@ -1624,6 +1667,132 @@ static int64_t observer_turn
         out[row * 4 + 1] = b = next_b;
         out[row * 4 + 2] = c = next_c;
         out[row * 4 + 3] = d = next_d;
+    }
+    return 0;
+}
+
+static int64_t observer_step
+    (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
+     unsigned char *odd)
+{
+    double roll = in[0][0];
+    double pitch = in[0][1];
+    double yaw = in[0][2];
+    (void)odd;
+    for (ptrdiff_t row = 0; row < rows; row++) {
+        const double p = in[1][row * step[1] + 0];
+        const double q = in[1][row * step[1] + 1];
+        const double r = in[1][row * step[1] + 2];
+        const double accel_x = in[2][row * step[2] + 0];
+        const double accel_y = in[2][row * step[2] + 1];
+        const double accel_z = in[2][row * step[2] + 2];
+        const double dt = in[3][row * step[3] + 0];
+        const double gain = in[4][row * step[4] + 0];
+        const double sin_half_pitch = step_sin(0.5*pitch);
+        const double cos_half_pitch = step_cos(0.5*pitch);
+        const double sin_half_roll = step_sin(0.5*roll);
+        const double cos_half_roll = step_cos(0.5*roll);
+        const double sin_half_yaw = step_sin(0.5*yaw);
+        const double cos_half_yaw = step_cos(0.5*yaw);
+        const double cos_half_pitch_cos_half_yaw = cos_half_pitch*cos_half_yaw;
+        const double sin_half_pitch_sin_half_yaw = sin_half_pitch*sin_half_yaw;
+        const double start_a = cos_half_pitch_cos_half_yaw*cos_half_roll +
+            sin_half_pitch_sin_half_yaw*sin_half_roll;
+        const double start_b = cos_half_pitch_cos_half_yaw*sin_half_roll -
+            cos_half_roll*sin_half_pitch_sin_half_yaw;
+        const double cos_half_pitch_sin_half_yaw = cos_half_pitch*sin_half_yaw;
+        const double cos_half_yaw_sin_half_pitch = cos_half_yaw*sin_half_pitch;
+        const double start_c = cos_half_pitch_sin_half_yaw*sin_half_roll +
+            cos_half_roll*cos_half_yaw_sin_half_pitch;
+        const double start_d = cos_half_pitch_sin_half_yaw*cos_half_roll -
+            cos_half_yaw_sin_half_pitch*sin_half_roll;
+        const double start_sign = start_a >= 0.0 ? 1.0 : -1.0;
+        const double abs_p = fabs(p);
+        const double abs_q = fabs(q);
+        const double abs_r = fabs(r);
+        const double whole_turn = dt*(abs_p + abs_q + abs_r);
+        const int moves = (whole_turn <= 1.7976931348623157e+308) & (abs_p < 1000000000000.0) &
+            (abs_q < 1000000000000.0) & (abs_r < 1000000000000.0);
+        const double rate_x = moves ? p : 0.0;
+        const double rate_y = moves ? q : 0.0;
+        const double rate_z = moves ? r : 0.0;
+        const double half_turn = 0.5*dt*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
+        const double sin_half_turn = step_sin(half_turn);
+        const double ratio = half_turn > 0.0 ? sin_half_turn/half_turn : 1.0;
+        const double cos_half_turn = step_cos(half_turn);
+        const double turn_a = cos_half_turn;
+        const double common_17 = 0.5*dt*ratio;
+        const double turn_b = common_17*rate_x;
+        const double turn_c = common_17*rate_y;
+        const double turn_d = common_17*rate_z;
+        const double start_b_start_sign = start_b*start_sign;
+        const double start_c_start_sign = start_c*start_sign;
+        const double start_d_start_sign = start_d*start_sign;
+        const double predicted_a = start_a*start_sign*turn_a - start_b_start_sign*turn_b -
+            start_c_start_sign*turn_c - start_d_start_sign*turn_d;
+        const double start_a_start_sign = start_a*start_sign;
+        const double predicted_b = start_a_start_sign*turn_b + start_b_start_sign*turn_a +
+            start_c_start_sign*turn_d - start_d_start_sign*turn_c;
+        const double predicted_c = start_a_start_sign*turn_c - start_b_start_sign*turn_d +
+            start_c_start_sign*turn_a + start_d_start_sign*turn_b;
+        const double predicted_d = start_a_start_sign*turn_d + start_b_start_sign*turn_c -
+            start_c_start_sign*turn_b + start_d_start_sign*turn_a;
+        const double e_x = 2.0*predicted_a*predicted_c - 2.0*predicted_b*predicted_d;
+        const double e_y = -2.0*predicted_a*predicted_b - 2.0*predicted_c*predicted_d;
+        const double e_z = -(predicted_a*predicted_a) + predicted_b*predicted_b +
+            predicted_c*predicted_c - (predicted_d*predicted_d);
+        const double size = fabs(accel_x) + fabs(accel_y) + fabs(accel_z);
+        const int has_direction = (size <= 1.7976931348623157e+308) & (size > 0.0);
+        const double reading_x = has_direction ? accel_x/size : 0.0;
+        const double reading_y = has_direction ? accel_y/size : 0.0;
+        const double reading_z = has_direction ? accel_z/size : 0.0;
+        const double across_x = -e_y*reading_z + e_z*reading_y;
+        const double across_y = e_x*reading_z - e_z*reading_x;
+        const double across_z = -e_x*reading_y + e_y*reading_x;
+        const double sine_off = sqrt(across_x*across_x + across_y*across_y + across_z*across_z);
+        const double half_turn_back = 0.5*gain*step_atan2(sine_off, e_x*reading_x + e_y*reading_y +
+            e_z*reading_z);
+        const double cos_half_turn_back = step_cos(half_turn_back);
+        const double sin_half_turn_back = step_sin(half_turn_back);
+        const double turn_back_a = sine_off > 0.0 ? cos_half_turn_back : 1.0;
+        const double factor = sine_off > 0.0 ? sin_half_turn_back/sine_off : 0.0;
+        const double across_x_factor = across_x*factor;
+        const double factor_predicted_c = factor*predicted_c;
+        const double factor_predicted_d = factor*predicted_d;
+        const double end_a = -across_x_factor*predicted_b - across_y*factor_predicted_c -
+            across_z*factor_predicted_d + predicted_a*turn_back_a;
+        const double end_b = across_x_factor*predicted_a - across_y*factor_predicted_d +
+            across_z*factor_predicted_c + predicted_b*turn_back_a;
+        const double across_y_factor = across_y*factor;
+        const double across_z_factor = across_z*factor;
+        const double end_c = across_x_factor*predicted_d + across_y_factor*predicted_a -
+            across_z_factor*predicted_b + predicted_c*turn_back_a;
+        const double end_d = -across_x_factor*predicted_c + across_y_factor*predicted_b +
+            across_z_factor*predicted_a + predicted_d*turn_back_a;
+        const double end_a_minus_c = end_a - end_c;
+        const double end_b_plus_d = end_b + end_d;
+        const double end_a_plus_c = end_a + end_c;
+        const double end_d_minus_b = -end_b + end_d;
+        const double end_below = end_a_minus_c*end_a_minus_c + end_b_plus_d*end_b_plus_d;
+        const double end_above = end_a_plus_c*end_a_plus_c + end_d_minus_b*end_d_minus_b;
+        const double end_product_1 = end_a_plus_c*end_b_plus_d;
+        const double end_product_2 = end_a_minus_c*end_d_minus_b;
+        const double end_product_3 = end_a_minus_c*end_a_plus_c;
+        const double end_product_4 = end_b_plus_d*end_d_minus_b;
+        const double end_half_sine = end_a*end_c - end_b*end_d;
+        const double end_pitch = step_atan2(2.0*end_half_sine, sqrt(end_above)*sqrt(end_below));
+        const int end_locked = fabs(end_pitch) > 1.5707963267948948;
+        const double end_roll = !end_locked ? step_atan2(end_product_1 - end_product_2,
+            end_product_3 + end_product_4) : 0.0;
+        const double end_yaw = !end_locked ? step_atan2(end_product_1 + end_product_2, end_product_3
+            - end_product_4) : step_atan2(2.0*end_a*end_d - 2.0*end_b*end_c, end_a*end_a -
+            (end_b*end_b) + end_c*end_c - (end_d*end_d));
+        const double next_roll = end_roll;
+        const double next_pitch = end_pitch;
+        const double next_yaw = end_yaw;
+        out[row * 3 + 0] = roll = next_roll;
+        out[row * 3 + 1] = pitch = next_pitch;
+        out[row * 3 + 2] = yaw = next_yaw;
     }
     return 0;
 }
@@ -1682,6 +1851,121 @@ static int64_t euler_observer_step
         out[row * 3 + 0] = roll = next_roll;
         out[row * 3 + 1] = pitch = next_pitch;
         out[row * 3 + 2] = yaw = next_yaw;
+    }
+    return 0;
+}
+
+static int64_t monitored_turn
+    (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
+     unsigned char *odd)
+{
+    double a = in[0][0];
+    double b = in[0][1];
+    double c = in[0][2];
+    double d = in[0][3];
+    double above = in[0][4];
+    (void)odd;
+    for (ptrdiff_t row = 0; row < rows; row++) {
+        const double p = in[1][row * step[1] + 0];
+        const double q = in[1][row * step[1] + 1];
+        const double r = in[1][row * step[1] + 2];
+        const double accel_x = in[2][row * step[2] + 0];
+        const double accel_y = in[2][row * step[2] + 1];
+        const double accel_z = in[2][row * step[2] + 2];
+        const double mag_x = in[3][row * step[3] + 0];
+        const double mag_y = in[3][row * step[3] + 1];
+        const double mag_z = in[3][row * step[3] + 2];
+        const double dt = in[4][row * step[4] + 0];
+        const double reference_down = in[5][row * step[5] + 0];
+        const double threshold = in[6][row * step[6] + 0];
+        const double patience = in[7][row * step[7] + 0];
+        const double gain = in[8][row * step[8] + 0];
+        const double lowest = in[9][row * step[9] + 0];
+        const double highest = in[10][row * step[10] + 0];
+        const double chosen_gain = (above <= patience) & (above > 0.0) ? highest : (above >
+            patience) & (above <= 2.0*patience) ? lowest : gain;
+        const double abs_p = fabs(p);
+        const double abs_q = fabs(q);
+        const double abs_r = fabs(r);
+        const double whole_turn = dt*(abs_p + abs_q + abs_r);
+        const int moves = (whole_turn <= 1.7976931348623157e+308) & (abs_p < 1000000000000.0) &
+            (abs_q < 1000000000000.0) & (abs_r < 1000000000000.0);
+        const double rate_x = moves ? p : 0.0;
+        const double rate_y = moves ? q : 0.0;
+        const double rate_z = moves ? r : 0.0;
+        const double half_turn = 0.5*dt*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
+        const double sin_half_turn = step_sin(half_turn);
+        const double ratio = half_turn > 0.0 ? sin_half_turn/half_turn : 1.0;
+        const double cos_half_turn = step_cos(half_turn);
+        const double turn_a = cos_half_turn;
+        const double common_7 = 0.5*dt*ratio;
+        const double turn_b = common_7*rate_x;
+        const double turn_c = common_7*rate_y;
+        const double turn_d = common_7*rate_z;
+        const double predicted_a = a*turn_a - b*turn_b - c*turn_c - d*turn_d;
+        const double predicted_b = a*turn_b + b*turn_a + c*turn_d - d*turn_c;
+        const double predicted_c = a*turn_c - b*turn_d + c*turn_a + d*turn_b;
+        const double predicted_d = a*turn_d + b*turn_c - c*turn_b + d*turn_a;
+        const double e_x = 2.0*predicted_a*predicted_c - 2.0*predicted_b*predicted_d;
+        const double e_y = -2.0*predicted_a*predicted_b - 2.0*predicted_c*predicted_d;
+        const double e_z = -(predicted_a*predicted_a) + predicted_b*predicted_b +
+            predicted_c*predicted_c - (predicted_d*predicted_d);
+        const double size = fabs(accel_x) + fabs(accel_y) + fabs(accel_z);
+        const int has_direction = (size <= 1.7976931348623157e+308) & (size > 0.0);
+        const double reading_x = has_direction ? accel_x/size : 0.0;
+        const double reading_y = has_direction ? accel_y/size : 0.0;
+        const double reading_z = has_direction ? accel_z/size : 0.0;
+        const double across_x = -e_y*reading_z + e_z*reading_y;
+        const double across_y = e_x*reading_z - e_z*reading_x;
+        const double across_z = -e_x*reading_y + e_y*reading_x;
+        const double sine_off = sqrt(across_x*across_x + across_y*across_y + across_z*across_z);
+        const double half_turn_back = 0.5*chosen_gain*step_atan2(sine_off, e_x*reading_x +
+            e_y*reading_y + e_z*reading_z);
+        const double cos_half_turn_back = step_cos(half_turn_back);
+        const double sin_half_turn_back = step_sin(half_turn_back);
+        const double turn_back_a = sine_off > 0.0 ? cos_half_turn_back : 1.0;
+        const double factor = sine_off > 0.0 ? sin_half_turn_back/sine_off : 0.0;
+        const double across_x_factor = across_x*factor;
+        const double factor_predicted_c = factor*predicted_c;
+        const double factor_predicted_d = factor*predicted_d;
+        const double after_a = -across_x_factor*predicted_b - across_y*factor_predicted_c -
+            across_z*factor_predicted_d + predicted_a*turn_back_a;
+        const double after_b = across_x_factor*predicted_a - across_y*factor_predicted_d +
+            across_z*factor_predicted_c + predicted_b*turn_back_a;
+        const double across_y_factor = across_y*factor;
+        const double across_z_factor = across_z*factor;
+        const double after_c = across_x_factor*predicted_d + across_y_factor*predicted_a -
+            across_z_factor*predicted_b + predicted_c*turn_back_a;
+        const double after_d = -across_x_factor*predicted_c + across_y_factor*predicted_b +
+            across_z_factor*predicted_a + predicted_d*turn_back_a;
+        const double field_size = fabs(mag_x) + fabs(mag_y) + fabs(mag_z);
+        const int field_has_direction = (field_size <= 1.7976931348623157e+308) & (field_size >
+            0.0);
+        const double field_reading_x = field_has_direction ? mag_x/field_size : 0.0;
+        const double field_reading_y = field_has_direction ? mag_y/field_size : 0.0;
+        const double field_reading_z = field_has_direction ? mag_z/field_size : 0.0;
+        const double field_length_squared = field_reading_x*field_reading_x +
+            field_reading_y*field_reading_y + field_reading_z*field_reading_z;
+        const double field_level_z = 2.0*after_a*after_b*field_reading_y -
+            2.0*after_a*after_c*field_reading_x + 2.0*after_b*after_d*field_reading_x +
+            2.0*after_c*after_d*field_reading_y + field_reading_z*(after_a*after_a) -
+            field_reading_z*after_b*after_b - field_reading_z*after_c*after_c +
+            field_reading_z*(after_d*after_d);
+        const double field_result = field_has_direction ? fabs(reference_down -
+            field_level_z/sqrt(field_length_squared)) : (double)NAN;
+        const double watched_factor = field_result;
+        const double counted = watched_factor > threshold ? above + 1.0 : watched_factor <=
+            threshold ? 0.0 : above;
+        const double next_a = after_a;
+        const double next_b = after_b;
+        const double next_c = after_c;
+        const double next_d = after_d;
+        const double next_above = counted;
+        out[row * 5 + 0] = a = next_a;
+        out[row * 5 + 1] = b = next_b;
+        out[row * 5 + 2] = c = next_c;
+        out[row * 5 + 3] = d = next_d;
+        out[row * 5 + 4] = above = next_above;
     }
     return 0;
 }
@@ -1752,13 +2036,16 @@ const Kernel KERNELS[] = {
     {"tilt_from_accelerometer", tilt_from_accelerometer, 2, 1, {3}},
     {"heading_from_magnetometer", heading_from_magnetometer, 0, 3, {3, 2, 2}},
     {"validation_factor", validation_factor, 0, 3, {3, 2, 0}},
+    {"monitor_gain", monitor_gain, 0, 5, {0, 0, 0, 0, 0}},
     {"inertial_acceleration", inertial_acceleration, 3, 3, {3, 3, 0}},
     {"accelerometer_from_acceleration", accelerometer_from_acceleration, 3, 3, {3, 3, 0}},
     {"drift_from_tilt_error", drift_from_tilt_error, 3, 3, {0, 0, 0}},
     {"gyro_step", gyro_step, 3, 3, {3, 3, 0}},
     {"gyro_turn", gyro_turn, 4, 3, {4, 3, 0}},
     {"observer_turn", observer_turn, 4, 5, {4, 3, 3, 0, 0}},
+    {"observer_step", observer_step, 3, 5, {3, 3, 3, 0, 0}},
     {"euler_observer_step", euler_observer_step, 3, 5, {3, 3, 3, 0, 0}},
+    {"monitored_turn", monitored_turn, 5, 11, {5, 3, 3, 3, 0, 0, 0, 0, 0, 0, 0}},
     {"dead_reckoning_held", dead_reckoning_held, 6, 3, {6, 3, 0}},
     {0},
 };

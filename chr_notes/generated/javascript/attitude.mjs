@@ -221,33 +221,35 @@ export function wrapAngle(angle) {
  * Ledger: quaternions.3.3.
  */
 export function matrixFromQuaternion(a, b, c, d) {
-  const normSquared = a*a + b*b + c*c + d*d;
-  const factor = 2/normSquared;
-  const scaledB = b*factor;
-  const scaledC = c*factor;
-  const scaledD = d*factor;
-  const cScaledC = c*scaledC;
-  const dScaledD = d*scaledD;
-  const oneMinusR11 = cScaledC + dScaledD;
-  const bScaledB = b*scaledB;
-  const oneMinusR22 = bScaledB + dScaledD;
-  const oneMinusR33 = bScaledB + cScaledC;
-  const cScaledB = c*scaledB;
-  const aScaledD = a*scaledD;
-  const dScaledB = d*scaledB;
-  const aScaledC = a*scaledC;
-  const dScaledC = d*scaledC;
-  const aScaledB = a*scaledB;
+  const aSquared = a*a;
+  const bSquared = b*b;
+  const alongX = aSquared + bSquared;
+  const cSquared = c*c;
+  const dSquared = d*d;
+  const acrossX = cSquared + dSquared;
+  const alongY = aSquared + cSquared;
+  const acrossY = bSquared + dSquared;
+  const alongZ = aSquared + dSquared;
+  const acrossZ = bSquared + cSquared;
+  const normSquared = acrossX + alongX;
+  const scale = 1/normSquared;
+  const twiceScale = 2*scale;
+  const bC = b*c;
+  const aD = a*d;
+  const bD = b*d;
+  const aC = a*c;
+  const cD = c*d;
+  const aB = a*b;
   return [
-    1 - oneMinusR11,
-    aScaledD + cScaledB,
-    -aScaledC + dScaledB,
-    -aScaledD + cScaledB,
-    1 - oneMinusR22,
-    aScaledB + dScaledC,
-    aScaledC + dScaledB,
-    -aScaledB + dScaledC,
-    1 - oneMinusR33,
+    scale*(-acrossX + alongX),
+    twiceScale*(aD + bC),
+    twiceScale*(-aC + bD),
+    twiceScale*(-aD + bC),
+    scale*(-acrossY + alongY),
+    twiceScale*(aB + cD),
+    twiceScale*(aC + bD),
+    twiceScale*(-aB + cD),
+    scale*(-acrossZ + alongZ),
   ];
 }
 
@@ -385,18 +387,29 @@ export function quaternionFromAxisAngle(x, y, z, angle) {
  * Ledger: quaternions.2.2.
  */
 export function axisAngleFromQuaternion(a, b, c, d) {
-  const lengthSquared = b*b + c*c + d*d;
-  const length = Math.sqrt(lengthSquared);
+  const size = Math.abs(b) + Math.abs(c) + Math.abs(d);
+  let partB, partC, partD;
+  if (size <= 0) {
+    partB = 1;
+    partC = 0;
+    partD = 0;
+  } else {
+    partB = b/size;
+    partC = c/size;
+    partD = d/size;
+  }
+  const extent = Math.sqrt(partB*partB + partC*partC + partD*partD);
+  const length = extent*size;
   const sign = a >= 0 ? 1 : -1;
   let x, y, z;
-  if (length <= 0) {
+  if (size <= 0) {
     x = 1;
     y = 0;
     z = 0;
   } else {
-    x = b*sign/length;
-    y = c*sign/length;
-    z = d*sign/length;
+    x = partB*sign/extent;
+    y = partC*sign/extent;
+    z = partD*sign/extent;
   }
   return [x, y, z, 2*Math.atan2(length, Math.abs(a))];
 }
@@ -1069,9 +1082,7 @@ export function observerTurn(a, b, c, d, p, q, r, accelX, accelY, accelZ, dt, ga
   let turnBackA, factor;
   if (sineOff > 0) {
     turnBackA = cosHalfTurnBack;
-    factor = sinHalfTurnBack*1/(Math.sqrt((-eX*readingY + eY*readingX)*(-eX*readingY + eY*readingX)
-        + (eX*readingZ - eZ*readingX)*(eX*readingZ - eZ*readingX) + (-eY*readingZ +
-        eZ*readingY)*(-eY*readingZ + eZ*readingY)));
+    factor = sinHalfTurnBack/sineOff;
   } else {
     turnBackA = 1;
     factor = 0;
@@ -1187,9 +1198,7 @@ export function observerStep(roll, pitch, yaw, p, q, r, accelX, accelY, accelZ, 
   let turnBackA, factor;
   if (sineOff > 0) {
     turnBackA = cosHalfTurnBack;
-    factor = sinHalfTurnBack*1/(Math.sqrt((-eX*readingY + eY*readingX)*(-eX*readingY + eY*readingX)
-        + (eX*readingZ - eZ*readingX)*(eX*readingZ - eZ*readingX) + (-eY*readingZ +
-        eZ*readingY)*(-eY*readingZ + eZ*readingY)));
+    factor = sinHalfTurnBack/sineOff;
   } else {
     turnBackA = 1;
     factor = 0;
@@ -1376,6 +1385,211 @@ export function validationFactor(magX, magY, magZ, roll, pitch, referenceDown) {
     result = NaN;
   }
   return result;
+}
+
+/**
+ * Gain to use once E has been above the threshold for so many samples.
+ * @param {number} above for how many samples in a row E has been above the threshold
+ * @param {number} patience samples for which each other gain is tried
+ * @param {number} gain weight of the accelerometer otherwise, from 0 to 1
+ * @param {number} lowest the gain that is tried second
+ * @param {number} highest the gain that is tried first
+ * @returns {number}
+ */
+export function monitorGain(above, patience, gain, lowest, highest) {
+  let chosenGain;
+  if (above <= patience && above > 0) {
+    chosenGain = highest;
+  } else if (above <= 2*patience && above > patience) {
+    chosenGain = lowest;
+  } else {
+    chosenGain = gain;
+  }
+  return chosenGain;
+}
+
+/**
+ * For how many samples in a row E has been above the threshold; NaN tells nothing.
+ * @param {number} above for how many samples in a row E has been above the threshold
+ * @param {number} factor the factor E, NaN where it is not known
+ * @param {number} threshold of E, positive
+ * @returns {number}
+ */
+export function monitorCount(above, factor, threshold) {
+  let counted;
+  if (factor > threshold) {
+    counted = above + 1;
+  } else if (factor <= threshold) {
+    counted = 0;
+  } else {
+    counted = above;
+  }
+  return counted;
+}
+
+/**
+ * Attitude quaternion one period later by the gain that a monitor asks for, and its count (5).
+ * @param {number} a scalar part of the attitude quaternion
+ * @param {number} b factor of i of the attitude quaternion
+ * @param {number} c factor of j of the attitude quaternion
+ * @param {number} d factor of k of the attitude quaternion
+ * @param {number} above for how many samples in a row E has been above the threshold
+ * @param {number} p body rate about x, rad/s
+ * @param {number} q body rate about y, rad/s
+ * @param {number} r body rate about z, rad/s
+ * @param {number} accelX reading of the accelerometer along x, m/s²
+ * @param {number} accelY reading of the accelerometer along y, m/s²
+ * @param {number} accelZ reading of the accelerometer along z, m/s²
+ * @param {number} magX reading of the magnetometer along x, any unit
+ * @param {number} magY reading of the magnetometer along y, any unit
+ * @param {number} magZ reading of the magnetometer along z, any unit
+ * @param {number} dt time that passes, s
+ * @param {number} referenceDown part of the field that points down, the whole field being 1
+ * @param {number} threshold of E, positive
+ * @param {number} patience samples for which each other gain is tried
+ * @param {number} gain weight of the accelerometer otherwise, from 0 to 1
+ * @param {number} lowest the gain that is tried second
+ * @param {number} highest the gain that is tried first
+ * @returns {number[]}
+ * Ledger: validation.17.
+ */
+export function monitoredTurn(
+  a,
+  b,
+  c,
+  d,
+  above,
+  p,
+  q,
+  r,
+  accelX,
+  accelY,
+  accelZ,
+  magX,
+  magY,
+  magZ,
+  dt,
+  referenceDown,
+  threshold,
+  patience,
+  gain,
+  lowest,
+  highest,
+) {
+  let chosenGain;
+  if (above <= patience && above > 0) {
+    chosenGain = highest;
+  } else if (above <= 2*patience && above > patience) {
+    chosenGain = lowest;
+  } else {
+    chosenGain = gain;
+  }
+  const absP = Math.abs(p);
+  const absQ = Math.abs(q);
+  const absR = Math.abs(r);
+  const wholeTurn = dt*(absP + absQ + absR);
+  const moves = wholeTurn <= 1.7976931348623157e+308 && absP < 1000000000000 && absQ < 1000000000000
+      && absR < 1000000000000;
+  let rateX, rateY, rateZ;
+  if (moves) {
+    rateX = p;
+    rateY = q;
+    rateZ = r;
+  } else {
+    rateX = 0;
+    rateY = 0;
+    rateZ = 0;
+  }
+  const halfTurn = 0.5*dt*Math.sqrt(rateX*rateX + rateY*rateY + rateZ*rateZ);
+  const sinHalfTurn = Math.sin(halfTurn);
+  const ratio = halfTurn > 0 ? sinHalfTurn/halfTurn : 1;
+  const cosHalfTurn = Math.cos(halfTurn);
+  const turnA = cosHalfTurn;
+  const common7 = 0.5*dt*ratio;
+  const turnB = common7*rateX;
+  const turnC = common7*rateY;
+  const turnD = common7*rateZ;
+  const predictedA = a*turnA - b*turnB - c*turnC - d*turnD;
+  const predictedB = a*turnB + b*turnA + c*turnD - d*turnC;
+  const predictedC = a*turnC - b*turnD + c*turnA + d*turnB;
+  const predictedD = a*turnD + b*turnC - c*turnB + d*turnA;
+  const eX = 2*predictedA*predictedC - 2*predictedB*predictedD;
+  const eY = -2*predictedA*predictedB - 2*predictedC*predictedD;
+  const eZ = -(predictedA*predictedA) + predictedB*predictedB + predictedC*predictedC -
+      (predictedD*predictedD);
+  const size = Math.abs(accelX) + Math.abs(accelY) + Math.abs(accelZ);
+  const hasDirection = size <= 1.7976931348623157e+308 && size > 0;
+  let readingX, readingY, readingZ;
+  if (hasDirection) {
+    readingX = accelX/size;
+    readingY = accelY/size;
+    readingZ = accelZ/size;
+  } else {
+    readingX = 0;
+    readingY = 0;
+    readingZ = 0;
+  }
+  const acrossX = -eY*readingZ + eZ*readingY;
+  const acrossY = eX*readingZ - eZ*readingX;
+  const acrossZ = -eX*readingY + eY*readingX;
+  const sineOff = Math.sqrt(acrossX*acrossX + acrossY*acrossY + acrossZ*acrossZ);
+  const halfTurnBack = 0.5*chosenGain*Math.atan2(sineOff, eX*readingX + eY*readingY + eZ*readingZ);
+  const cosHalfTurnBack = Math.cos(halfTurnBack);
+  const sinHalfTurnBack = Math.sin(halfTurnBack);
+  let turnBackA, factor;
+  if (sineOff > 0) {
+    turnBackA = cosHalfTurnBack;
+    factor = sinHalfTurnBack/sineOff;
+  } else {
+    turnBackA = 1;
+    factor = 0;
+  }
+  const acrossXFactor = acrossX*factor;
+  const factorPredictedC = factor*predictedC;
+  const factorPredictedD = factor*predictedD;
+  const afterA = -acrossXFactor*predictedB - acrossY*factorPredictedC - acrossZ*factorPredictedD +
+      predictedA*turnBackA;
+  const afterB = acrossXFactor*predictedA - acrossY*factorPredictedD + acrossZ*factorPredictedC +
+      predictedB*turnBackA;
+  const acrossYFactor = acrossY*factor;
+  const acrossZFactor = acrossZ*factor;
+  const afterC = acrossXFactor*predictedD + acrossYFactor*predictedA - acrossZFactor*predictedB +
+      predictedC*turnBackA;
+  const afterD = -acrossXFactor*predictedC + acrossYFactor*predictedB + acrossZFactor*predictedA +
+      predictedD*turnBackA;
+  const fieldSize = Math.abs(magX) + Math.abs(magY) + Math.abs(magZ);
+  const fieldHasDirection = fieldSize <= 1.7976931348623157e+308 && fieldSize > 0;
+  let fieldReadingX, fieldReadingY, fieldReadingZ;
+  if (fieldHasDirection) {
+    fieldReadingX = magX/fieldSize;
+    fieldReadingY = magY/fieldSize;
+    fieldReadingZ = magZ/fieldSize;
+  } else {
+    fieldReadingX = 0;
+    fieldReadingY = 0;
+    fieldReadingZ = 0;
+  }
+  const fieldLengthSquared = fieldReadingX*fieldReadingX + fieldReadingY*fieldReadingY +
+      fieldReadingZ*fieldReadingZ;
+  const fieldLevelZ = 2*afterA*afterB*fieldReadingY - 2*afterA*afterC*fieldReadingX +
+      2*afterB*afterD*fieldReadingX + 2*afterC*afterD*fieldReadingY + fieldReadingZ*(afterA*afterA)
+      - fieldReadingZ*afterB*afterB - fieldReadingZ*afterC*afterC + fieldReadingZ*(afterD*afterD);
+  let fieldResult;
+  if (fieldHasDirection) {
+    fieldResult = Math.abs(referenceDown - fieldLevelZ/Math.sqrt(fieldLengthSquared));
+  } else {
+    fieldResult = NaN;
+  }
+  const watchedFactor = fieldResult;
+  let counted;
+  if (watchedFactor > threshold) {
+    counted = above + 1;
+  } else if (watchedFactor <= threshold) {
+    counted = 0;
+  } else {
+    counted = above;
+  }
+  return [afterA, afterB, afterC, afterD, counted];
 }
 
 /**

@@ -212,11 +212,7 @@ def observer_turn(
     sin_half_turn_back = sin(half_turn_back)
     if sine_off > 0.0:
         turn_back_a = cos_half_turn_back
-        factor = (
-            sin_half_turn_back*1.0/(sqrt((-e_x*reading_y + e_y*reading_x)*(-e_x*reading_y +
-                e_y*reading_x) + (e_x*reading_z - e_z*reading_x)*(e_x*reading_z - e_z*reading_x) +
-                (-e_y*reading_z + e_z*reading_y)*(-e_y*reading_z + e_z*reading_y)))
-        )
+        factor = sin_half_turn_back/sine_off
     else:
         turn_back_a = 1.0
         factor = 0.0
@@ -352,11 +348,7 @@ def observer_step(
     sin_half_turn_back = sin(half_turn_back)
     if sine_off > 0.0:
         turn_back_a = cos_half_turn_back
-        factor = (
-            sin_half_turn_back*1.0/(sqrt((-e_x*reading_y + e_y*reading_x)*(-e_x*reading_y +
-                e_y*reading_x) + (e_x*reading_z - e_z*reading_x)*(e_x*reading_z - e_z*reading_x) +
-                (-e_y*reading_z + e_z*reading_y)*(-e_y*reading_z + e_z*reading_y)))
-        )
+        factor = sin_half_turn_back/sine_off
     else:
         turn_back_a = 1.0
         factor = 0.0

@@ -20,33 +20,35 @@ def matrix_from_quaternion(
     Right as long as the norm squared neither overflows nor vanishes.
     Ledger: quaternions.3.3.
     """
-    norm_squared = a*a + b*b + c*c + d*d
-    factor = 2.0/norm_squared
-    scaled_b = b*factor
-    scaled_c = c*factor
-    scaled_d = d*factor
-    c_scaled_c = c*scaled_c
-    d_scaled_d = d*scaled_d
-    one_minus_r11 = c_scaled_c + d_scaled_d
-    b_scaled_b = b*scaled_b
-    one_minus_r22 = b_scaled_b + d_scaled_d
-    one_minus_r33 = b_scaled_b + c_scaled_c
-    c_scaled_b = c*scaled_b
-    a_scaled_d = a*scaled_d
-    d_scaled_b = d*scaled_b
-    a_scaled_c = a*scaled_c
-    d_scaled_c = d*scaled_c
-    a_scaled_b = a*scaled_b
+    a_squared = a*a
+    b_squared = b*b
+    along_x = a_squared + b_squared
+    c_squared = c*c
+    d_squared = d*d
+    across_x = c_squared + d_squared
+    along_y = a_squared + c_squared
+    across_y = b_squared + d_squared
+    along_z = a_squared + d_squared
+    across_z = b_squared + c_squared
+    norm_squared = across_x + along_x
+    scale = 1.0/norm_squared
+    twice_scale = 2.0*scale
+    b_c = b*c
+    a_d = a*d
+    b_d = b*d
+    a_c = a*c
+    c_d = c*d
+    a_b = a*b
     return (
-        1.0 - one_minus_r11,
-        a_scaled_d + c_scaled_b,
-        -a_scaled_c + d_scaled_b,
-        -a_scaled_d + c_scaled_b,
-        1.0 - one_minus_r22,
-        a_scaled_b + d_scaled_c,
-        a_scaled_c + d_scaled_b,
-        -a_scaled_b + d_scaled_c,
-        1.0 - one_minus_r33,
+        scale*(-across_x + along_x),
+        twice_scale*(a_d + b_c),
+        twice_scale*(-a_c + b_d),
+        twice_scale*(-a_d + b_c),
+        scale*(-across_y + along_y),
+        twice_scale*(a_b + c_d),
+        twice_scale*(a_c + b_d),
+        twice_scale*(-a_b + c_d),
+        scale*(-across_z + along_z),
     )
 
 
@@ -199,17 +201,26 @@ def axis_angle_from_quaternion(
     Right as long as the norm squared neither overflows nor vanishes.
     Ledger: quaternions.2.2.
     """
-    length_squared = b*b + c*c + d*d
-    length = sqrt(length_squared)
+    size = abs(b) + abs(c) + abs(d)
+    if size <= 0.0:
+        part_b = 1.0
+        part_c = 0.0
+        part_d = 0.0
+    else:
+        part_b = b/size
+        part_c = c/size
+        part_d = d/size
+    extent = sqrt(part_b*part_b + part_c*part_c + part_d*part_d)
+    length = extent*size
     sign = 1.0 if a >= 0.0 else -1.0
-    if length <= 0.0:
+    if size <= 0.0:
         x = 1.0
         y = 0.0
         z = 0.0
     else:
-        x = b*sign/length
-        y = c*sign/length
-        z = d*sign/length
+        x = part_b*sign/extent
+        y = part_c*sign/extent
+        z = part_d*sign/extent
     return (x, y, z, 2.0*atan2(length, abs(a)))
 
 

@@ -71,3 +71,210 @@ def validation_factor(
     else:
         result = nan
     return result
+
+
+def monitor_gain(
+    above: float, patience: float, gain: float, lowest: float, highest: float
+) -> float:
+    """Gain to use once E has been above the threshold for so many samples.
+
+    above: for how many samples in a row E has been above the threshold
+    patience: samples for which each other gain is tried
+    gain: weight of the accelerometer otherwise, from 0 to 1
+    lowest: the gain that is tried second
+    highest: the gain that is tried first
+    """
+    if above <= patience and above > 0.0:
+        chosen_gain = highest
+    elif above <= 2.0*patience and above > patience:
+        chosen_gain = lowest
+    else:
+        chosen_gain = gain
+    return chosen_gain
+
+
+def monitor_count(above: float, factor: float, threshold: float) -> float:
+    """For how many samples in a row E has been above the threshold; NaN tells nothing.
+
+    above: for how many samples in a row E has been above the threshold
+    factor: the factor E, NaN where it is not known
+    threshold: of E, positive
+    """
+    if factor > threshold:
+        counted = above + 1.0
+    elif factor <= threshold:
+        counted = 0.0
+    else:
+        counted = above
+    return counted
+
+
+def monitored_turn(
+    a: float,
+    b: float,
+    c: float,
+    d: float,
+    above: float,
+    p: float,
+    q: float,
+    r: float,
+    accel_x: float,
+    accel_y: float,
+    accel_z: float,
+    mag_x: float,
+    mag_y: float,
+    mag_z: float,
+    dt: float,
+    reference_down: float,
+    threshold: float,
+    patience: float,
+    gain: float,
+    lowest: float,
+    highest: float,
+) -> tuple[float, float, float, float, float]:
+    """Attitude quaternion one period later by the gain that a monitor asks for, and its count (5).
+
+    a: scalar part of the attitude quaternion
+    b: factor of i of the attitude quaternion
+    c: factor of j of the attitude quaternion
+    d: factor of k of the attitude quaternion
+    above: for how many samples in a row E has been above the threshold
+    p: body rate about x, rad/s
+    q: body rate about y, rad/s
+    r: body rate about z, rad/s
+    accel_x: reading of the accelerometer along x, m/s²
+    accel_y: reading of the accelerometer along y, m/s²
+    accel_z: reading of the accelerometer along z, m/s²
+    mag_x: reading of the magnetometer along x, any unit
+    mag_y: reading of the magnetometer along y, any unit
+    mag_z: reading of the magnetometer along z, any unit
+    dt: time that passes, s
+    reference_down: part of the field that points down, the whole field being 1
+    threshold: of E, positive
+    patience: samples for which each other gain is tried
+    gain: weight of the accelerometer otherwise, from 0 to 1
+    lowest: the gain that is tried second
+    highest: the gain that is tried first
+
+    Ledger: validation.17.
+    """
+    if above <= patience and above > 0.0:
+        chosen_gain = highest
+    elif above <= 2.0*patience and above > patience:
+        chosen_gain = lowest
+    else:
+        chosen_gain = gain
+    abs_p = abs(p)
+    abs_q = abs(q)
+    abs_r = abs(r)
+    whole_turn = dt*(abs_p + abs_q + abs_r)
+    moves = (
+        whole_turn <= 1.7976931348623157e+308 and abs_p < 1000000000000.0 and abs_q <
+            1000000000000.0 and abs_r < 1000000000000.0
+    )
+    if moves:
+        rate_x = p
+        rate_y = q
+        rate_z = r
+    else:
+        rate_x = 0.0
+        rate_y = 0.0
+        rate_z = 0.0
+    half_turn = 0.5*dt*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z)
+    sin_half_turn = sin(half_turn)
+    if half_turn > 0.0:
+        ratio = sin_half_turn/half_turn
+    else:
+        ratio = 1.0
+    cos_half_turn = cos(half_turn)
+    turn_a = cos_half_turn
+    common_7 = 0.5*dt*ratio
+    turn_b = common_7*rate_x
+    turn_c = common_7*rate_y
+    turn_d = common_7*rate_z
+    predicted_a = a*turn_a - b*turn_b - c*turn_c - d*turn_d
+    predicted_b = a*turn_b + b*turn_a + c*turn_d - d*turn_c
+    predicted_c = a*turn_c - b*turn_d + c*turn_a + d*turn_b
+    predicted_d = a*turn_d + b*turn_c - c*turn_b + d*turn_a
+    e_x = 2.0*predicted_a*predicted_c - 2.0*predicted_b*predicted_d
+    e_y = -2.0*predicted_a*predicted_b - 2.0*predicted_c*predicted_d
+    e_z = (
+        -(predicted_a*predicted_a) + predicted_b*predicted_b + predicted_c*predicted_c -
+            (predicted_d*predicted_d)
+    )
+    size = abs(accel_x) + abs(accel_y) + abs(accel_z)
+    has_direction = size <= 1.7976931348623157e+308 and size > 0.0
+    if has_direction:
+        reading_x = accel_x/size
+        reading_y = accel_y/size
+        reading_z = accel_z/size
+    else:
+        reading_x = 0.0
+        reading_y = 0.0
+        reading_z = 0.0
+    across_x = -e_y*reading_z + e_z*reading_y
+    across_y = e_x*reading_z - e_z*reading_x
+    across_z = -e_x*reading_y + e_y*reading_x
+    sine_off = sqrt(across_x*across_x + across_y*across_y + across_z*across_z)
+    half_turn_back = 0.5*chosen_gain*atan2(sine_off, e_x*reading_x + e_y*reading_y + e_z*reading_z)
+    cos_half_turn_back = cos(half_turn_back)
+    sin_half_turn_back = sin(half_turn_back)
+    if sine_off > 0.0:
+        turn_back_a = cos_half_turn_back
+        factor = sin_half_turn_back/sine_off
+    else:
+        turn_back_a = 1.0
+        factor = 0.0
+    across_x_factor = across_x*factor
+    factor_predicted_c = factor*predicted_c
+    factor_predicted_d = factor*predicted_d
+    after_a = (
+        -across_x_factor*predicted_b - across_y*factor_predicted_c - across_z*factor_predicted_d +
+            predicted_a*turn_back_a
+    )
+    after_b = (
+        across_x_factor*predicted_a - across_y*factor_predicted_d + across_z*factor_predicted_c +
+            predicted_b*turn_back_a
+    )
+    across_y_factor = across_y*factor
+    across_z_factor = across_z*factor
+    after_c = (
+        across_x_factor*predicted_d + across_y_factor*predicted_a - across_z_factor*predicted_b +
+            predicted_c*turn_back_a
+    )
+    after_d = (
+        -across_x_factor*predicted_c + across_y_factor*predicted_b + across_z_factor*predicted_a +
+            predicted_d*turn_back_a
+    )
+    field_size = abs(mag_x) + abs(mag_y) + abs(mag_z)
+    field_has_direction = field_size <= 1.7976931348623157e+308 and field_size > 0.0
+    if field_has_direction:
+        field_reading_x = mag_x/field_size
+        field_reading_y = mag_y/field_size
+        field_reading_z = mag_z/field_size
+    else:
+        field_reading_x = 0.0
+        field_reading_y = 0.0
+        field_reading_z = 0.0
+    field_length_squared = (
+        field_reading_x*field_reading_x + field_reading_y*field_reading_y +
+            field_reading_z*field_reading_z
+    )
+    field_level_z = (
+        2.0*after_a*after_b*field_reading_y - 2.0*after_a*after_c*field_reading_x +
+            2.0*after_b*after_d*field_reading_x + 2.0*after_c*after_d*field_reading_y +
+            field_reading_z*(after_a*after_a) - field_reading_z*after_b*after_b -
+            field_reading_z*after_c*after_c + field_reading_z*(after_d*after_d)
+    )
+    if field_has_direction:
+        field_result = abs(reference_down - field_level_z/sqrt(field_length_squared))
+    else:
+        field_result = nan
+    watched_factor = field_result
+    if watched_factor > threshold:
+        counted = above + 1.0
+    elif watched_factor <= threshold:
+        counted = 0.0
+    else:
+        counted = above
+    return (after_a, after_b, after_c, after_d, counted)
