@@ -64,6 +64,11 @@ def inertial_acceleration() -> ImmutableMatrix:
     return ImmutableMatrix(rotation("B", "I") * ImmutableMatrix(ACCELEROMETER) + g * Z)
 
 
+def acceleration_then() -> ImmutableMatrix:
+    """Any acceleration a(t)."""
+    return ImmutableMatrix([along(t) for along in _COMPONENTS])
+
+
 def velocity_gained() -> ImmutableMatrix:
     """Integral from 0 to t of any acceleration a(t)."""
     return ImmutableMatrix([Integral(along(_inner), (_inner, 0, t)) for along in _COMPONENTS])

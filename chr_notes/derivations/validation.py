@@ -11,19 +11,23 @@ from sympy import (
     Basic,
     Expr,
     ImmutableMatrix,
+    Intersection,
     S,
+    Set,
     atan2,
     cancel,
     cos,
     expand,
     factor_terms,
     pi,
+    simplify,
     sin,
+    solveset,
     sqrt,
     symbols,
 )
 
-from chr_notes.derivations.euler import rotation
+from chr_notes.derivations.euler import Z, rotation
 from chr_notes.derivations.quaternions import turned
 from chr_notes.symbols import MAGNETOMETER, Angle, psi
 
@@ -42,6 +46,16 @@ magnitude, radius, dipole_strength = symbols("M_e r K", positive=True)
 inclination, declination, latitude = (
     Angle(name, real=True) for name in ("alpha", "delta", "lambda")
 )
+
+
+@cache
+def yaws_of_gravity() -> Set:
+    """Yaws at which gravity as it is in the body frame, taken back by them, points down."""
+    tried = Angle(r"\psi_{\text{tried}}", real=True)
+    in_body = rotation("I", "B") * Z
+    back = rotation("v1", "I").subs(psi, tried) * rotation("B", "v1") * in_body
+    north, east, _ = (simplify(part) for part in back)
+    return Intersection(*(solveset(part, tried, S.Reals) for part in (north, east)))
 
 
 @cache

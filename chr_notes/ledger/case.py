@@ -18,7 +18,7 @@ NOTHING = ImmutableMatrix.zeros(3, 1)
 
 # Documents whose cases are still brought in the old way: corrections typed, no root, no weight,
 # a reading for each case.
-UNCONVERTED = frozenset({"sensors", "estimation", "dead_reckoning", "validation"})
+UNCONVERTED = frozenset({"sensors", "estimation"})
 
 
 class CannotJudgeError(Exception):

@@ -4,7 +4,7 @@ from sympy import And, Basic, Eq, Or, Pow, atan2, cos, sec, simplify, tan
 
 from chr_notes.ledger.case import Case
 from chr_notes.ledger.evaluation import evaluate, parts
-from chr_notes.ledger.identities import is_zero
+from chr_notes.ledger.identities import is_zero, reduced
 from chr_notes.printed.statement import Approximately
 from chr_notes.typeset import latex
 
@@ -37,5 +37,7 @@ def _zeros(relation: Basic) -> list[Basic]:
 def _occurs(case: Case, zero: Basic) -> bool:
     """Whether something may vanish: no divisor that is known never to be zero."""
     values = [evaluate(part.lhs, case.reading, {}) for part in parts(zero)]
-    length = simplify(sum(value**2 for value in values))
+    length = sum(value**2 for value in values)
+    shortened = reduced(length)
+    length = simplify(length) if shortened is None else shortened
     return not (length.is_nonzero or is_zero(length - 1))

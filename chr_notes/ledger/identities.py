@@ -9,11 +9,13 @@ from sympy import (
     Dummy,
     Expr,
     Integer,
+    Limit,
     MatrixBase,
     Pow,
     Rational,
     S,
     Set,
+    Subs,
     Symbol,
     cancel,
     cos,
@@ -22,7 +24,6 @@ from sympy import (
     floor,
     fraction,
     gcd,
-    reduced,
     sec,
     simplify,
     sin,
@@ -30,6 +31,8 @@ from sympy import (
     tan,
     together,
 )
+from sympy import reduced as remainder
+from sympy.concrete.expr_with_limits import ExprWithLimits
 
 CLEARLY_NOT_ZERO = 1e-15  # against values computed with 30 digits
 
@@ -64,7 +67,9 @@ def sample(expression: Basic) -> Basic:
     for sphere in _spheres(expression):
         length = sqrt(sum(Rational(n + 2, 3) ** 2 for n in range(len(sphere))))
         point |= {name: Rational(n + 2, 3) / length for n, name in enumerate(sphere)}
-    return expression.subs(point).evalf(30, chop=False)
+    bound = expression.has(Limit, ExprWithLimits, Subs)
+    there = expression.subs(point) if bound else expression.xreplace(point)
+    return there.evalf(30, chop=False)
 
 
 def _spheres(expression: Basic) -> set[tuple[OnSphere, ...]]:
@@ -94,34 +99,61 @@ def is_zero(expression: Basic) -> bool:
 def _is_zero_on_circles(expression: Expr) -> bool | None:
     """Whether an expression vanishes, or nothing if it is not rational in sines and cosines.
 
-    An angle is a sum of whole multiples of some parts, and each part a point (cosine, sine) of
-    the unit circle. Sines and cosines of all angles are polynomials in these; what is left of
-    the numerator when the squares of each point add up to one is zero for nothing but zero.
+    What is left of the numerator when the squares of each point add up to one is zero for nothing
+    but zero.
     """
-    angles = {call.args[0] for call in expression.atoms(sin, cos, tan)}
-    points, whole = _points_of(angles)
-    algebraic = (
-        expression.replace(tan, lambda x: whole[x][1] / whole[x][0])
-        .replace(sin, lambda x: whole[x][1])
-        .replace(cos, lambda x: whole[x][0])
-    )
-    numerator = expand(fraction(together(algebraic))[0])
-    if numerator == 0:
-        return True
-    if not numerator.is_polynomial(*numerator.free_symbols):
-        return None
-    circles = [cosine**2 + sine**2 - 1 for cosine, sine in points]
-    unknowns = [coordinate for point in points for coordinate in point]
-    for sphere in _spheres(expression):
-        circles.append(sum(name**2 for name in sphere) - 1)
-        unknowns += sphere
-    return bool(reduced(numerator, circles, *unknowns)[1] == 0) if circles else False
+    circles = _Circles(expression)
+    left_over = circles.reduced(fraction(together(circles.algebraic))[0])
+    return None if left_over is None else bool(left_over == 0)
+
+
+def reduced(expression: Expr) -> Expr | None:
+    """Shorten a quotient by cos² + sin² = 1, or give nothing if it is not rational in these."""
+    circles = _Circles(expression)
+    above, below = map(circles.reduced, fraction(together(circles.algebraic)))
+    return None if above is None or below is None else cancel(above / below).xreplace(circles.back)
 
 
 Point = tuple[Expr, Expr]
 
 
-def _points_of(angles: set[Expr]) -> tuple[list[Point], dict[Expr, Point]]:
+class _Circles:
+    """An expression in terms of points on unit circles, and of names on spheres.
+
+    An angle is a sum of whole multiples of some parts, and each part a point (cosine, sine) of
+    the unit circle. Sines and cosines of all angles are polynomials in these.
+    """
+
+    def __init__(self, expression: Expr) -> None:
+        angles = {call.args[0] for call in expression.atoms(sin, cos, tan)}
+        points, whole = _points_of(angles)
+        self.algebraic = (
+            expression.replace(tan, lambda x: whole[x][1] / whole[x][0])
+            .replace(sin, lambda x: whole[x][1])
+            .replace(cos, lambda x: whole[x][0])
+        )
+        self.back = {
+            coordinate: function(part)
+            for part, point in points.items()
+            for function, coordinate in zip((cos, sin), point, strict=True)
+        }
+        self.relations = [cosine**2 + sine**2 - 1 for cosine, sine in points.values()]
+        self.unknowns = [*self.back]
+        for sphere in _spheres(expression):
+            self.relations.append(sum(name**2 for name in sphere) - 1)
+            self.unknowns += sphere
+
+    def reduced(self, polynomial: Expr) -> Expr | None:
+        """Reduce a polynomial by what is known of the points; nothing if it is none."""
+        polynomial = expand(polynomial)
+        if not polynomial.is_polynomial(*polynomial.free_symbols):
+            return None
+        if not self.relations or polynomial == 0:
+            return polynomial
+        return remainder(polynomial, self.relations, *self.unknowns)[1]
+
+
+def _points_of(angles: set[Expr]) -> tuple[dict[Expr, Point], dict[Expr, Point]]:
     """Give the points of the parts of angles, and those of the angles themselves in terms of them.
 
     Numbers are parts as well; their points are numbers, which have nothing unknown.
@@ -146,7 +178,7 @@ def _points_of(angles: set[Expr]) -> tuple[list[Point], dict[Expr, Point]]:
             for _ in range(abs(turns)):
                 at = _further(at, (cosine, sine if turns > 0 else -sine))
         whole[angle] = at
-    return [point for part, point in points.items() if part.free_symbols], whole
+    return {units[part] * part: point for part, point in points.items() if part.free_symbols}, whole
 
 
 def _further(at: Point, by: Point) -> Point:

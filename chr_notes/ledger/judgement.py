@@ -238,7 +238,9 @@ def _left_sides_before(case: Case) -> set[Basic]:
     for printed in DOCUMENTS[case.printed.document]:
         if printed.id == case.id:
             break
-        names |= {part.lhs for part in parts(printed.statement) if isinstance(part, Eq)}
+        for part in parts(printed.statement):
+            if isinstance(part, Eq):
+                names |= set(part.lhs) if isinstance(part.lhs, MatrixBase) else {part.lhs}
     return names - {BY_ID[case.replaces].statement.lhs} if case.replaces else names
 
 

@@ -7,6 +7,7 @@ from itertools import chain, product
 
 from sympy import (
     Basic,
+    Dummy,
     Eq,
     Expr,
     Ge,
@@ -21,13 +22,16 @@ from sympy import (
     Set,
     Symbol,
     cancel,
+    fraction,
     simplify,
+    tan,
+    together,
 )
 from sympy.core.relational import Relational
 from sympy.logic.boolalg import BooleanFalse, BooleanTrue
 
 from chr_notes.ledger.case import Condition
-from chr_notes.ledger.evaluation import evaluate, parts, sides
+from chr_notes.ledger.evaluation import evaluate, parts, put, sides
 from chr_notes.ledger.identities import difference, equal, is_positive, is_zero, same_angle
 from chr_notes.ledger.reading import Read
 from chr_notes.printed.statement import Approximately
@@ -94,7 +98,9 @@ def _cases(conditions: tuple[Condition, ...]) -> Iterator[Mapping[Basic, Basic]]
     """Yield each choice of one case of every condition; the later ones narrow the earlier ones."""
     seen: list[Mapping[Basic, Basic]] = []
     for choice in product(*(condition.by for condition in conditions)):
-        by = {old: new for case in choice for old, new in case.items()}
+        by: dict[Basic, Basic] = {}
+        for case in choice:
+            by |= {old: put(new, by) for old, new in case.items()}
         if by not in seen:
             seen.append(by)
             yield by
@@ -205,6 +211,7 @@ def _never_equal(
             component.is_nonzero
             or is_positive(component)
             or is_positive(-component)
+            or _numerator_is_positive(component)
             or any(_vanishes_only_with(component, other) for other in chain(*way))
             for component in components
         )
@@ -219,6 +226,12 @@ def _excluded(condition: Condition, read: Read, by: Mapping[Basic, Basic]) -> li
         [evaluate(each.lhs - each.rhs, read, by) for each in parts(way) if isinstance(each, Ne)]
         for way in (holds.args if isinstance(holds, Or) else (holds,))
     ]
+
+
+def _numerator_is_positive(component: Expr) -> bool:
+    """Whether a quotient cannot vanish; a tangent is any number at all."""
+    numbers = {call: Dummy(real=True) for call in component.atoms(tan)}
+    return is_positive(fraction(together(component.xreplace(numbers)))[0])
 
 
 def _vanishes_only_with(component: Expr, excluded: Expr) -> bool:

@@ -109,7 +109,10 @@ class Read:
     def _named(self, symbol: Basic) -> Basic:
         if symbol not in self._worked_out:
             quantity = self.meaning[symbol]
-            self._worked_out[symbol] = quantity if isinstance(quantity, Basic) else quantity()
+            named = quantity if isinstance(quantity, Basic) else quantity()
+            # A printed definition speaks in the document's own symbols.
+            by_print = isinstance(quantity, Defined)
+            self._worked_out[symbol] = self.with_names(named) if by_print else named
         return self._worked_out[symbol]
 
     def _work_out(self, node: Basic) -> Basic:

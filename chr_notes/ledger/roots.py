@@ -19,6 +19,32 @@ ROOTS: Final[Mapping[str, str]] = MappingProxyType(
         "section 3 from the inertial frame to the body, section 4 and the sensors the other way.",
         "complex-for-imaginary": "A quaternion is said to have complex elements.",
         "inverse-is-conjugate": "The inverse of a quaternion is said to be its conjugate.",
+        "missing-half": "Position under a constant acceleration: the half in front of the time "
+        "squared is missing.",
+        "kilometre": "The 612 m of the note's own table are called almost a kilometre.",
+        "cut-off": "Two numbers of Table 1 are cut off instead of rounded.",
+        "local-gravity": "The gravity that is added is taken to be the local one.",
+        "tilt-only": "An error of orientation is said to show in the acceleration; one of yaw "
+        "alone does not, while the motion is steady.",
+        "matrix-label": "The validation paper calls its matrix that from the inertial frame to the "
+        "body and prints that of the way back.",
+        "gravity-or-reading": "The validation paper takes what an accelerometer reads for gravity; "
+        "it reads minus gravity.",
+        "no-information": "Yaw from gravity: a division of zero by zero is taken for a "
+        "contradiction.",
+        "roll-quadrant": "Roll as the arctangent of a quotient: beyond 90° it comes out wrong by "
+        "180°.",
+        "seam": "A weighted mean of two angles that are more than half a turn apart as numbers "
+        "goes the long way round.",
+        "bias-stays": "A filter with a fixed gain is said to settle at the accelerometer's angle; "
+        "a bias of the gyro keeps it beside.",
+        "angles-before": "The Euler rates of a loop are said to follow from the angles of the loop "
+        "before, as if these had not changed.",
+        "factor-needs-field": "The factor E is said to be zero with exact angles, whatever "
+        "disturbs the field.",
+        "factor-blind": "The factor E is said to tell an error of the angles; most errors it does "
+        "not see.",
+        "south-field": "The Earth's field is printed as if it pointed south.",
     }
 )
 """What is wrong, in our words, by the name that the cases give as `root`.

@@ -2,12 +2,12 @@
 
 from functools import partial
 
-from sympy import And, Basic, Eq, Rational, Symbol, pi, sin
+from sympy import Basic, Eq, Rational, Symbol, pi, sin
 
 from chr_notes.derivations import dead_reckoning as derived
 from chr_notes.derivations.steps import Step
 from chr_notes.ledger.case import Case
-from chr_notes.ledger.reading import reading
+from chr_notes.ledger.edits import Edit
 from chr_notes.printed.statement import Approximately
 from chr_notes.printed.table_1 import CELLS, COLUMNS, ROWS, Cell, error
 from chr_notes.symbols import g
@@ -50,54 +50,52 @@ MEANING = {
         for cell in CELLS
     },
 }
-READ = reading(MEANING)
 
-
-# The right numbers where Table 1 has wrong ones, by row and column.
+# Where Table 1 has wrong numbers, by row and column: what is printed, and what is right.
 CORRECTED_CELLS = {
     "0.1": {
-        "position_10s": "0.86",
-        "position_1min": "30.8",
-        "position_10min": "3079",
-        "position_1h": "111 e 3",
+        "position_10s": ("1.7", "0.86"),
+        "position_1min": ("61.2", "30.8"),
+        "position_10min": ("6120", "3079"),
+        "position_1h": ("220 e 3", "111 e 3"),
     },
     "0.5": {
-        "position_10s": "4.3",
-        "position_1min": "153.9",
-        "position_10min": "15394",
-        "position_1h": "0.55 e 6",
+        "position_10s": ("8.6", "4.3"),
+        "position_1min": ("309.6", "153.9"),
+        "position_10min": ("30960", "15394"),
+        "position_1h": ("1.1 e 6", "0.55 e 6"),
     },
     "1.0": {
-        "position_10s": "8.6",
-        "position_1min": "308",
-        "position_10min": "30786",
-        "position_1h": "1.1 e 6",
+        "position_10s": ("17", "8.6"),
+        "position_1min": ("612", "308"),
+        "position_10min": ("61200", "30786"),
+        "position_1h": ("2.2 e 6", "1.1 e 6"),
     },
     "1.5": {
-        "acceleration": "0.257",
-        "velocity_10s": "2.57",
-        "position_10s": "12.8",
-        "position_1min": "461.8",
-        "position_10min": "46176",
-        "position_1h": "1.7 e 6",
+        "acceleration": ("0.256", "0.257"),
+        "velocity_10s": ("2.56", "2.57"),
+        "position_10s": ("25.6", "12.8"),
+        "position_1min": ("921.6", "461.8"),
+        "position_10min": ("92160", "46176"),
+        "position_1h": ("3.3 e 6", "1.7 e 6"),
     },
     "2.0": {
-        "position_10s": "17.1",
-        "position_1min": "615.6",
-        "position_10min": "61563",
-        "position_1h": "2.2 e 6",
+        "position_10s": ("34.2", "17.1"),
+        "position_1min": ("1231.2", "615.6"),
+        "position_10min": ("123120", "61563"),
+        "position_1h": ("4.4 e 6", "2.2 e 6"),
     },
     "3.0": {
-        "position_10s": "25.6",
-        "position_1min": "923.2",
-        "position_10min": "92321",
-        "position_1h": "3.3 e 6",
+        "position_10s": ("51.3", "25.6"),
+        "position_1min": ("1846.8", "923.2"),
+        "position_10min": ("184680", "92321"),
+        "position_1h": ("6.6 e 6", "3.3 e 6"),
     },
     "5.0": {
-        "position_10s": "42.7",
-        "position_1min": "1537.4",
-        "position_10min": "153743",
-        "position_1h": "5.5 e 6",
+        "position_10s": ("85.4", "42.7"),
+        "position_1min": ("3074.4", "1537.4"),
+        "position_10min": ("307440", "153743"),
+        "position_1h": ("11 e 6", "5.5 e 6"),
     },
 }
 
@@ -121,7 +119,7 @@ GROWTH = (
 
 def _corrected_cell(cell: Cell) -> Case:
     statement = f"dead_reckoning.t1.{cell.degrees}.{cell.column}"
-    right = Approximately(cell.quantity, CORRECTED_CELLS[cell.degrees][cell.column])
+    edit = Edit(*CORRECTED_CELLS[cell.degrees][cell.column])
     if COLUMNS[cell.column].quantity != "r":
         last_digit = Step(
             "With more digits the acceleration is this; rounded, its last digit is a seven.",
@@ -129,8 +127,9 @@ def _corrected_cell(cell: Cell) -> Case:
         )
         return Case(
             statement,
-            READ,
-            correction=right,
+            edits=(edit,),
+            root="cut-off",
+            weight="small print",
             steps=(LEVEL_ACCELERATION, last_digit),
             remark="Cut off after the last digit instead of rounded.",
         )
@@ -140,11 +139,23 @@ def _corrected_cell(cell: Cell) -> Case:
     )
     return Case(
         statement,
-        READ,
-        correction=right,
+        edits=(edit,),
+        root="missing-half",
+        weight="misleads",
         steps=(*GROWTH, no_half),
         remark="Position under a constant acceleration is half the acceleration times the time "
         "squared; the half is missing, so the printed number is about twice too large.",
+    )
+
+
+def _without_half(letter: str, wrong: str, right: str, remark: str) -> Case:
+    return Case(
+        f"dead_reckoning.4.{letter}",
+        edits=(Edit(wrong, right),),
+        root="missing-half",
+        weight="misleads",
+        steps=GROWTH,
+        remark=remark,
     )
 
 
@@ -154,36 +165,23 @@ SETTLED = (
         for cell in CELLS
         if cell.column in CORRECTED_CELLS.get(cell.degrees, {})
     ),
-    Case(
-        "dead_reckoning.4.b",
-        READ,
-        correction=Approximately(error("position_10s", "1.0"), "8.6"),
-        steps=GROWTH,
-        remark="The half is missing.",
-    ),
+    _without_half("b", "17.1", "8.6", "The half is missing."),
     Case(
         "dead_reckoning.4.c",
-        READ,
-        correction=Approximately(error("position_1min", "1.0"), "308"),
+        edits=(Edit("1 e 3", "308"),),
+        root="kilometre",
+        weight="misleads",
         steps=GROWTH,
         remark="It is 308 m. Even the note's own table has 612 m, which is hardly almost a "
         "kilometre.",
     ),
-    Case(
-        "dead_reckoning.4.d",
-        READ,
-        correction=Approximately(error("position_10min", "1.0"), "31 e 3"),
-        steps=GROWTH,
-        remark="The half is missing; besides, the note's own table has 61.2 km.",
+    _without_half(
+        "d",
+        "62 e 3",
+        "31 e 3",
+        "The half is missing; besides, the note's own table has 61.2 km.",
     ),
-    Case(
-        "dead_reckoning.4.e",
-        READ,
-        correction=And(
-            Approximately(error("position_10s", "2.0"), "17.1"),
-            Approximately(error("velocity_10s", "2.0"), "3.4"),
-        ),
-        steps=GROWTH,
-        remark="The velocity is right. In the position the half is missing.",
+    _without_half(
+        "e", "34.2", "17.1", "The velocity is right. In the position the half is missing."
     ),
 )

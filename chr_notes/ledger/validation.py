@@ -1,44 +1,88 @@
 """The paper on validating Euler angles before the judgement: filter, field, factor E."""
 
-from sympy import Abs, Eq, ImmutableMatrix, MatMul, Ne, Rational, cos, sin, sqrt
+from sympy import (
+    Eq,
+    ImmutableMatrix,
+    MatMul,
+    Rational,
+    cos,
+    sin,
+)
 
 from chr_notes.derivations import estimation
-from chr_notes.derivations import validation as derived
 from chr_notes.derivations.steps import Step
 from chr_notes.ledger import ranges
-from chr_notes.ledger.case import DEGREE, Case, Condition, complete
+from chr_notes.ledger.case import DEGREE, Case, complete
+from chr_notes.ledger.edits import Edit
 from chr_notes.ledger.validation_attitude import LABEL
 from chr_notes.ledger.validation_attitude import SETTLED as ON_ATTITUDE
+from chr_notes.ledger.validation_claims import SETTLED as WORDS
 from chr_notes.ledger.validation_reading import (
-    BIAS,
-    DISTURBANCE,
-    E_ALONG_FIELD,
-    FIELD_READINGS,
+    LEVEL,
+    LEVEL_X,
+    LEVEL_Y,
+    PITCH_STEP,
     READ,
-    READ_EARTH,
-    READ_FIELD,
-    READ_FILTER,
+    READ_STEPS,
     READ_YAW,
+    READINGS,
     ROLL_STEP,
     SOME_ATTITUDE,
     SOME_FIELD,
-    WEAKENING,
+    UNDISTURBED,
 )
+from chr_notes.printed import DOCUMENTS
 from chr_notes.printed import validation as printed
-from chr_notes.printed.statement import Approximately, Leads
+from chr_notes.printed.statement import InOrder
+from chr_notes.symbols import phi, psi, theta
+
+POLE = (
+    "It needs a field with a horizontal part. Over a magnetic pole A is zero, and no compass can "
+    "tell yaw."
+)
+TO_LEVEL = Step(
+    "Roll and pitch are known, so the reading can be brought to the level: this much of the field "
+    "points forward and this much to the right.",
+    InOrder(
+        Eq(
+            LEVEL_X,
+            printed.M_ZB * cos(phi) * sin(theta)
+            + printed.M_YB * sin(phi) * sin(theta)
+            + printed.M_XB * cos(theta),
+        ),
+        Eq(LEVEL_Y, printed.M_YB * cos(phi) - printed.M_ZB * sin(phi)),
+    ),
+)
+TURNED_BY_YAW = Step(
+    "Turned by yaw, that is the level part of the field in the inertial frame: the first two "
+    "lines of equation 12, two equations for the cosine and the sine.",
+    Eq(
+        ImmutableMatrix([printed.M_XI, printed.M_YI]),
+        MatMul(
+            ImmutableMatrix([[cos(psi), -sin(psi)], [sin(psi), cos(psi)]]), ImmutableMatrix(LEVEL)
+        ),
+    ),
+)
+DIVISOR = Step(
+    "The determinant of the two equations, with the paper's sign, is A: minus the square of the "
+    "level field.",
+    Eq(printed.A, -(LEVEL_X**2) - LEVEL_Y**2),
+)
 
 SETTLED = (
     Case(
         "validation.10",
-        READ_FILTER,
+        given=(ranges.acute(printed.ROLL_ACCEL), ranges.from_0_to_1(printed.ALPHA)),
         condition=ranges.short_turn(ROLL_STEP, printed.ROLL_ACCEL),
         witness={
-            printed.ROLL_BEFORE: 179 * DEGREE,
+            printed.ROLL_BEFORE: 100 * DEGREE,
             printed.ROLL_RATE: 0,
             printed.DT: Rational(1, 100),
-            printed.ROLL_ACCEL: -179 * DEGREE,
+            printed.ROLL_ACCEL: -85 * DEGREE,
             printed.ALPHA: Rational(2, 100),
         },
+        root="seam",
+        weight="misleads",
         steps=(
             Step(
                 "A weighted mean of two directions goes the shorter way from one to the other: "
@@ -50,165 +94,96 @@ SETTLED = (
                 ),
             ),
         ),
-        remark="Between 179° and -179° lies 180°, not the zero that a mean of the numbers heads "
-        "for. Where the two are more than half a turn apart as numbers, whole turns must come off "
-        "first.",
+        remark="Equation 3 gives angles between −90° and 90°, the gyro goes beyond. From 100° to "
+        "−85°, which also stands for 95° there, the numbers are 185° apart and the mean heads the "
+        "long way round. Where the two are more than half a turn apart as numbers, whole turns "
+        "must come off first.",
     ),
-    Case("validation.11", READ_FILTER),
+    Case(
+        "validation.11",
+        steps=(
+            Step(
+                "The angle before and what the gyro has added since, its rate held through the "
+                "time dt, is one witness; the accelerometer's angle is the other. The angle that "
+                "fits both best, their squares weighted by 1 − α and α, is where the slope of the "
+                "misfit is zero.",
+                Eq(
+                    (1 - printed.ALPHA) * (printed.PITCH - PITCH_STEP)
+                    + printed.ALPHA * (printed.PITCH - printed.PITCH_ACCEL),
+                    0,
+                ),
+            ),
+        ),
+    ),
     Case(
         "validation.12",
-        READ_FIELD,
-        correction=Leads(
-            Eq(printed.M_I, MatMul(printed.R_BI, printed.M_B), evaluate=False),
-            Eq(printed.M_I, printed.FIELD_WRITTEN_OUT, evaluate=False),
-        ),
+        given=(UNDISTURBED,),
+        edits=(Edit(printed.R_IB, printed.R_BI),),
         witness={**SOME_ATTITUDE, **SOME_FIELD},
-        readings=FIELD_READINGS,
+        root="matrix-label",
+        weight="label",
+        readings=READINGS,
         steps=(
             Step(
                 "What is measured in the body frame goes to the inertial frame by the transpose.",
-                Eq(printed.R_BI, printed.R_IB.T),
+                Eq(printed.R_BI, printed.R_IB.T, evaluate=False),
             ),
         ),
         remark="Written out it is right; the symbol in front names the other direction. " + LABEL,
     ),
-    *(
-        Case(
-            name,
-            READ_YAW,
-            remark="It needs a field with a horizontal part. Over a magnetic pole A is zero, and "
-            "no compass can tell yaw.",
-        )
-        for name in ("validation.13", "validation.14")
+    Case(
+        "validation.13",
+        READ_STEPS,
+        given=(UNDISTURBED,),
+        steps=(
+            TO_LEVEL,
+            TURNED_BY_YAW,
+            DIVISOR,
+            Step(
+                "Cramer's rule solves them.",
+                Eq(
+                    cos(psi),
+                    (-printed.M_YI * LEVEL_Y - printed.M_XI * LEVEL_X) / printed.A,
+                ),
+            ),
+        ),
+        remark=POLE,
+    ),
+    Case(
+        "validation.14",
+        READ_STEPS,
+        given=(UNDISTURBED,),
+        steps=(
+            TO_LEVEL,
+            TURNED_BY_YAW,
+            DIVISOR,
+            Step(
+                "Cramer's rule solves them.",
+                Eq(
+                    sin(psi),
+                    (printed.M_XI * LEVEL_Y - printed.M_YI * LEVEL_X) / printed.A,
+                ),
+            ),
+        ),
+        remark=POLE,
     ),
     Case(
         "validation.15",
-        READ_YAW,
         remark="A is minus the square of the horizontal field, so it is never positive: to drop it "
         "from both arguments of equation 16 would turn yaw by 180°.",
     ),
-    Case("validation.17", READ_YAW),
     Case(
-        "validation.c",
-        READ_FILTER,
-        given=(ranges.above_0_to_1(printed.ALPHA),),
-        condition=Condition(Eq(BIAS, 0)),
-        witness={
-            BIAS: DEGREE,
-            printed.ALPHA: Rational(2, 100),
-            printed.DT: Rational(1, 100),
-            estimation.start_error: 0,
-            printed.ROLL_ACCEL: 0,
-        },
+        "validation.16",
+        READ_YAW,
+        given=(UNDISTURBED,),
         steps=(
             Step(
-                "Each sample multiplies the distance to the accelerometer's angle by 1 - α, after "
-                "the gyro has added what it reads at rest.",
-                Eq(
-                    printed.SETTLING,
-                    printed.ROLL_ACCEL
-                    + (1 - printed.ALPHA) ** printed.n * estimation.start_error
-                    + (1 - (1 - printed.ALPHA) ** printed.n)
-                    * (1 - printed.ALPHA)
-                    / printed.ALPHA
-                    * BIAS
-                    * printed.DT,
-                ),
+                "Sine and cosine are what equations 14 and 13 give; their squares add up to one, "
+                "and one angle in a turn has both.",
+                Eq(sin(psi) ** 2 + cos(psi) ** 2, 1),
             ),
         ),
-        remark="Only if the gyro reads zero when it does not move. The paper's own Figure 2 shows "
-        "that it does not; with a bias the filter comes to rest beside the accelerometer's angle, "
-        "by 0.49° for 1°/s at 100 samples a second and α = 0.02.",
-    ),
-    Case(
-        "validation.d",
-        READ_FIELD,
-        condition=Condition(Eq(DISTURBANCE[2], 0)),
-        witness={
-            **SOME_ATTITUDE,
-            **dict.fromkeys(DISTURBANCE, 0),
-            **SOME_FIELD,
-            DISTURBANCE[2]: Rational(5, 100),
-        },
-        remark="Exact angles are not enough: the field must be the one of the reference, and the "
-        "magnetometer faultless. Iron that adds five percent downwards makes E = 0.05 with the "
-        "best of angles.",
-    ),
-    Case(
-        "validation.e",
-        READ_EARTH,
-        correction=Eq(
-            printed.M_I,
-            ImmutableMatrix(
-                [
-                    -printed.M_E * cos(printed.INCLINATION) * cos(derived.declination),
-                    -printed.M_E * cos(printed.INCLINATION) * sin(derived.declination),
-                    printed.M_E * sin(printed.INCLINATION),
-                ]
-            ),
-            evaluate=False,
-        ),
-        witness={
-            printed.INCLINATION: 68 * DEGREE,
-            derived.declination: 0,
-            printed.M_E: 49,
-        },
-        remark="The horizontal part of the field points to magnetic north, against an x-axis that "
-        "points south: its sign is wrong. And unless south is magnetic south, the declination δ "
-        "leaves a y component. (z is down, as for gravity in equation 2; normalised, $M_e$ is 1.)",
-    ),
-    Case(
-        "validation.f",
-        READ_EARTH,
-        steps=(
-            Step(
-                "To first approximation the Earth is a dipole: its field falls with the third "
-                "power of the distance from the centre, and keeps its direction above one place.",
-                Eq(
-                    printed.GROUND_MAGNITUDE,
-                    derived.dipole_strength
-                    * sqrt(1 + 3 * sin(derived.latitude) ** 2)
-                    / derived.radius**3,
-                ),
-            ),
-            Step(
-                "A kilometre up it is weaker by half a thousandth only.",
-                Approximately(WEAKENING, "0.9995"),
-            ),
-        ),
-        remark="True, and small. What normalising removes above all is an error of the "
-        "magnetometer's scale, and the difference between places.",
-    ),
-    Case(
-        "validation.g",
-        READ_FIELD,
-        condition=Condition(
-            Ne(derived.ERROR_AXIS[0] * printed.M_YI - derived.ERROR_AXIS[1] * printed.M_XI, 0)
-        ),
-        witness={
-            **dict(zip(derived.ERROR_AXIS, (0, 0, 1), strict=True)),
-            **SOME_FIELD,
-        },
-        steps=(
-            Step(
-                "For a small turn about an axis n, E grows by the vertical part of n × M. Yaw (n "
-                "along the vertical) leaves it unchanged, and so does a tilt about the horizontal "
-                "part of the field.",
-                Eq(
-                    printed.GROWTH,
-                    derived.ERROR_AXIS[0] * printed.M_YI - derived.ERROR_AXIS[1] * printed.M_XI,
-                ),
-            ),
-            Step(
-                "A tilt ε about the field's own horizontal direction shows only by this, which is "
-                "of second order.",
-                Eq(E_ALONG_FIELD, Abs(printed.M_ZI * (1 - cos(derived.error_angle)))),
-            ),
-        ),
-        remark="E sees a tilt about the horizontal line across the field, and hardly any other "
-        "error. It is blind to yaw altogether: yaw does not stand in it.",
     ),
 )
 
-
-CASES = complete(printed.PRINTED, READ, (*ON_ATTITUDE, *SETTLED))
+CASES = complete(DOCUMENTS["validation"], READ, (*ON_ATTITUDE, *SETTLED, *WORDS))

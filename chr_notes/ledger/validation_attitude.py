@@ -1,174 +1,306 @@
 """The paper's statements on rotations, gravity and rates before the judgement."""
 
-from sympy import Eq, ImmutableMatrix, MatMul, Rational, asin, atan2, sin, sqrt
+from sympy import (
+    Eq,
+    ImmutableMatrix,
+    MatMul,
+    Rational,
+    S,
+    atan2,
+    cos,
+    sin,
+    sqrt,
+    tan,
+)
 
 from chr_notes.derivations.steps import Step
 from chr_notes.ledger import ranges
 from chr_notes.ledger.case import DEGREE, Case
+from chr_notes.ledger.edits import Edit
 from chr_notes.ledger.validation_reading import (
-    READ,
-    READ_RATES,
+    NOT_EAST,
+    NOT_NORTH,
+    PITCH_RANGE,
+    RATES_READINGS,
+    READ_BODY_RATES,
+    READ_EULER_RATES,
+    READ_STEPS,
+    READ_TILT,
     READINGS,
     SOME_ATTITUDE,
-    VECTOR,
-    WITHOUT_YAW,
 )
+from chr_notes.printed import BY_ID
 from chr_notes.printed import validation as printed
-from chr_notes.printed.statement import InOrder, chain
-from chr_notes.symbols import BODY_RATES, g, phi, pitch_rate, psi, roll_rate, theta, yaw_rate
-
-PITCH_RANGE = ranges.up_to_right_angle(theta)
+from chr_notes.printed.statement import InOrder
+from chr_notes.symbols import (
+    BODY_RATES,
+    EULER_RATES,
+    g,
+    p,
+    phi,
+    pitch_rate,
+    psi,
+    q,
+    r,
+    roll_rate,
+    theta,
+    yaw_rate,
+)
 
 LABEL = (
     "The label and the words that go with it say: from the inertial frame to the body. The paper "
     "uses it so in equation 2, but the other way round in equations 1, 5, 8 and 12. The ledger "
     "reads it by its label everywhere."
 )
+ACCELEROMETER = (
+    "The paper takes what an accelerometer reads for gravity; at rest it reads minus gravity, see "
+    "validation.h."
+)
+WAY_BACK = Step(
+    "The way back from the body is the transpose.", Eq(printed.R_BI, printed.R_IB.T, evaluate=False)
+)
+NUMERATOR = (
+    -printed.G_ZB * cos(phi) * sin(theta)
+    - printed.G_YB * sin(phi) * sin(theta)
+    - printed.G_XB * cos(theta)
+)
+SIDEWAYS = printed.G_ZB * sin(phi) - printed.G_YB * cos(phi)
+WHOLE = printed.G_XB**2 + printed.G_YB**2 + printed.G_ZB**2
+TANGENT = tan(printed.YAW_ACCEL)
 NO_INFORMATION = Step(
-    "Gravity in the body frame, put into the numerator and the denominator, makes both vanish at "
-    "every attitude.",
-    InOrder(Eq(printed.GRAVITY_X, 0), Eq(printed.GRAVITY_Y, 0)),
+    "But gravity is vertical. Its components in the body frame, put into the numerator and the "
+    "denominator, make both vanish at every attitude.",
+    InOrder(Eq(NUMERATOR, 0), Eq(SIDEWAYS, 0)),
 )
 TANGENT_REMARK = (
     "Numerator and denominator are both zero at every attitude, so the line says 0 · tan ψ = 0 "
     "and nothing about yaw. Dividing by the zero makes a formula without a value."
 )
+ROTATED_GRAVITY = MatMul(printed.R_IB, printed.G_I)
+
+
+def _for_vector(name: str, vector: tuple[S, ...]) -> Eq:
+    """Print what an equation gives for another vector than gravity."""
+    quotient = BY_ID[name].statement.rhs
+    return Eq(tan(psi), quotient.xreplace(dict(zip(printed.GRAVITY, vector, strict=True))))
+
 
 SETTLED = (
     Case(
         "validation.1",
-        READ,
-        correction=chain(printed.R_BI, printed.TURNS, printed.MATRIX),
+        edits=(Edit(printed.R_IB, printed.R_BI, times=2),),
         witness=SOME_ATTITUDE,
+        root="matrix-label",
+        weight="misleads",
         readings=READINGS,
         steps=(
             Step(
-                "The matrix from the inertial frame to the body has the three turns of the frame "
-                "as factors, the first one on the right. Its transpose is the way back.",
-                Eq(printed.R_IB.T, printed.R_BI),
+                "Yaw turns the axes about z. A vector that has the components x, y in the turned "
+                "axes has x cos ψ − y sin ψ along the old x-axis; pitch and roll likewise.",
+                InOrder(
+                    Eq(
+                        printed.R_Z,
+                        ImmutableMatrix(
+                            [[cos(psi), -sin(psi), 0], [sin(psi), cos(psi), 0], [0, 0, 1]]
+                        ),
+                    ),
+                    Eq(
+                        printed.R_Y,
+                        ImmutableMatrix(
+                            [[cos(theta), 0, sin(theta)], [0, 1, 0], [-sin(theta), 0, cos(theta)]]
+                        ),
+                    ),
+                    Eq(
+                        printed.R_X,
+                        ImmutableMatrix(
+                            [[1, 0, 0], [0, cos(phi), -sin(phi)], [0, sin(phi), cos(phi)]]
+                        ),
+                    ),
+                ),
+            ),
+            Step(
+                "From the body one undoes roll first, which stands on the right, and yaw last. So "
+                "the product leads from the body to the inertial frame, and its transpose back.",
+                InOrder(
+                    Eq(printed.R_BI, MatMul(printed.R_Z, printed.R_Y, printed.R_X)),
+                    Eq(printed.R_IB, MatMul(printed.R_X.T, printed.R_Y.T, printed.R_Z.T)),
+                ),
             ),
         ),
         remark="Product and elements are right for the matrix from the body to the inertial frame. "
         + LABEL,
     ),
-    Case("validation.2", READ, readings=READINGS),
+    Case(
+        "validation.2",
+        readings=READINGS,
+        steps=(
+            Step(
+                "To the body the three turns are undone in the other order. Yaw leaves the "
+                "vertical where it is.",
+                Eq(ROTATED_GRAVITY, MatMul(printed.R_X.T, printed.R_Y.T, printed.G_I)),
+            ),
+            Step(
+                "Pitch brings some of it to the tail.",
+                Eq(
+                    MatMul(printed.R_Y.T, printed.G_I),
+                    ImmutableMatrix([-g * sin(theta), 0, g * cos(theta)]),
+                ),
+            ),
+            Step(
+                "Roll shares out what is left between right and down.",
+                Eq(
+                    printed.G_B,
+                    ImmutableMatrix(
+                        [-g * sin(theta), g * cos(theta) * sin(phi), g * cos(theta) * cos(phi)]
+                    ),
+                ),
+            ),
+        ),
+    ),
     Case(
         "validation.3",
-        READ,
+        READ_TILT,
         given=(PITCH_RANGE,),
-        condition=ranges.acute(phi, theta),
+        condition=ranges.acute(phi),
         witness={phi: 150 * DEGREE, theta: 0, g: Rational(98, 10)},
+        root="roll-quadrant",
+        weight="misleads",
         steps=(
             Step(
                 "With both components of gravity the two-argument arctangent finds the quadrant.",
                 Eq(printed.ROLL_ACCEL, atan2(printed.G_YB, printed.G_ZB)),
             ),
         ),
-        remark="Beyond 90° of roll the quotient is the same as 180° away. These are components of "
-        "gravity; an accelerometer at rest reads minus gravity, and with its readings both "
-        "arguments of the arctangent need a minus.",
+        remark="Beyond 90° of roll the quotient is the same as 180° away. With an accelerometer's "
+        "readings, minus gravity, the quotient stays what it is, but both arguments of the "
+        "two-argument arctangent need a minus. " + ACCELEROMETER,
     ),
     Case(
         "validation.4",
-        READ,
+        READ_TILT,
         given=(PITCH_RANGE,),
-        correction=Eq(
-            printed.PITCH_ACCEL,
-            asin(-printed.G_XB / sqrt(printed.G_XB**2 + printed.G_YB**2 + printed.G_ZB**2)),
-        ),
+        edits=(Edit(printed.G_XB / sqrt(WHOLE), -printed.G_XB / sqrt(WHOLE)),),
         witness={phi: 0, theta: 30 * DEGREE, g: Rational(98, 10)},
+        root="gravity-or-reading",
+        weight="misleads",
         steps=(
             Step(
-                "By the paper's own equation 2, the x component of gravity is minus g sin θ.",
-                Eq(printed.G_XB, -g * sin(theta)),
+                "By the paper's own equation 2 the x component of gravity is minus g sin θ, and "
+                "its magnitude is g.",
+                InOrder(Eq(printed.G_XB, -g * sin(theta)), Eq(sqrt(WHOLE), g)),
+            ),
+            Step(
+                "Minus the quotient is the sine of pitch, and pitch lies between −90° and 90°, as "
+                "the arcsine does.",
+                Eq(sin(printed.PITCH_ACCEL), -printed.G_XB / sqrt(WHOLE)),
             ),
         ),
-        remark="The sign is lost: nose up, gravity points to the tail. Without the minus it is "
-        "right for what an accelerometer reads, minus gravity, which the paper does not "
-        "distinguish from gravity.",
+        remark="Nose up, gravity points to the tail. Without the minus it is right for what an "
+        "accelerometer reads. " + ACCELEROMETER,
     ),
     Case(
         "validation.5",
-        READ,
-        correction=Eq(printed.G_I, MatMul(printed.R_BI, printed.G_B)),
+        edits=(Edit(printed.R_IB, printed.R_BI),),
         witness={**SOME_ATTITUDE, g: Rational(98, 10)},
+        root="matrix-label",
+        weight="label",
         readings=READINGS,
-        steps=(
-            Step(
-                "The way back from the body is the transpose.",
-                Eq(printed.R_BI, printed.R_IB.T),
-            ),
-        ),
-        remark="Equation 2 has the same symbol for the opposite direction. " + LABEL,
+        steps=(WAY_BACK,),
+        remark="Equation 2 has the same symbol for the opposite direction. With the elements that "
+        "equation 1 prints the numbers are right. " + LABEL,
     ),
     *(
         Case(
-            name,
-            READ,
-            correction=NO_INFORMATION.statement,
+            f"validation.{equation}",
+            READ_STEPS,
+            edits=(
+                Edit(TANGENT, below * TANGENT),
+                Edit(above / below, above),
+            ),
             witness={**SOME_ATTITUDE, g: Rational(98, 10)},
-            steps=(NO_INFORMATION,),
+            root="no-information",
+            weight="misleads",
+            steps=(
+                Step(
+                    f"Take a vector without a part to the {part}. Then the {line} line of equation "
+                    "5, divided by the cosine of yaw, gives its tangent, as long as the divisor is "
+                    "not zero.",
+                    _for_vector(f"validation.{equation}", vector),
+                ),
+                NO_INFORMATION,
+            ),
             remark=TANGENT_REMARK,
         )
-        for name in ("validation.6", "validation.7")
+        for equation, above, below, part, line, vector in (
+            (6, NUMERATOR, SIDEWAYS, "north", "first", NOT_NORTH),
+            (7, SIDEWAYS, -NUMERATOR, "east", "second", NOT_EAST),
+        )
     ),
     Case(
         "validation.8",
-        READ,
-        correction=chain(
-            ImmutableMatrix(BODY_RATES),
-            MatMul(printed.R_IB, printed.RATES_BY_AXES),
-            MatMul(printed.R_IB, printed.RATES_I),
-        ),
+        READ_BODY_RATES,
+        edits=(Edit(printed.R_IB.T, printed.R_IB, times=2),),
         witness={**SOME_ATTITUDE, roll_rate: 10 * DEGREE, pitch_rate: 0, yaw_rate: 0},
-        readings=READINGS,
+        root="matrix-label",
+        weight="label",
+        readings=RATES_READINGS,
         steps=(
+            Step(
+                "Yaw turns about the vertical, pitch about the y-axis as yaw has left it, roll "
+                "about the x-axis as both have left it.",
+                InOrder(
+                    Eq(
+                        printed.PITCH_AXIS,
+                        MatMul(printed.R_Z_IN_8, ImmutableMatrix([0, 1, 0])),
+                    ),
+                    Eq(
+                        printed.ROLL_AXIS,
+                        MatMul(printed.R_Z_IN_8, printed.R_Y_IN_8, ImmutableMatrix([1, 0, 0])),
+                    ),
+                ),
+            ),
             Step(
                 "The three angular velocities stand in the inertial frame and add up there; the "
                 "matrix from the inertial frame takes the sum to the body. Its transpose leads "
                 "from the body to the inertial frame.",
-                Eq(printed.R_IB.T, printed.R_BI),
+                Eq(printed.R_IB.T, printed.R_BI, evaluate=False),
             ),
         ),
         remark="With the matrix that equation 1 prints the transpose is right, with what its label "
         "says it is one too many. " + LABEL,
     ),
-    Case("validation.9", READ_RATES),
     Case(
-        "validation.a",
-        READ,
-        correction=Eq(printed.V_I, MatMul(printed.MATRIX, printed.V_B)),
-        witness={**SOME_ATTITUDE, **dict(zip(VECTOR, (1, 0, 0), strict=True))},
+        "validation.9",
+        READ_EULER_RATES,
         steps=(
             Step(
-                "The printed elements are those of the derived matrix from the body to the "
-                "inertial frame.",
-                Eq(printed.R_BI, printed.MATRIX),
-            ),
-        ),
-        remark="The sentence fits the label of the matrix, not its elements: these take the "
-        "components from the body to the inertial frame.",
-    ),
-    Case(
-        "validation.b",
-        READ,
-        correction=Eq(
-            MatMul(printed.R_IB, printed.G_I), MatMul(WITHOUT_YAW, printed.G_I), evaluate=False
-        ),
-        witness={psi: 30 * DEGREE},
-        steps=(
-            NO_INFORMATION,
-            Step(
-                "The reason is this: a turn about the vertical leaves gravity as it is, so what "
-                "the accelerometer reads is the same at every yaw.",
+                "Equation 8 multiplied out, line by line: yaw does not matter to it.",
                 Eq(
-                    MatMul(printed.R_IB, printed.G_I),
-                    MatMul(WITHOUT_YAW, printed.G_I),
-                    evaluate=False,
+                    ImmutableMatrix(BODY_RATES),
+                    MatMul(
+                        ImmutableMatrix(
+                            [
+                                [1, 0, -sin(theta)],
+                                [0, cos(phi), sin(phi) * cos(theta)],
+                                [0, -sin(phi), cos(phi) * cos(theta)],
+                            ]
+                        ),
+                        ImmutableMatrix(EULER_RATES),
+                    ),
                 ),
             ),
+            Step(
+                "The last two lines, turned back by roll, are two equations for the rates of "
+                "pitch and yaw.",
+                InOrder(
+                    Eq(pitch_rate, q * cos(phi) - r * sin(phi)),
+                    Eq(yaw_rate * cos(theta), q * sin(phi) + r * cos(phi)),
+                ),
+            ),
+            Step(
+                "The first line gives the rate of roll.",
+                Eq(roll_rate, p + sin(theta) * yaw_rate),
+            ),
         ),
-        remark="The conclusion is right, the reason is not. Equations 6 and 7 do not contradict "
-        "each other: both read 0/0, and from a division by zero anything seems to follow.",
     ),
 )

@@ -1,19 +1,27 @@
-"""What the paper on validating Euler angles means by its symbols."""
+"""What the paper on validating Euler angles means by its symbols.
+
+The paper contradicts itself in what its matrix R_i^b takes to what. It is read by its label
+everywhere: the label, the sentence that explains it and equation 2 say that it takes components
+from the inertial frame to the body. The statements that differ are tried by equation 1 as well.
+"""
 
 from collections.abc import Mapping
+from functools import partial
 
 from sympy import (
-    Abs,
+    Add,
     Basic,
     Eq,
     Expr,
+    FiniteSet,
     ImmutableMatrix,
+    Integer,
     MatMul,
     MatrixSymbol,
     Rational,
+    Set,
     Symbol,
     cos,
-    expand,
     pi,
     simplify,
     sin,
@@ -23,9 +31,14 @@ from sympy import (
 from chr_notes.derivations import estimation
 from chr_notes.derivations import validation as derived
 from chr_notes.derivations.euler import X, Y, Z, body_rates, euler_rates, rotation
-from chr_notes.ledger.case import Reading
-from chr_notes.ledger.reading import Meaning, elements, reading
+from chr_notes.ledger import ranges
+from chr_notes.ledger.case import Condition, Reading
+from chr_notes.ledger.edits import in_order
+from chr_notes.ledger.identities import reduced
+from chr_notes.ledger.reading import Meaning, Read, defined, elements, reading
+from chr_notes.printed import BY_ID
 from chr_notes.printed import validation as printed
+from chr_notes.printed import validation_claims as claims
 from chr_notes.symbols import (
     BODY_RATES,
     EULER_RATES,
@@ -39,20 +52,54 @@ from chr_notes.symbols import (
 )
 
 VECTOR = ImmutableMatrix(symbols("v_x v_y v_z", real=True))
-# What a faultless magnetometer far from iron would not see, in the inertial frame; the gyro's bias
-# while at rest; the altitude.
-DISTURBANCE = ImmutableMatrix(symbols("d_x d_y d_z", real=True))
+# The normalised field where the magnetometer is, iron and the magnetometer's own errors included,
+# in the inertial frame. The paper's M_i is the field as it was when all angles were zero.
+SEEN = ImmutableMatrix(symbols(r"\tilde{M}_{xi} \tilde{M}_{yi} \tilde{M}_{zi}", real=True))
+UNDISTURBED = Condition(Eq(SEEN, printed.M_I))
+NORMALISED = tuple(
+    Condition(Eq(Add(*(part**2 for part in field)), 1)) for field in (printed.M_I, SEEN)
+)
+EXACT_TILT = Condition(Eq(printed.ROLL_COMP, phi) & Eq(printed.PITCH_COMP, theta))
+PITCH_RANGE = ranges.up_to_right_angle(theta)
+# The gyro's bias while at rest; the altitude.
 BIAS = AngularRate("b", real=True)
 ALTITUDE = Symbol("h", positive=True)
-# The matrix of the labels, with yaw and without; E after an error about the field's own direction.
+
+# What steps speak of: the matrix of the labels without yaw; any vector that has no part to the
+# north, and one that has none to the east; the field in level axes, forward and right; the field
+# with x to the north; the direction of a dipole's field at the ground and higher up, how much
+# weaker it is there; E after an error about the field's own direction.
 WITHOUT_YAW = MatrixSymbol(r"R_{i}^{b}(\phi, \theta, 0)", 3, 3)
-E_ALONG_FIELD = Symbol(r"E_{\text{tilt about the field's horizontal part}}", real=True)
+NOT_NORTH, NOT_EAST = (
+    symbols(rf"{name}_{{xb}} {name}_{{yb}} {name}_{{zb}}", real=True) for name in "uw"
+)
+LEVEL_X, LEVEL_Y = LEVEL = symbols("M_{x} M_{y}", real=True)
+FIELD_X_NORTH = MatrixSymbol(r"\mathbf{M}_{\text{x north}}", 3, 1)
+GROUND_DIRECTION, HIGH_DIRECTION = (
+    MatrixSymbol(rf"\frac{{\mathbf{{M}}({where})}}{{\lVert\mathbf{{M}}({where})\rVert}}", 3, 1)
+    for where in ("0", "h")
+)
 WEAKENING = Symbol(r"\lVert\mathbf{M}(1\,\mathrm{km})\rVert / \lVert\mathbf{M}(0)\rVert")
+E_ALONG_FIELD = Symbol(r"E_{\text{tilt about the field's horizontal part}}", real=True)
+
+ROLL_STEP = printed.ROLL_BEFORE + printed.ROLL_RATE * printed.DT
+PITCH_STEP = printed.PITCH_BEFORE + printed.PITCH_RATE * printed.DT
+HIGH = {derived.radius: derived.radius + ALTITUDE}
 
 
-def gravity() -> ImmutableMatrix:
-    """Take gravity to the body frame."""
-    return ImmutableMatrix(rotation("I", "B") * (g * Z))
+def to_body(vector: ImmutableMatrix) -> ImmutableMatrix:
+    """Take a vector from the inertial frame to the body."""
+    return ImmutableMatrix(rotation("I", "B") * vector)
+
+
+def to_body_at_zero(vector: ImmutableMatrix) -> ImmutableMatrix:
+    """Take a vector to the body while all three angles are zero."""
+    return to_body(vector).subs(dict.fromkeys((phi, theta, psi), 0))
+
+
+def level_to_body(along: Expr, across: Expr) -> ImmutableMatrix:
+    """Take a vector to the body of which the level parts, forward and right, are given."""
+    return ImmutableMatrix(rotation("v1", "B") * ImmutableMatrix([along, across, VECTOR[2]]))
 
 
 def in_print(formula: Basic) -> Basic:
@@ -63,34 +110,32 @@ def in_print(formula: Basic) -> Basic:
     )
 
 
-def yaw_in_print(formula: Expr) -> Expr:
-    """Write a formula for yaw with the paper's symbols, from the reading in the body frame."""
-    return in_print(derived.from_reading(formula))
-
-
-def disturbed_factor() -> Expr:
-    """Take E at the exact attitude, in a field that something disturbs."""
-    field = ImmutableMatrix(symbols("f_x f_y f_z"))
-    reading_of_it = rotation("I", "B") * field
-    gap = expand(
-        in_print(derived.downward_gap()).subs(
-            dict(zip(printed.FIELD_B, reading_of_it, strict=True))
-        )
-    )
-    seen = {part: simplify(gap.coeff(part)) for part in field}
-    present = dict(zip(field, printed.M_I + DISTURBANCE, strict=True))
-    return Abs(printed.M_ZI + sum(seen[part] * present[part] for part in field))
-
-
-def factor_in_print() -> Expr:
-    """Take E of a normalised reading, at the angles of the filter."""
-    at = {phi: printed.ROLL_COMP, theta: printed.PITCH_COMP}
-    return Abs(in_print(derived.downward_gap()).subs(at))
-
-
 def filter_in_print(step: Expr) -> Expr:
     """Write a step of the observer with the paper's gain and period."""
     return step.subs({estimation.L: printed.ALPHA, T: printed.DT})
+
+
+def roll_filter() -> Expr:
+    """Take a step of the filter for roll, which goes all the way round."""
+    return filter_in_print(estimation.update_on_circle(ROLL_STEP, printed.ROLL_ACCEL))
+
+
+def pitch_filter() -> Expr:
+    """Take a step of the filter for pitch."""
+    return filter_in_print(estimation.update(PITCH_STEP, printed.PITCH_ACCEL))
+
+
+def share(of: Expr, less: Expr) -> Expr:
+    """By how much the filter's angle grows with one more radian of another angle."""
+    step = estimation.update(estimation.predicted, estimation.measured)
+    at = {of: Integer(1), less: Integer(0)}
+    return filter_in_print(step.subs(at))
+
+
+def magnetometer_in_filter() -> Set:
+    """Find which readings of the magnetometer stand in the angles of the filter."""
+    used = roll_filter().free_symbols | pitch_filter().free_symbols
+    return FiniteSet(*(used & {*printed.FIELD_B}))
 
 
 def settling() -> Expr:
@@ -105,9 +150,17 @@ def factor_along_field() -> Expr:
     return in_print(derived.factor_after_error().subs(axis)).subs(printed.M_YI, 0)
 
 
-HIGH = {derived.radius: derived.radius + ALTITUDE}
-ROLL_STEP = printed.ROLL_BEFORE + printed.ROLL_RATE * printed.DT
-PITCH_STEP = printed.PITCH_BEFORE + printed.PITCH_RATE * printed.DT
+def field_x_north() -> ImmutableMatrix:
+    """Turn the field with x to the south by half a turn about the vertical."""
+    return ImmutableMatrix(rotation("I", "v1").subs(psi, pi) * derived.field_with_x_south())
+
+
+def part_of_yaw(name: str) -> Expr:
+    """Work out what equation 13 or 14 prints, in the field that it presumes."""
+    (undisturbed,) = UNDISTURBED.by
+    part = READ(in_order(BY_ID[name].statement.rhs)).xreplace(undisturbed)
+    return reduced(part) or part
+
 
 _MEANING: dict[Basic, Meaning] = {
     printed.R_IB: rotation("I", "B"),
@@ -117,81 +170,91 @@ _MEANING: dict[Basic, Meaning] = {
     printed.R_X: rotation("B", "v2"),
     printed.R_Z_IN_8: rotation("v1", "I"),
     printed.R_Y_IN_8: rotation("v2", "v1"),
+    WITHOUT_YAW: lambda: rotation("I", "B").subs(psi, 0),
     # The axes of the three turns, in the inertial frame.
     printed.YAW_AXIS: Z,
     printed.PITCH_AXIS: lambda: ImmutableMatrix(rotation("v1", "I") * Y),
     printed.ROLL_AXIS: lambda: ImmutableMatrix(rotation("v2", "I") * X),
-    WITHOUT_YAW: lambda: rotation("I", "B").subs(psi, 0),
     printed.V_I: VECTOR,
-    printed.V_B: lambda: ImmutableMatrix(rotation("I", "B") * VECTOR),
-    **elements(printed.GRAVITY, gravity),
-    printed.ROLL_ACCEL: phi,
-    printed.PITCH_ACCEL: theta,
+    printed.V_B: partial(to_body, VECTOR),
+    **elements(printed.GRAVITY, partial(to_body, g * Z)),
+    claims.READING: estimation.accelerometer_at_rest,
+    claims.READING_AT_YAW: estimation.accelerometer_at_rest,
+    claims.READING_WITHOUT_YAW: lambda: estimation.accelerometer_at_rest().subs(psi, 0),
+    claims.YAWS: derived.yaws_of_gravity,
     printed.YAW_ACCEL: psi,
-    **elements(BODY_RATES, body_rates),
     printed.YAW: psi,
+    **elements(printed.FIELD_B, partial(to_body, SEEN)),
+    **defined("validation.15", "validation.17"),
+    claims.READING_AT_ZERO: partial(to_body_at_zero, printed.M_I),
+    claims.GROWTH: lambda: in_print(derived.sensitivity()),
+    claims.GROUND_MAGNITUDE: derived.dipole_magnitude,
+    claims.HIGH_MAGNITUDE: lambda: derived.dipole_magnitude().subs(HIGH),
+    printed.ROLL: roll_filter,
+    printed.PITCH: pitch_filter,
+    printed.SETTLING: settling,
+    claims.ACCELEROMETER_SHARE: partial(share, estimation.measured, estimation.predicted),
+    claims.GYRO_SHARE: partial(share, estimation.predicted, estimation.measured),
+    claims.MAGNETOMETER_IN_FILTER: magnetometer_in_filter,
+    claims.DRIFT: estimation.gyro_error_after,
 }
 READ = reading(_MEANING)
-READ_RATES = reading(elements(EULER_RATES, euler_rates))
-READ_FILTER = reading(
+_TILT: dict[Basic, Meaning] = {printed.ROLL_ACCEL: phi, printed.PITCH_ACCEL: theta}
+READ_TILT = READ.also(_TILT)
+_BODY_RATES = elements(BODY_RATES, body_rates)
+READ_BODY_RATES = READ.also(_BODY_RATES)
+READ_EULER_RATES = READ.also(elements(EULER_RATES, euler_rates))
+READ_STEPS = READ.also(
     {
-        printed.ROLL: lambda: filter_in_print(
-            estimation.update_on_circle(ROLL_STEP, printed.ROLL_ACCEL)
-        ),
-        printed.PITCH: lambda: filter_in_print(estimation.update(PITCH_STEP, printed.PITCH_ACCEL)),
-        printed.SETTLING: settling,
-    }
-)
-_FIELD_MEANING: dict[Basic, Meaning] = {
-    printed.R_IB: rotation("I", "B"),
-    printed.R_BI: rotation("B", "I"),
-    **elements(printed.FIELD_B, lambda: ImmutableMatrix(rotation("I", "B") * printed.M_I)),
-    printed.E: disturbed_factor,
-    E_ALONG_FIELD: factor_along_field,
-    printed.GROWTH: lambda: in_print(derived.sensitivity()),
-}
-READ_FIELD = reading(_FIELD_MEANING)
-READ_YAW = reading(
-    {
-        sin(psi): lambda: yaw_in_print(derived.sine_and_cosine_of_yaw()[0]),
-        cos(psi): lambda: yaw_in_print(derived.sine_and_cosine_of_yaw()[1]),
-        printed.A: lambda: yaw_in_print(derived.determinant()),
-        printed.E: factor_in_print,
-    }
-)
-READ_EARTH = reading(
-    {
-        **elements(printed.FIELD_I, derived.field_with_x_south),
-        printed.GROUND_MAGNITUDE: derived.dipole_magnitude,
-        printed.HIGH_MAGNITUDE: lambda: derived.dipole_magnitude().subs(HIGH),
-        printed.GROUND_DIRECTION: derived.dipole_direction,
-        printed.HIGH_DIRECTION: lambda: derived.dipole_direction().subs(HIGH),
+        # Level vectors of some length, seen from the nose, with the part of the other axis zero.
+        **elements(NOT_NORTH, lambda: level_to_body(VECTOR[0] * sin(psi), VECTOR[0] * cos(psi))),
+        **elements(NOT_EAST, lambda: level_to_body(VECTOR[0] * cos(psi), -VECTOR[0] * sin(psi))),
+        **elements(LEVEL, lambda: ImmutableMatrix(rotation("I", "v1") * SEEN)),
+        E_ALONG_FIELD: factor_along_field,
+        GROUND_DIRECTION: derived.dipole_direction,
+        HIGH_DIRECTION: lambda: derived.dipole_direction().subs(HIGH),
         WEAKENING: lambda: simplify(
             derived.dipole_magnitude().subs(derived.radius, 6372) / derived.dipole_magnitude()
         ).subs(derived.radius, 6371),
     }
 )
+READ_YAW = READ.also(
+    {
+        sin(psi): partial(part_of_yaw, "validation.14"),
+        cos(psi): partial(part_of_yaw, "validation.13"),
+    }
+)
+READ_SOUTH = READ.also(
+    {
+        **elements(printed.FIELD_I, derived.field_with_x_south),
+        FIELD_X_NORTH: field_x_north,
+    }
+)
+READ_GRAVITY = READ.also({g: Rational("9.80665")})
 
-
-# The paper contradicts itself: what R_i^b takes to what, by its label and by equation 1.
-_AS_IN_EQUATION_1 = {
-    printed.R_IB: rotation("B", "I"),
-    printed.R_BI: rotation("I", "B"),
-}
 SOME_ATTITUDE = {phi: pi / 6, theta: pi / 9, psi: pi / 3}
-SOME_FIELD = dict(zip(printed.FIELD_I, (Rational(4, 10), 0, Rational(9, 10)), strict=True))
-SOME_POINT = {**SOME_ATTITUDE, **SOME_FIELD, g: Rational(98, 10), **dict.fromkeys(EULER_RATES, 1)}
+SOME_UNIT_FIELD = (Rational(3, 5), Integer(0), Rational(4, 5))
+SOME_FIELD = {
+    **dict(zip(printed.FIELD_I, SOME_UNIT_FIELD, strict=True)),
+    **dict(zip(SEEN, SOME_UNIT_FIELD, strict=True)),
+}
+SOME_POINT = {
+    **SOME_ATTITUDE,
+    **SOME_FIELD,
+    g: Rational(98, 10),
+    **dict.fromkeys(EULER_RATES, 1),
+    **dict(zip(VECTOR, (1, 2, 3), strict=True)),
+}
 
 
-def both_readings(meaning: Mapping[Basic, Meaning]) -> tuple[Reading, Reading]:
+def both_readings(read: Read, more: Mapping[Basic, Meaning]) -> tuple[Reading, Reading]:
     """Give the reading by the label, which the ledger uses, and the one by equation 1."""
     by_label = Eq(printed.V_B, MatMul(printed.R_IB, printed.V_I))
     as_in_1 = Eq(printed.V_I, MatMul(printed.R_IB, printed.V_B))
-    return (
-        Reading(by_label, reading(meaning), SOME_POINT),
-        Reading(as_in_1, reading({**meaning, **_AS_IN_EQUATION_1}), SOME_POINT),
-    )
+    swapped = {printed.R_IB: rotation("B", "I"), printed.R_BI: rotation("I", "B")}
+    other = reading({**_MEANING, **swapped, **more})
+    return Reading(by_label, read, SOME_POINT), Reading(as_in_1, other, SOME_POINT)
 
 
-READINGS = both_readings(_MEANING)
-FIELD_READINGS = both_readings(_FIELD_MEANING)
+READINGS = both_readings(READ, {})
+RATES_READINGS = both_readings(READ_BODY_RATES, _BODY_RATES)

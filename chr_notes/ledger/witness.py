@@ -1,6 +1,7 @@
 """The numbers of a witness, typeset: what the printed and what the right form give there."""
 
 from collections.abc import Mapping
+from itertools import repeat
 
 from sympy import And, Basic, Eq, MatrixBase, MatrixExpr, N, S, Set, deg, log, sympify
 
@@ -34,7 +35,7 @@ def witness(case: Case) -> Witness:
         found = [Eq(side, value, evaluate=False) for side, value in values if side.free_symbols]
         return Witness(at, latex(failing), latex(And(*found, evaluate=False)))
     if isinstance(right, MatrixBase) and right.cols == 1:
-        return Witness(at, _column(printed), _column(right))
+        return Witness(at, _column(printed, failing.lhs), _column(right, failing.lhs))
     if isinstance(right, MatrixBase):
         where = max(
             (index for index in range(len(right)) if not equal(right[index], printed[index])),
@@ -61,9 +62,11 @@ def _point(point: Mapping[Basic, Basic]) -> tuple[tuple[str, str], ...]:
     return (*at, (r"\text{all others}", "0")) if together else at
 
 
-def _column(values: MatrixBase) -> str:
-    """Typeset a column of numbers in a line."""
-    return r"\left(" + r",\ ".join(number(value) for value in values) + r"\right)"
+def _column(values: MatrixBase, of: Basic = S.One) -> str:
+    """Typeset a column of numbers in a line, those of angles and rates in degrees."""
+    names = of if isinstance(of, MatrixBase) else repeat(S.One, len(values))
+    numbers = (number(*pair) for pair in zip(values, names, strict=True))
+    return r"\left(" + r",\ ".join(numbers) + r"\right)"
 
 
 def number(value: Basic, of: Basic = S.One) -> str:

@@ -5,6 +5,7 @@ Nothing here is derived and nothing here is true because it is here: the ledger 
 
 from chr_notes.printed import (
     dead_reckoning,
+    dead_reckoning_claims,
     estimation,
     euler,
     euler_claims,
@@ -12,25 +13,28 @@ from chr_notes.printed import (
     quaternions_claims,
     sensors,
     validation,
+    validation_claims,
 )
 from chr_notes.printed.statement import Printed, Rotation
 
-TOPICS = {
-    "euler": euler,
-    "quaternions": quaternions,
-    "sensors": sensors,
-    "estimation": estimation,
-    "dead_reckoning": dead_reckoning,
-    "validation": validation,
+PRINTED: dict[str, tuple[Printed, ...]] = {
+    "euler": euler.PRINTED,
+    "quaternions": quaternions.PRINTED,
+    "sensors": sensors.PRINTED,
+    "estimation": estimation.PRINTED,
+    "dead_reckoning": dead_reckoning.PRINTED,
+    "validation": (*validation.PRINTED, *validation_claims.CLAIMS),
 }
 ADDITIONS: dict[str, tuple[Printed, ...]] = {
     "euler": euler_claims.ADDITIONS,
     "quaternions": quaternions_claims.ADDITIONS,
+    "dead_reckoning": dead_reckoning_claims.ADDITIONS,
+    "validation": validation_claims.ADDITIONS,
 }
 """More claims of each document, which its chapter shows together at the end."""
 
 DOCUMENTS: dict[str, tuple[Printed, ...]] = {
-    name: (*topic.PRINTED, *ADDITIONS.get(name, ())) for name, topic in TOPICS.items()
+    name: (*printed, *ADDITIONS.get(name, ())) for name, printed in PRINTED.items()
 }
 
 BY_ID: dict[str, Printed] = {

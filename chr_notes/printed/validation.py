@@ -9,17 +9,14 @@ from sympy import (
     Eq,
     ImmutableMatrix,
     IndexedBase,
-    Limit,
     MatAdd,
     MatMul,
     MatrixSymbol,
-    Ne,
     Symbol,
     asin,
     atan,
     atan2,
     cos,
-    oo,
     sec,
     sin,
     sqrt,
@@ -27,7 +24,7 @@ from sympy import (
     tan,
 )
 
-from chr_notes.printed.statement import InOrder, Leads, Printed, Rotation, as_printed, chain
+from chr_notes.printed.statement import Leads, Printed, Rotation, as_printed, chain
 from chr_notes.symbols import (
     BODY_RATES,
     EULER_RATES,
@@ -86,17 +83,6 @@ ROLL_COMP, PITCH_COMP = (Angle(rf"\{name}_{{Comp}}", real=True) for name in ("ph
 E = Symbol("E", real=True)
 M_E = Symbol("M_e", positive=True)
 INCLINATION = Angle("alpha", real=True)
-
-# Names for what the words speak of: the Earth's field at the ground and at an altitude, as it is
-# and normalised; how fast E grows with an error of attitude.
-GROUND_MAGNITUDE, HIGH_MAGNITUDE = (
-    Symbol(rf"\left\lVert\mathbf{{M}}({where})\right\rVert", positive=True) for where in ("0", "h")
-)
-GROUND_DIRECTION, HIGH_DIRECTION = (
-    MatrixSymbol(rf"\frac{{\mathbf{{M}}({where})}}{{\lVert\mathbf{{M}}({where})\rVert}}", 3, 1)
-    for where in ("0", "h")
-)
-GROWTH = Symbol(r"\left.\frac{\partial E}{\partial\epsilon}\right|_{\epsilon=0}", real=True)
 
 with as_printed():
     MATRIX = ImmutableMatrix(
@@ -300,58 +286,5 @@ with as_printed():
                     )
                 ),
             ),
-        ),
-        Printed(
-            "validation.a",
-            "claim",
-            "after equation 4, paragraph 1",
-            "The matrix of equation 1 takes a vector's components from the inertial to the body "
-            "frame.",
-            Eq(V_B, MatMul(MATRIX, V_I)),
-        ),
-        Printed(
-            "validation.b",
-            "claim",
-            "after equation 7, paragraph 1",
-            "By equations 6 and 7 the tangent of yaw would equal minus its own inverse.",
-            Eq(tan(YAW_ACCEL), -1 / tan(YAW_ACCEL)),
-        ),
-        Printed(
-            "validation.c",
-            "claim",
-            "after equation 11, paragraph 1",
-            "At rest the angle of the filter converges to that of the accelerometer.",
-            Eq(Limit(SETTLING, n, oo), ROLL_ACCEL),
-        ),
-        Printed(
-            "validation.d",
-            "claim",
-            "after equation 16, paragraph 1",
-            "E is zero when roll and pitch are exact.",
-            Eq(E, 0),
-        ),
-        Printed(
-            "validation.e",
-            "claim",
-            "after equation 17, paragraph 4",
-            "The field in the inertial frame when its x-axis points south.",
-            Eq(
-                M_I,
-                ImmutableMatrix([M_E * cos(INCLINATION), 0, M_E * sin(INCLINATION)]),
-            ),
-        ),
-        Printed(
-            "validation.f",
-            "claim",
-            "after equation 11, paragraph 2",
-            "The magnitude of the field varies with altitude, so vectors are normalised.",
-            InOrder(Ne(HIGH_MAGNITUDE, GROUND_MAGNITUDE), Eq(HIGH_DIRECTION, GROUND_DIRECTION)),
-        ),
-        Printed(
-            "validation.g",
-            "claim",
-            "after equation 17, paragraph 1",
-            "E tells an error of the Euler angles: it grows with a small one.",
-            Ne(GROWTH, 0),
         ),
     )

@@ -1,4 +1,4 @@
-"""More of what the paper on real-time validation says in words."""
+"""What the paper on real-time validation says in words."""
 
 from sympy import (
     EmptySet,
@@ -8,6 +8,7 @@ from sympy import (
     Limit,
     MatMul,
     MatrixSymbol,
+    Ne,
     Rational,
     Subs,
     Symbol,
@@ -18,19 +19,43 @@ from sympy import (
     tan,
 )
 
-from chr_notes.printed.statement import Approximately, InOrder, Printed, as_printed, words
+from chr_notes.printed.statement import (
+    Approximately,
+    InOrder,
+    Leads,
+    Printed,
+    as_printed,
+    words,
+)
 from chr_notes.printed.validation import (
     ALPHA,
     G_B,
+    INCLINATION,
+    M_E,
     M_I,
     PITCH_BEFORE,
+    R_IB,
     R_X,
     R_Y,
     R_Z,
+    ROLL_ACCEL,
     ROLL_BEFORE,
+    SETTLING,
+    V_B,
+    V_I,
+    YAW_ACCEL,
+    E,
     n,
 )
 from chr_notes.symbols import BODY_RATES, EULER_RATES, g
+
+# Names for what the words speak of: the yaws that equations 6 and 7 leave; the Earth's field at the
+# ground and at an altitude; how fast E grows with an error of attitude.
+YAWS = words("yaws that agree with the accelerometer")
+GROUND_MAGNITUDE, HIGH_MAGNITUDE = (
+    Symbol(rf"\left\lVert\mathbf{{M}}({where})\right\rVert", positive=True) for where in ("0", "h")
+)
+GROWTH = Symbol(r"\left.\frac{\partial E}{\partial\epsilon}\right|_{\epsilon=0}", real=True)
 
 E_X, E_Y, E_Z = (ImmutableMatrix([int(row == axis) for row in range(3)]) for axis in range(3))
 
@@ -49,6 +74,58 @@ READING_AT_ZERO = MatrixSymbol(r"\mathbf{M}_b\left(0, 0, 0\right)", 3, 1)
 MAGNETOMETER_IN_FILTER = words("readings of the magnetometer in the angles of the filter")
 
 with as_printed():
+    CLAIMS = (
+        Printed(
+            "validation.a",
+            "claim",
+            "after equation 4, paragraph 1",
+            "The matrix R_i^b takes a vector's components from the inertial to the body frame.",
+            Eq(V_B, MatMul(R_IB, V_I)),
+        ),
+        Printed(
+            "validation.b",
+            "claim",
+            "after equation 7, paragraph 1",
+            "By equations 6 and 7 the tangent of yaw would equal minus its own inverse, which it "
+            "never does: a contradiction, so that no yaw is left.",
+            Leads(Ne(tan(YAW_ACCEL), -1 / tan(YAW_ACCEL)), Eq(YAWS, EmptySet)),
+        ),
+        Printed(
+            "validation.c",
+            "claim",
+            "after equation 11, paragraph 1",
+            "At rest the angle of the filter converges to that of the accelerometer.",
+            Eq(Limit(SETTLING, n, oo), ROLL_ACCEL),
+        ),
+        Printed(
+            "validation.d",
+            "claim",
+            "after equation 16, paragraph 1",
+            "E is zero when roll and pitch are exact.",
+            Eq(E, 0),
+        ),
+        Printed(
+            "validation.e",
+            "claim",
+            "after equation 17, paragraph 4",
+            "The field in the inertial frame when its x-axis points south.",
+            Eq(M_I, ImmutableMatrix([M_E * cos(INCLINATION), 0, M_E * sin(INCLINATION)])),
+        ),
+        Printed(
+            "validation.f",
+            "claim",
+            "after equation 11, paragraph 2",
+            "The magnitude of the Earth's field can differ from one altitude to another.",
+            Ne(HIGH_MAGNITUDE, GROUND_MAGNITUDE),
+        ),
+        Printed(
+            "validation.g",
+            "claim",
+            "after equation 17, paragraph 1",
+            "E tells an error of the Euler angles: it grows with a small one.",
+            Ne(GROWTH, 0),
+        ),
+    )
     ADDITIONS = (
         Printed(
             "validation.h",

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
-from sympy import lambdify, pi, tan
+from sympy import S, lambdify, pi, tan
 
 from chr_notes.derivations import validation as derived
 from chr_notes.derivations.euler import rotation
@@ -24,6 +24,10 @@ AFTER_ERROR = lambdify(
     (*derived.ERROR_AXIS, derived.error_angle, *derived.REFERENCE), derived.factor_after_error()
 )
 SENSITIVITY = lambdify((*derived.ERROR_AXIS, *derived.REFERENCE), derived.sensitivity())
+
+
+def test_gravity_tells_nothing_of_yaw() -> None:
+    assert derived.yaws_of_gravity() == S.Reals
 
 
 @given(angles, st.floats(-1.5, 1.5), angles, fields)

@@ -1,0 +1,275 @@
+"""What the paper on validating Euler angles says in words, before the judgement."""
+
+from sympy import (
+    Abs,
+    And,
+    EmptySet,
+    Eq,
+    Gt,
+    ImmutableMatrix,
+    Lt,
+    MatMul,
+    Ne,
+    Rational,
+    S,
+    cos,
+    sin,
+    sqrt,
+)
+
+from chr_notes.derivations import estimation
+from chr_notes.derivations import validation as derived
+from chr_notes.derivations.steps import Step
+from chr_notes.ledger.case import DEGREE, Case, Condition
+from chr_notes.ledger.edits import Edit
+from chr_notes.ledger.validation_attitude import NO_INFORMATION, ROTATED_GRAVITY
+from chr_notes.ledger.validation_reading import (
+    BIAS,
+    E_ALONG_FIELD,
+    EXACT_TILT,
+    FIELD_X_NORTH,
+    GROUND_DIRECTION,
+    HIGH_DIRECTION,
+    NORMALISED,
+    READ_EULER_RATES,
+    READ_GRAVITY,
+    READ_SOUTH,
+    READ_STEPS,
+    READINGS,
+    SEEN,
+    SOME_ATTITUDE,
+    SOME_FIELD,
+    UNDISTURBED,
+    WEAKENING,
+    WITHOUT_YAW,
+)
+from chr_notes.printed import validation as printed
+from chr_notes.printed import validation_claims as claims
+from chr_notes.printed.statement import Approximately, InOrder
+from chr_notes.symbols import (
+    g,
+    p,
+    phi,
+    q,
+    r,
+    theta,
+)
+
+SETTLED = (
+    Case(
+        "validation.a",
+        readings=READINGS,
+        remark="The sentence says what the label says. The elements that equation 1 prints under "
+        "it take the components the other way, from the body to the inertial frame: that error "
+        "counts there.",
+    ),
+    Case(
+        "validation.b",
+        edits=(Edit(EmptySet, S.Reals),),
+        root="no-information",
+        weight="small print",
+        steps=(
+            NO_INFORMATION,
+            Step(
+                "The reason is this: a turn about the vertical leaves gravity as it is, so what "
+                "the accelerometer reads is the same at every yaw.",
+                Eq(ROTATED_GRAVITY, MatMul(WITHOUT_YAW, printed.G_I)),
+            ),
+        ),
+        remark="Equations 6 and 7 do not contradict each other: both read 0/0, and from a division "
+        "by zero anything seems to follow. Multiplied out they hold for every yaw. That yaw cannot "
+        "be told, the paper's conclusion, is right: see validation.k.",
+    ),
+    Case(
+        "validation.h",
+        edits=(Edit(printed.G_B, -printed.G_B),),
+        witness={phi: 0, theta: 30 * DEGREE, g: Rational(98, 10)},
+        root="gravity-or-reading",
+        weight="misleads",
+        remark="An accelerometer measures the force that holds it up. At rest that is minus "
+        "gravity, in each component.",
+    ),
+    Case(
+        "validation.j",
+        READ_EULER_RATES,
+        condition=Condition(Eq(printed.ROLL_BEFORE, phi) & Eq(printed.PITCH_BEFORE, theta)),
+        witness={
+            printed.ROLL_BEFORE: 0,
+            printed.PITCH_BEFORE: 0,
+            phi: DEGREE,
+            theta: 2 * DEGREE,
+            p: 0,
+            q: 0,
+            r: 90 * DEGREE,
+        },
+        root="angles-before",
+        weight="small print",
+        remark="Exact only where roll and pitch are still what they were one loop before. "
+        "Otherwise the rates come one loop late; the error shrinks with the time between loops.",
+    ),
+    Case(
+        "validation.k",
+        remark="This is the whole reason why an accelerometer cannot give yaw, see validation.b.",
+    ),
+    Case("validation.o", READ_GRAVITY),
+    Case(
+        "validation.c",
+        given=(Condition(And(Gt(printed.ALPHA, 0), Lt(printed.ALPHA, 1))),),
+        condition=Condition(Eq(BIAS, 0)),
+        witness={
+            BIAS: DEGREE,
+            printed.ALPHA: Rational(2, 100),
+            printed.DT: Rational(1, 100),
+            estimation.start_error: 0,
+            printed.ROLL_ACCEL: 0,
+        },
+        root="bias-stays",
+        weight="misleads",
+        steps=(
+            Step(
+                "Each sample multiplies the distance to the accelerometer's angle by 1 - α, after "
+                "the gyro has added what it reads at rest.",
+                Eq(
+                    printed.SETTLING,
+                    printed.ROLL_ACCEL
+                    + (1 - printed.ALPHA) ** printed.n * estimation.start_error
+                    + (1 - (1 - printed.ALPHA) ** printed.n)
+                    * (1 - printed.ALPHA)
+                    / printed.ALPHA
+                    * BIAS
+                    * printed.DT,
+                ),
+            ),
+        ),
+        remark="Only if the gyro reads zero when it does not move. The paper's own Figure 2 shows "
+        "that it does not; with a bias the filter comes to rest beside the accelerometer's angle, "
+        "by 0.49° for 1°/s at 100 samples a second and α = 0.02.",
+    ),
+    Case(
+        "validation.d",
+        given=(EXACT_TILT, *NORMALISED),
+        condition=Condition(Eq(SEEN[2], printed.M_ZI)),
+        witness={
+            **SOME_ATTITUDE,
+            printed.ROLL_COMP: SOME_ATTITUDE[phi],
+            printed.PITCH_COMP: SOME_ATTITUDE[theta],
+            **SOME_FIELD,
+            # The field of the reference with a twentieth of it added downwards, normalised.
+            SEEN[0]: 12 / sqrt(433),
+            SEEN[2]: 17 / sqrt(433),
+        },
+        root="factor-needs-field",
+        weight="misleads",
+        steps=(
+            Step(
+                "At exact roll and pitch the brackets of equation 17 are the third line of "
+                "equation 12: the part down of the normalised field that the magnetometer sees.",
+                Eq(
+                    printed.M_ZB * cos(phi) * cos(theta)
+                    + printed.M_YB * cos(theta) * sin(phi)
+                    - printed.M_XB * sin(theta),
+                    SEEN[2],
+                ),
+            ),
+        ),
+        remark="Exact angles are not enough: the field must still point down as much as when the "
+        "reference was taken, and the magnetometer must be faultless. Iron that adds five percent "
+        "of the field downwards makes E = 0.017 with the best of angles.",
+    ),
+    Case(
+        "validation.e",
+        READ_SOUTH,
+        given=(Condition(Eq(derived.declination, 0)),),
+        edits=(
+            Edit(
+                printed.M_E * cos(printed.INCLINATION),
+                -printed.M_E * cos(printed.INCLINATION),
+            ),
+        ),
+        witness={printed.INCLINATION: 68 * DEGREE, derived.declination: 0, printed.M_E: 49},
+        root="south-field",
+        weight="misleads",
+        steps=(
+            Step(
+                "With x to the magnetic north and z down, the inclination α below the horizon "
+                "shares the field between the two.",
+                Eq(
+                    FIELD_X_NORTH,
+                    ImmutableMatrix(
+                        [
+                            printed.M_E * cos(printed.INCLINATION),
+                            0,
+                            printed.M_E * sin(printed.INCLINATION),
+                        ]
+                    ),
+                ),
+            ),
+            Step(
+                "Half a turn about the vertical points x to the south: the level parts change "
+                "their signs.",
+                Eq(
+                    printed.M_I,
+                    MatMul(ImmutableMatrix([[-1, 0, 0], [0, -1, 0], [0, 0, 1]]), FIELD_X_NORTH),
+                ),
+            ),
+        ),
+        remark="The horizontal part of the field points to magnetic north, against an x-axis that "
+        "points south: its sign is wrong. South is read as magnetic south, since the y component "
+        "is zero: the declination δ would leave one. (z is down, as for gravity in equation 2; "
+        "normalised, $M_e$ is 1.)",
+    ),
+    Case(
+        "validation.f",
+        READ_STEPS,
+        steps=(
+            Step(
+                "To first approximation the Earth is a dipole: its field falls with the third "
+                "power of the distance from the centre, and keeps its direction above one place.",
+                InOrder(
+                    Eq(
+                        claims.GROUND_MAGNITUDE,
+                        derived.dipole_strength
+                        * sqrt(1 + 3 * sin(derived.latitude) ** 2)
+                        / derived.radius**3,
+                    ),
+                    Eq(HIGH_DIRECTION, GROUND_DIRECTION),
+                ),
+            ),
+            Step(
+                "A kilometre up it is weaker by half a thousandth only.",
+                Approximately(WEAKENING, "0.9995"),
+            ),
+        ),
+        remark="True, and small. What normalising removes above all is an error of the "
+        "magnetometer's scale, and the difference between places.",
+    ),
+    Case(
+        "validation.g",
+        READ_STEPS,
+        condition=Condition(
+            Ne(derived.ERROR_AXIS[0] * printed.M_YI - derived.ERROR_AXIS[1] * printed.M_XI, 0)
+        ),
+        witness={**dict(zip(derived.ERROR_AXIS, (0, 0, 1), strict=True)), **SOME_FIELD},
+        root="factor-blind",
+        weight="misleads",
+        steps=(
+            Step(
+                "For a small turn about an axis n, E grows by the vertical part of n × M. Yaw (n "
+                "along the vertical) leaves it unchanged, and so does a tilt about the horizontal "
+                "part of the field.",
+                Eq(
+                    claims.GROWTH,
+                    derived.ERROR_AXIS[0] * printed.M_YI - derived.ERROR_AXIS[1] * printed.M_XI,
+                ),
+            ),
+            Step(
+                "A tilt ε about the field's own horizontal direction shows only by this, which is "
+                "of second order.",
+                Eq(E_ALONG_FIELD, Abs(printed.M_ZI * (1 - cos(derived.error_angle)))),
+            ),
+        ),
+        remark="E sees a tilt about the horizontal line across the field, and hardly any other "
+        "error. It is blind to yaw altogether: yaw does not stand in it.",
+    ),
+    Case("validation.n", given=(UNDISTURBED,)),
+)
