@@ -257,8 +257,11 @@ def _fails_as_it_is(statement: Basic, point: Mapping[Basic, Basic]) -> bool:
 
 
 def fails(statement: Basic, read: Read, point: Mapping[Basic, Basic]) -> bool:
-    """Whether a statement is false at a point."""
-    return any(_fails(part, read, point) for part in parts(statement))
+    """Whether a statement is false at a point; what SymPy cannot work out is not seen to be."""
+    try:
+        return any(_fails(part, read, point) for part in parts(statement))
+    except NotImplementedError:
+        return False
 
 
 def _fails(relation: Basic, read: Read, point: Mapping[Basic, Basic]) -> bool:

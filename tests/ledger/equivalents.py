@@ -34,4 +34,9 @@ EQUIVALENT: dict[tuple[str, str], str] = {
     ("euler.7.f", "swapped symbols, throughout 1"): BOTH_WAYS,
     ("dead_reckoning.2.1", "wrong frame 2"): VERTICAL,
     ("dead_reckoning.2.2", "wrong frame 2"): VERTICAL,
+    ("dead_reckoning.3.1", "swapped symbols, throughout 1"): BOTH_WAYS,
+    ("dead_reckoning.3.2", "swapped symbols, throughout 1"): BOTH_WAYS,
+    ("validation.e", "sign 3"): "minus zero is zero",
+    ("validation.f", "swapped symbols, throughout 1"): BOTH_WAYS,
+    ("validation.k", "swapped symbols, throughout 1"): BOTH_WAYS,
 }

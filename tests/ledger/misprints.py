@@ -80,7 +80,8 @@ def swapped_symbols(node: Basic, whole: Basic) -> Wrong:
 def swapped_throughout(node: Basic, whole: Basic) -> Wrong:
     """Yield the whole with two symbols exchanged everywhere."""
     if node is whole:
-        names = sorted(whole.free_symbols, key=str)
+        plain = (name for name in whole.free_symbols if isinstance(name, Symbol | MatrixSymbol))
+        names = sorted(plain, key=str)
         for place, one in enumerate(names):
             for other in names[place + 1 :]:
                 if alike(one, other):
