@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import reduce
+from math import prod
 from typing import Literal
 
 import numpy as np
@@ -165,7 +166,7 @@ class Rows:
         every_place: bool,
     ) -> Locked:
         """Compute what the kernel has left, block by block."""
-        count = int(np.prod(leading, dtype=np.intp))
+        count = prod(leading)
         flat = result.reshape(count, *self._result)
         odd = None if left is None else np.frombuffer(left, dtype=np.bool_)
         locked, places = 0, list[Places]()
@@ -264,15 +265,18 @@ def handed_out(parts: tuple[Floats, ...], out: tuple[Floats, ...] | None) -> tup
 
 def _rows(array: Floats, leading: tuple[int, ...], last: tuple[int, ...]) -> Floats:
     """Write an array as rows: as many as there are results, or one for all."""
-    if array.size == np.prod(last, dtype=np.intp):
+    if array.size == prod(last):
         return array.reshape(1, *last)
-    return np.ascontiguousarray(np.broadcast_to(array, (*leading, *last))).reshape(-1, *last)
+    if array.shape != (*leading, *last):
+        array = np.ascontiguousarray(np.broadcast_to(array, (*leading, *last)))
+    return array.reshape(-1, *last)
 
 
 def _missing(parts: list[Floats]) -> Bools | None:
     """Say which rows have NaN: what comes of them is NaN as a whole. None where no row has."""
-    total = sum(part.sum() for part in parts)
-    if total == total:  # noqa: PLR0124 (it would be NaN too)
+    flat = [part.reshape(-1) for part in parts]
+    squares = sum(part @ part for part in flat)
+    if squares == squares:  # noqa: PLR0124 (a sum of squares is NaN only where one of them is)
         return None
     each = [np.isnan(part).reshape(len(part), -1).any(axis=1) for part in parts]
     return np.asarray(reduce(np.logical_or, each))

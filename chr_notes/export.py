@@ -1,13 +1,52 @@
 """The generated C and JavaScript, for people who take them into a program of their own."""
 
-import shutil
 from pathlib import Path
 from typing import Literal
+
+from chr_notes import __version__
 
 GENERATED = Path(__file__).resolve().parent / "generated"
 
 _NAMES = {"c": "C", "js": "JavaScript"}
-_FILES = {"c": ("c/attitude.h", "c/attitude.c"), "js": ("javascript/attitude.mjs",)}
+_FILES = {
+    "c": ("c/attitude.h", "c/attitude.c"),
+    "js": ("javascript/attitude.mjs", "javascript/attitude.d.mts"),
+}
+# What build systems and package managers look for.
+_BESIDE = {
+    "c": {
+        "CMakeLists.txt": """\
+cmake_minimum_required(VERSION 3.10)
+project(attitude C)
+add_library(attitude attitude.c)
+target_include_directories(attitude PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
+if(UNIX)
+  target_link_libraries(attitude PUBLIC m)
+endif()
+""",
+        "library.properties": f"""\
+name=Attitude
+version={__version__}
+author=chr_notes
+maintainer=chr_notes
+sentence=Attitude functions, generated from checked derivations.
+paragraph=Euler angles, quaternions, matrices, sensor models and filters; plain C, no state.
+category=Data Processing
+architectures=*
+""",
+    },
+    "js": {
+        "package.json": f"""\
+{{
+  "name": "attitude",
+  "version": "{__version__}",
+  "license": "MIT",
+  "type": "module",
+  "exports": {{ ".": {{ "types": "./attitude.d.mts", "default": "./attitude.mjs" }} }}
+}}
+""",
+    },
+}
 _USE = {
     "c": """\
 Put both files into your project and call the functions that `attitude.h` declares. They need C99
@@ -31,12 +70,23 @@ It prints `0 1.5708 0, locked: 1`, saved as `main.c` and compiled by these lines
     gcc -std=c99 -O2 -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow -Werror \
 -c attitude.c
     gcc -std=c99 -o main main.c attitude.o -lm
+
+With CMake, `add_subdirectory(attitude)` and `target_link_libraries(main attitude)` do it. The
+Arduino IDE takes the folder, put among its `libraries`, as one; on boards whose double is a float,
+and on those that compute float alone in hardware, use the functions in `_f`.
+
+Each function is described in `attitude.h`: its results, between which numbers they lie, and what
+becomes of NaN and of readings that are none.
 """,
     "js": """\
 An ES module without dependencies, for browsers and Node:
 
     import { eulerFromQuaternion } from "./attitude.mjs";
     const [roll, pitch, yaw, locked] = eulerFromQuaternion(1, 0, 1, 0);
+
+After `npm install` with the path of this folder, `"attitude"` stands for the file. TypeScript finds
+types in `attitude.d.mts`. Each function is described in both: its results, between which numbers
+they lie, and what becomes of NaN and of readings that are none.
 
 Functions that find Euler angles return them with one more value: whether at gimbal lock, where roll
 is set to 0 and yaw carries the rest.
@@ -74,20 +124,23 @@ def export(language: Literal["c", "js"], folder: Path) -> list[Path]:
     Raises
     ------
     FileExistsError
-        If the folder has a `README.md` that is not of this export; nothing is written then.
+        If the folder has a file of one of these names that is not of an export; nothing is written
+        then.
     OSError
         If the folder cannot be made or written to.
     """
     text = _README.format(language=_NAMES[language], use=_USE[language])
+    made = {Path(name).name: (GENERATED / name).read_bytes() for name in _FILES[language]}
+    made |= {name: text.encode() for name, text in _BESIDE[language].items()}
+    made["README.md"] = text.encode()
     readme = folder / "README.md"
-    if readme.exists() and readme.read_bytes().splitlines()[:1] != [text.encode().splitlines()[0]]:
-        msg = f"expected a folder of its own for the export, but {readme} belongs to something else"
-        raise FileExistsError(msg)
+    title = text.encode().splitlines()[:1]
+    if not (readme.exists() and readme.read_bytes().splitlines()[:1] == title):
+        foreign = next((folder / name for name in made if (folder / name).exists()), None)
+        if foreign is not None:
+            msg = f"expected a folder of its own for the export, but {foreign} is there already"
+            raise FileExistsError(msg)
     folder.mkdir(parents=True, exist_ok=True)
-    written = []
-    for name in _FILES[language]:
-        target = folder / Path(name).name
-        shutil.copyfile(GENERATED / name, target)
-        written.append(target)
-    readme.write_text(text, encoding="utf-8", newline="\n")
-    return [*written, readme]
+    for name, content in made.items():
+        (folder / name).write_bytes(content)
+    return [folder / name for name in made]

@@ -11,6 +11,8 @@ from chr_notes.__main__ import main
 
 from .codegen.languages import WARNINGS
 
+TYPESCRIPT = "typescript@5.9.3"
+
 
 def test_exported_c_compiles_and_runs_by_its_readme(
     tmp_path: Path, program: Callable[[str], str]
@@ -31,27 +33,60 @@ def test_exported_c_compiles_and_runs_by_its_readme(
     assert f"It prints `{done.stdout.strip()}`" in readme
 
 
-def test_exported_javascript_runs(tmp_path: Path, program: Callable[[str], str]) -> None:
+@pytest.fixture
+def package(tmp_path: Path) -> Path:
+    """A folder in which the exported package is installed."""
+    assert main(["export", "js", str(tmp_path / "node_modules" / "attitude")]) == 0
+    return tmp_path
+
+
+def lines_of_use(package: Path) -> list[str]:
+    readme = (package / "node_modules" / "attitude" / "README.md").read_text(encoding="utf-8")
+    return [line[4:] for line in readme.splitlines() if line.startswith("    ")]
+
+
+@pytest.mark.parametrize("name", ["./node_modules/attitude/attitude.mjs", "attitude"])
+def test_exported_javascript_runs(name: str, package: Path, program: Callable[[str], str]) -> None:
     node = program("node")
-    assert main(["export", "js", str(tmp_path)]) == 0
-    readme = (tmp_path / "README.md").read_text(encoding="utf-8")
-    lines = [line[4:] for line in readme.splitlines() if line.startswith("    ")]
+    lines = [line.replace("./attitude.mjs", name) for line in lines_of_use(package)]
     code = "\n".join([*lines, "console.log([roll, pitch, yaw, Number(locked)].join());"])
-    (tmp_path / "use.mjs").write_text(code, encoding="utf-8")
+    (package / "use.mjs").write_text(code, encoding="utf-8")
     done = subprocess.run(
-        [node, "use.mjs"], cwd=tmp_path, check=True, capture_output=True, text=True
+        [node, "use.mjs"], cwd=package, check=True, capture_output=True, text=True
     )
     assert [float(x) for x in done.stdout.split(",")] == [0, math.pi / 2, 0, 1]
+
+
+@pytest.mark.parametrize("kind", ["boolean", "number"])
+def test_typescript_accepts_right_uses_alone(
+    kind: str, package: Path, program: Callable[[str], str]
+) -> None:
+    npx = program("npx")
+    lines = [line.replace("./attitude.mjs", "attitude") for line in lines_of_use(package)]
+    use = "const sum: number = roll + pitch; const flag: KIND = locked;"
+    use += "const turned: [number, number, number] = rotateToBody(1, 0, 0, 0, 1, 2, 3);"
+    code = "\n".join(['import { rotateToBody } from "attitude";', *lines, use])
+    (package / "use.mts").write_text(code.replace("KIND", kind), encoding="utf-8")
+    command = [npx, "--yes", "--package", TYPESCRIPT, "tsc", "--strict", "--noEmit"]
+    done = subprocess.run(
+        [*command, "--target", "es2022", "--module", "nodenext", "use.mts"],
+        cwd=package, capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert (done.returncode == 0) == (kind == "boolean"), done.stdout + done.stderr
+    assert kind == "boolean" or "Type 'boolean' is not assignable to type 'number'" in done.stdout
 
 
 @pytest.mark.parametrize("language", ["c", "js"])
 def test_an_export_replaces_itself_and_nothing_of_others(language: str, tmp_path: Path) -> None:
     assert main(["export", language, str(tmp_path / "own")]) == 0
     assert main(["export", language, str(tmp_path / "own")]) == 0
-    (tmp_path / "README.md").write_text("# My rocket\n", encoding="utf-8")
-    assert main(["export", language, str(tmp_path)]) == 2
-    assert {path.name for path in tmp_path.iterdir()} == {"own", "README.md"}
-    assert (tmp_path / "README.md").read_text(encoding="utf-8") == "# My rocket\n"
+    files = [path.name for path in (tmp_path / "own").iterdir()]
+    for name in files:
+        (tmp_path / name).write_text("# My rocket\n", encoding="utf-8")
+        assert main(["export", language, str(tmp_path)]) == 2
+        assert {path.name for path in tmp_path.iterdir()} == {"own", name}
+        assert (tmp_path / name).read_text(encoding="utf-8") == "# My rocket\n"
+        (tmp_path / name).unlink()
 
 
 def test_a_folder_that_cannot_be_made_is_said_in_a_line(

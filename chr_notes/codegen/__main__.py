@@ -35,6 +35,7 @@ def files() -> dict[str, str]:
         "arrays/__init__.py": '"""Functions of arrays, for many attitudes at once."""\n',
         "arrays/shapes.py": arrays.table((*columns, *steps)),
         "javascript/attitude.mjs": javascript.module(programs),
+        "javascript/attitude.d.mts": javascript.declarations(programs),
         "c/attitude.h": c.header(programs),
         "c/attitude.c": c.source(programs),
         "c/kernels.c": compiled,

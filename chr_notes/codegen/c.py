@@ -7,6 +7,7 @@ from sympy import Basic, true
 from sympy.core.relational import Relational
 from sympy.logic.boolalg import BooleanFunction
 
+from chr_notes.codegen.edges import edges
 from chr_notes.codegen.expressions import C, SingleC, Spelling
 from chr_notes.codegen.header import FLAG, WIDTH, folded, is_short, ledger, made_how, needs, returns
 from chr_notes.codegen.lowering import Program, expressions
@@ -75,6 +76,7 @@ def _comment(program: Program) -> list[str]:
         returns(program),
         *(f"{argument.name}: {argument.says}" for argument in target.arguments),
         *([f"Returns {FLAG}."] if program.flag is not None else []),
+        *edges(program),
         *(line for line in (needs(program), *ledger(target)) if line),
     ]
     return ["/*", *(f" * {line}" for line in lines), " */"]

@@ -2,6 +2,7 @@
 
 from sympy import true
 
+from chr_notes.codegen.edges import edges
 from chr_notes.codegen.expressions import JavaScript, camel
 from chr_notes.codegen.header import (
     FLAG,
@@ -25,23 +26,41 @@ def module(programs: tuple[Program, ...]) -> str:
     return head + "\n\n" + "\n\n".join(_function(program) for program in programs) + "\n"
 
 
-def _function(program: Program) -> str:
+def declarations(programs: tuple[Program, ...]) -> str:
+    """Print what TypeScript has to know of that module."""
+    lines = [f"// {line}" for line in made_how(programs)]
+    for program in programs:
+        arguments = [f"{camel(argument.name)}: number" for argument in program.target.arguments]
+        start = f"export function {camel(program.target.name)}("
+        lines += ["", *_comment(program)]
+        lines += in_lines(start, arguments, f"): {_result(program)};", "  ")
+    return "\n".join([*lines, ""])
+
+
+def _result(program: Program) -> str:
+    types = ["number"] * len(program.results) + ["boolean"] * (program.flag is not None)
+    return f"[{', '.join(types)}]" if program.shape else "number"
+
+
+def _comment(program: Program) -> list[str]:
     target = program.target
-    names = [camel(argument.name) for argument in target.arguments]
-    result = "number[]" if program.shape else "number"
-    if program.flag is not None:
-        result = f"[...{result}, boolean]"
-    lines = [
+    last = f" last: {FLAG}" if program.flag is not None else ""
+    return [
         "/**",
         f" * {returns(program)}",
-        *(
-            f" * @param {{number}} {name} {a.says}"
-            for name, a in zip(names, target.arguments, strict=True)
-        ),
-        f" * @returns {{{result}}}{f' last: {FLAG}' if program.flag is not None else ''}",
+        *(f" * {line}" for line in edges(program)),
         *(f" * {line}" for line in (needs(program), *ledger(target)) if line),
+        *(f" * @param {{number}} {camel(a.name)} {a.says}" for a in target.arguments),
+        f" * @returns {{{_result(program)}}}{last}",
         " */",
-        *in_lines(f"export function {camel(target.name)}(", names, ") {", "  "),
+    ]
+
+
+def _function(program: Program) -> str:
+    names = [camel(argument.name) for argument in program.target.arguments]
+    lines = [
+        *_comment(program),
+        *in_lines(f"export function {camel(program.target.name)}(", names, ") {", "  "),
     ]
     for step in program.steps:
         lines += [part for line in _step(step) for part in folded(f"  {line}")]

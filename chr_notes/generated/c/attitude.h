@@ -22,6 +22,8 @@ extern "C" {
  * roll: roll about the body x-axis, radians
  * pitch: pitch about the vehicle-1 y-axis, radians
  * yaw: yaw about the inertial z-axis, radians
+ * Each from -1 to 1.
+ * NaN gives NaN in each result that it enters.
  * Ledger: euler.5.2, euler.5.3.
  */
 void attitude_matrix_from_euler(double roll, double pitch, double yaw, double out[9]);
@@ -39,6 +41,8 @@ void attitude_matrix_from_euler_f(float roll, float pitch, float yaw, float out[
  * r32: row 3, column 2 of the matrix from the inertial to the body frame
  * r33: row 3, column 3 of the matrix from the inertial to the body frame
  * Returns whether at gimbal lock, where roll is set to 0.
+ * Roll and yaw from -pi to pi, pitch from -pi/2 to pi/2.
+ * NaN gives NaN in each result that it enters.
  */
 int attitude_euler_from_matrix(double r11, double r12, double r13, double r21, double r22,
     double r23, double r31, double r32, double r33, double out[3]);
@@ -56,6 +60,7 @@ int attitude_euler_from_matrix_f(float r11, float r12, float r13, float r21, flo
  * r31: row 3, column 1 of the matrix from the inertial to the body frame
  * r32: row 3, column 2 of the matrix from the inertial to the body frame
  * r33: row 3, column 3 of the matrix from the inertial to the body frame
+ * NaN gives NaN in each result that it enters.
  */
 void attitude_rotation_defect(double r11, double r12, double r13, double r21, double r22,
     double r23, double r31, double r32, double r33, double out[2]);
@@ -66,6 +71,7 @@ void attitude_rotation_defect_f(float r11, float r12, float r13, float r21, floa
  * Matrix D from body rates to Euler rates, row by row (3 by 3).
  * roll: roll about the body x-axis, radians
  * pitch: pitch about the vehicle-1 y-axis, radians
+ * NaN gives NaN in each result that it enters.
  * Ledger: euler.7.2, euler.7.d.
  */
 void attitude_euler_rates_matrix(double roll, double pitch, double out[9]);
@@ -78,6 +84,7 @@ void attitude_euler_rates_matrix_f(float roll, float pitch, float out[9]);
  * p: body rate about x, rad/s
  * q: body rate about y, rad/s
  * r: body rate about z, rad/s
+ * NaN gives NaN in each result that it enters.
  * Ledger: euler.7.3.
  */
 void attitude_euler_rates_from_body_rates(double roll, double pitch, double p, double q, double r,
@@ -92,6 +99,7 @@ void attitude_euler_rates_from_body_rates_f(float roll, float pitch, float p, fl
  * roll_rate: derivative of roll, rad/s
  * pitch_rate: derivative of pitch, rad/s
  * yaw_rate: derivative of yaw, rad/s
+ * NaN gives NaN in each result that it enters.
  * Ledger: euler.7.a.
  */
 void attitude_body_rates_from_euler_rates(double roll, double pitch, double roll_rate,
@@ -102,6 +110,7 @@ void attitude_body_rates_from_euler_rates_f(float roll, float pitch, float roll_
 /*
  * Determinant of the matrix D.
  * pitch: pitch about the vehicle-1 y-axis, radians
+ * NaN gives NaN in each result that it enters.
  * Ledger: euler.7.c.
  */
 double attitude_euler_rates_determinant(double pitch);
@@ -110,6 +119,7 @@ float attitude_euler_rates_determinant_f(float pitch);
 /*
  * Condition number of the matrix D in the 2-norm.
  * pitch: pitch about the vehicle-1 y-axis, radians
+ * NaN gives NaN in each result that it enters.
  * Ledger: euler.7.c.
  */
 double attitude_euler_rates_condition(double pitch);
@@ -118,6 +128,8 @@ float attitude_euler_rates_condition_f(float pitch);
 /*
  * The angle less whole turns, from -pi up to but not including pi.
  * angle: angle, radians
+ * The angle from -pi to pi.
+ * NaN gives NaN in each result that it enters.
  */
 double attitude_wrap_angle(double angle);
 float attitude_wrap_angle_f(float angle);
@@ -128,6 +140,8 @@ float attitude_wrap_angle_f(float angle);
  * b: factor of i of the attitude quaternion
  * c: factor of j of the attitude quaternion
  * d: factor of k of the attitude quaternion
+ * Each from -1 to 1.
+ * NaN gives NaN in each result that it enters.
  * Right as long as the norm squared neither overflows nor vanishes.
  * Ledger: quaternions.3.3.
  */
@@ -145,6 +159,8 @@ void attitude_matrix_from_quaternion_f(float a, float b, float c, float d, float
  * r31: row 3, column 1 of the matrix from the inertial to the body frame
  * r32: row 3, column 2 of the matrix from the inertial to the body frame
  * r33: row 3, column 3 of the matrix from the inertial to the body frame
+ * A from 0 to 1, b, c and d from -1 to 1.
+ * NaN gives NaN in each result that it enters.
  * Ledger: quaternions.3.3.
  */
 void attitude_quaternion_from_matrix(double r11, double r12, double r13, double r21, double r22,
@@ -157,6 +173,8 @@ void attitude_quaternion_from_matrix_f(float r11, float r12, float r13, float r2
  * roll: roll about the body x-axis, radians
  * pitch: pitch about the vehicle-1 y-axis, radians
  * yaw: yaw about the inertial z-axis, radians
+ * A from 0 to 1, b, c and d from -1 to 1.
+ * NaN gives NaN in each result that it enters.
  */
 void attitude_quaternion_from_euler(double roll, double pitch, double yaw, double out[4]);
 void attitude_quaternion_from_euler_f(float roll, float pitch, float yaw, float out[4]);
@@ -168,6 +186,8 @@ void attitude_quaternion_from_euler_f(float roll, float pitch, float yaw, float 
  * c: factor of j of the attitude quaternion
  * d: factor of k of the attitude quaternion
  * Returns whether at gimbal lock, where roll is set to 0.
+ * Roll and yaw from -pi to pi, pitch from -pi/2 to pi/2.
+ * NaN gives NaN in each result that it enters.
  * Right as long as the sum of squares neither overflows nor vanishes.
  * Ledger: quaternions.4.1, quaternions.4.2, quaternions.4.3, quaternions.4.b.
  */
@@ -180,6 +200,8 @@ int attitude_euler_from_quaternion_f(float a, float b, float c, float d, float o
  * y: y of the axis, any length
  * z: z of the axis, any length
  * angle: angle of the turn about the axis, radians
+ * A from 0 to 1, b, c and d from -1 to 1.
+ * NaN gives NaN in each result that it enters.
  * Right as long as the length squared neither overflows nor vanishes.
  * Ledger: quaternions.2.2.
  */
@@ -192,6 +214,8 @@ void attitude_quaternion_from_axis_angle_f(float x, float y, float z, float angl
  * b: factor of i of the attitude quaternion
  * c: factor of j of the attitude quaternion
  * d: factor of k of the attitude quaternion
+ * The axis from -1 to 1, the angle from 0 to pi.
+ * NaN gives NaN in each result that it enters.
  * Right as long as the norm squared neither overflows nor vanishes.
  * Ledger: quaternions.2.2.
  */
@@ -208,6 +232,7 @@ void attitude_axis_angle_from_quaternion_f(float a, float b, float c, float d, f
  * b2: factor of i of the second factor
  * c2: factor of j of the second factor
  * d2: factor of k of the second factor
+ * NaN gives NaN in each result that it enters.
  * Ledger: quaternions.3.2.
  */
 void attitude_quaternion_multiply(double a1, double b1, double c1, double d1, double a2, double b2,
@@ -221,6 +246,7 @@ void attitude_quaternion_multiply_f(float a1, float b1, float c1, float d1, floa
  * b: factor of i of the attitude quaternion
  * c: factor of j of the attitude quaternion
  * d: factor of k of the attitude quaternion
+ * NaN gives NaN in each result that it enters.
  * Ledger: quaternions.3.c.
  */
 void attitude_quaternion_conjugate(double a, double b, double c, double d, double out[4]);
@@ -232,6 +258,7 @@ void attitude_quaternion_conjugate_f(float a, float b, float c, float d, float o
  * b: factor of i of the attitude quaternion
  * c: factor of j of the attitude quaternion
  * d: factor of k of the attitude quaternion
+ * NaN gives NaN in each result that it enters.
  * Right as long as the norm squared neither overflows nor vanishes.
  * Ledger: quaternions.3.a.
  */
@@ -247,6 +274,7 @@ void attitude_quaternion_inverse_f(float a, float b, float c, float d, float out
  * x: x of a vector in the body frame
  * y: y of a vector in the body frame
  * z: z of a vector in the body frame
+ * NaN gives NaN in each result that it enters.
  * Right as long as the norm squared neither overflows nor vanishes.
  * Ledger: quaternions.3.1.
  */
@@ -264,6 +292,7 @@ void attitude_rotate_to_inertial_f(float a, float b, float c, float d, float x, 
  * x: x of a vector in the inertial frame
  * y: y of a vector in the inertial frame
  * z: z of a vector in the inertial frame
+ * NaN gives NaN in each result that it enters.
  * Right as long as the norm squared neither overflows nor vanishes.
  * Ledger: quaternions.3.1, quaternions.3.4.
  */
@@ -282,6 +311,7 @@ void attitude_rotate_to_body_f(float a, float b, float c, float d, float x, floa
  * q: body rate about y, rad/s
  * r: body rate about z, rad/s
  * dt: time that passes, s
+ * NaN gives NaN in each result that it enters.
  */
 void attitude_quaternion_after_constant_rates(double a, double b, double c, double d, double p,
     double q, double r, double dt, double out[4]);
@@ -297,6 +327,7 @@ void attitude_quaternion_after_constant_rates_f(float a, float b, float c, float
  * p: body rate about x, rad/s
  * q: body rate about y, rad/s
  * r: body rate about z, rad/s
+ * NaN gives NaN in each result that it enters.
  */
 void attitude_quaternion_rates(double a, double b, double c, double d, double p, double q, double r,
     double out[4]);
@@ -308,6 +339,7 @@ void attitude_quaternion_rates_f(float a, float b, float c, float d, float p, fl
  * roll: roll about the body x-axis, radians
  * pitch: pitch about the vehicle-1 y-axis, radians
  * gravity: magnitude of gravity, m/s²
+ * NaN gives NaN in each result that it enters.
  * Ledger: estimation.2.4, sensors.2.2, sensors.2.c.
  */
 void attitude_accelerometer_at_rest(double roll, double pitch, double gravity, double out[3]);
@@ -333,6 +365,7 @@ void attitude_accelerometer_at_rest_f(float roll, float pitch, float gravity, fl
  * x: what is there along x
  * y: what is there along y
  * z: what is there along z
+ * NaN gives NaN in each result that it enters.
  * Ledger: sensors.2.3, sensors.2.4.
  */
 void attitude_sensor_measures(double m11, double m12, double m13, double m21, double m22,
@@ -363,6 +396,7 @@ void attitude_sensor_measures_f(float m11, float m12, float m13, float m21, floa
  * x: what the sensor reads along x
  * y: what the sensor reads along y
  * z: what the sensor reads along z
+ * NaN gives NaN in each result that it enters.
  * Ledger: sensors.2.5, sensors.2.e, sensors.4.1.
  */
 void attitude_sensor_corrected(double n11, double n12, double n13, double n21, double n22,
@@ -405,6 +439,7 @@ void attitude_sensor_corrected_f(float n11, float n12, float n13, float n21, flo
  * x: what is there along x
  * y: what is there along y
  * z: what is there along z
+ * NaN gives NaN in each result that it enters.
  * Ledger: sensors.3.2.
  */
 void attitude_gyro_measures(double m11, double m12, double m13, double m21, double m22, double m23,
@@ -450,6 +485,7 @@ void attitude_gyro_measures_f(float m11, float m12, float m13, float m21, float 
  * x: what the sensor reads along x
  * y: what the sensor reads along y
  * z: what the sensor reads along z
+ * NaN gives NaN in each result that it enters.
  * Ledger: sensors.3.2.
  */
 void attitude_gyro_corrected(double n11, double n12, double n13, double n21, double n22, double n23,
@@ -480,6 +516,7 @@ void attitude_gyro_corrected_f(float n11, float n12, float n13, float n21, float
  * x: what the sensor reads along x
  * y: what the sensor reads along y
  * z: what the sensor reads along z
+ * NaN gives NaN in each result that it enters.
  * Ledger: sensors.4.2.
  */
 void attitude_iron_removed(double d11, double d12, double d13, double d21, double d22, double d23,
@@ -506,6 +543,7 @@ void attitude_iron_removed_f(float d11, float d12, float d13, float d21, float d
  * x: what is there along x
  * y: what is there along y
  * z: what is there along z
+ * NaN gives NaN in each result that it enters.
  * Ledger: sensors.4.2.
  */
 void attitude_iron_added(double n11, double n12, double n13, double n21, double n22, double n23,
@@ -520,6 +558,9 @@ void attitude_iron_added_f(float n11, float n12, float n13, float n21, float n22
  * accel_x: reading of the accelerometer along x, m/s²
  * accel_y: reading of the accelerometer along y, m/s²
  * accel_z: reading of the accelerometer along z, m/s²
+ * Roll from -pi to pi, pitch from -pi/2 to pi/2.
+ * A reading that is zero, or has NaN or infinity, gives NaN.
+ * Straight up or down roll is 0.
  * Right as long as the length squared neither overflows nor vanishes.
  * Ledger: estimation.2.5, estimation.2.6.
  */
@@ -536,6 +577,8 @@ void attitude_tilt_from_accelerometer_f(float accel_x, float accel_y, float acce
  * q: body rate about y, rad/s
  * r: body rate about z, rad/s
  * dt: time that passes, s
+ * Rates with NaN or infinity, or of 1e12 rad/s and more, are held out: the body stands still.
+ * Angles grow past half a turn.
  * Ledger: estimation.3.1, estimation.3.2, estimation.3.3.
  */
 void attitude_gyro_step(double roll, double pitch, double yaw, double p, double q, double r,
@@ -553,6 +596,7 @@ void attitude_gyro_step_f(float roll, float pitch, float yaw, float p, float q, 
  * q: body rate about y, rad/s
  * r: body rate about z, rad/s
  * dt: time that passes, s
+ * Rates with NaN or infinity, or of 1e12 rad/s and more, are held out: the body stands still.
  */
 void attitude_gyro_turn(double a, double b, double c, double d, double p, double q, double r,
     double dt, double out[4]);
@@ -573,6 +617,8 @@ void attitude_gyro_turn_f(float a, float b, float c, float d, float p, float q, 
  * accel_z: reading of the accelerometer along z, m/s²
  * dt: time that passes, s
  * gain: weight of the accelerometer, from 0 to 1
+ * Rates with NaN or infinity, or of 1e12 rad/s and more, are held out: the body stands still.
+ * Readings that are zero, or have NaN or infinity, are not heard: the gyros go on alone.
  */
 void attitude_observer_turn(double a, double b, double c, double d, double p, double q, double r,
     double accel_x, double accel_y, double accel_z, double dt, double gain, double out[4]);
@@ -592,6 +638,10 @@ void attitude_observer_turn_f(float a, float b, float c, float d, float p, float
  * accel_z: reading of the accelerometer along z, m/s²
  * dt: time that passes, s
  * gain: weight of the accelerometer, from 0 to 1
+ * Roll and yaw from -pi to pi, pitch from -pi/2 to pi/2.
+ * Rates with NaN or infinity, or of 1e12 rad/s and more, are held out: the body stands still.
+ * Readings that are zero, or have NaN or infinity, are not heard: the gyros go on alone.
+ * At gimbal lock roll is set to 0 and yaw has the rest.
  */
 void attitude_observer_step(double roll, double pitch, double yaw, double p, double q, double r,
     double accel_x, double accel_y, double accel_z, double dt, double gain, double out[3]);
@@ -611,6 +661,9 @@ void attitude_observer_step_f(float roll, float pitch, float yaw, float p, float
  * accel_z: reading of the accelerometer along z, m/s²
  * dt: time that passes, s
  * gain: weight of the accelerometer, from 0 to 1
+ * Rates with NaN or infinity, or of 1e12 rad/s and more, are held out: the body stands still.
+ * Readings that are zero, or have NaN or infinity, are not heard: the gyros go on alone.
+ * Angles grow past half a turn.
  * Ledger: estimation.4.1, estimation.4.2, estimation.4.3, estimation.4.4.
  */
 void attitude_euler_observer_step(double roll, double pitch, double yaw, double p, double q,
@@ -628,6 +681,8 @@ void attitude_euler_observer_step_f(float roll, float pitch, float yaw, float p,
  * pitch: pitch about the vehicle-1 y-axis, radians
  * north: horizontal field at yaw 0 along x, any unit
  * east: horizontal field at yaw 0 along y, any unit
+ * Yaw from -pi to pi.
+ * A reading that is zero, or has NaN or infinity, gives NaN.
  * Right as long as the length squared neither overflows nor vanishes.
  * Ledger: validation.12, validation.16.
  */
@@ -644,6 +699,8 @@ float attitude_heading_from_magnetometer_f(float mag_x, float mag_y, float mag_z
  * roll: roll about the body x-axis, radians
  * pitch: pitch about the vehicle-1 y-axis, radians
  * reference_down: part of the field that points down, the whole field being 1
+ * E, for a reference from -1 to 1 from 0 to 2.
+ * A reading that is zero, or has NaN or infinity, gives NaN.
  * Ledger: validation.17.
  */
 double attitude_validation_factor(double mag_x, double mag_y, double mag_z, double roll,
@@ -658,6 +715,7 @@ float attitude_validation_factor_f(float mag_x, float mag_y, float mag_z, float 
  * gain: weight of the accelerometer otherwise, from 0 to 1
  * lowest: the gain that is tried second
  * highest: the gain that is tried first
+ * NaN for the count gives the gain otherwise.
  */
 double attitude_monitor_gain(double above, double patience, double gain, double lowest,
     double highest);
@@ -668,6 +726,7 @@ float attitude_monitor_gain_f(float above, float patience, float gain, float low
  * above: for how many samples in a row E has been above the threshold
  * factor: the factor E, NaN where it is not known
  * threshold: of E, positive
+ * A factor of NaN leaves the count as it was.
  */
 double attitude_monitor_count(double above, double factor, double threshold);
 float attitude_monitor_count_f(float above, float factor, float threshold);
@@ -695,6 +754,9 @@ float attitude_monitor_count_f(float above, float factor, float threshold);
  * gain: weight of the accelerometer otherwise, from 0 to 1
  * lowest: the gain that is tried second
  * highest: the gain that is tried first
+ * Rates with NaN or infinity, or of 1e12 rad/s and more, are held out: the body stands still.
+ * Readings that are zero, or have NaN or infinity, are not heard: the gyros go on alone.
+ * A field that is zero or has NaN leaves the count.
  * Ledger: validation.17.
  */
 void attitude_monitored_turn(double a, double b, double c, double d, double above, double p,
@@ -715,6 +777,7 @@ void attitude_monitored_turn_f(float a, float b, float c, float d, float above, 
  * pitch: pitch about the vehicle-1 y-axis, radians
  * yaw: yaw about the inertial z-axis, radians
  * gravity: magnitude of gravity, m/s²
+ * NaN gives NaN in each result that it enters.
  * Ledger: dead_reckoning.2.3.
  */
 void attitude_inertial_acceleration(double accel_x, double accel_y, double accel_z, double roll,
@@ -731,6 +794,7 @@ void attitude_inertial_acceleration_f(float accel_x, float accel_y, float accel_
  * pitch: pitch about the vehicle-1 y-axis, radians
  * yaw: yaw about the inertial z-axis, radians
  * gravity: magnitude of gravity, m/s²
+ * NaN gives NaN in each result that it enters.
  * Ledger: dead_reckoning.2.1.
  */
 void attitude_accelerometer_from_acceleration(double accel_north, double accel_east,
@@ -750,6 +814,7 @@ void attitude_accelerometer_from_acceleration_f(float accel_north, float accel_e
  * accel_east: acceleration east now, m/s²
  * accel_down: acceleration down now, m/s²
  * dt: time that passes, s
+ * Accelerations with NaN or infinity change no velocity.
  * Ledger: dead_reckoning.3.3, dead_reckoning.3.4.
  */
 void attitude_dead_reckoning_held(double velocity_north, double velocity_east, double velocity_down,
@@ -774,6 +839,7 @@ void attitude_dead_reckoning_held_f(float velocity_north, float velocity_east, f
  * next_east: acceleration east at the end of the step, m/s²
  * next_down: acceleration down at the end of the step, m/s²
  * dt: time that passes, s
+ * NaN gives NaN in each result that it enters.
  * Ledger: dead_reckoning.3.1, dead_reckoning.3.2.
  */
 void attitude_dead_reckoning_step(double velocity_north, double velocity_east, double velocity_down,
@@ -790,6 +856,7 @@ void attitude_dead_reckoning_step_f(float velocity_north, float velocity_east, f
  * angle_error: angle between true and estimated vertical, radians
  * time: time that passes, s
  * gravity: magnitude of gravity, m/s²
+ * NaN gives NaN in each result that it enters.
  * Ledger: dead_reckoning.4.g.
  */
 void attitude_drift_from_tilt_error(double angle_error, double time, double gravity, double out[3]);
@@ -800,6 +867,7 @@ void attitude_drift_from_tilt_error_f(float angle_error, float time, float gravi
  * angle_error: angle between true and estimated vertical, radians
  * time: time that passes, s
  * gravity: magnitude of gravity, m/s²
+ * NaN gives NaN in each result that it enters.
  */
 double attitude_position_at_last_velocity(double angle_error, double time, double gravity);
 float attitude_position_at_last_velocity_f(float angle_error, float time, float gravity);

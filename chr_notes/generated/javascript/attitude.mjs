@@ -11,11 +11,13 @@
 
 /**
  * Matrix from the inertial to the body frame, row by row (3 by 3).
+ * Each from -1 to 1.
+ * NaN gives NaN in each result that it enters.
+ * Ledger: euler.5.2, euler.5.3.
  * @param {number} roll roll about the body x-axis, radians
  * @param {number} pitch pitch about the vehicle-1 y-axis, radians
  * @param {number} yaw yaw about the inertial z-axis, radians
- * @returns {number[]}
- * Ledger: euler.5.2, euler.5.3.
+ * @returns {[number, number, number, number, number, number, number, number, number]}
  */
 export function matrixFromEuler(roll, pitch, yaw) {
   const sinPitch = Math.sin(pitch);
@@ -43,6 +45,8 @@ export function matrixFromEuler(roll, pitch, yaw) {
 
 /**
  * Roll, pitch and yaw, radians (3).
+ * Roll and yaw from -pi to pi, pitch from -pi/2 to pi/2.
+ * NaN gives NaN in each result that it enters.
  * @param {number} r11 row 1, column 1 of the matrix from the inertial to the body frame
  * @param {number} r12 row 1, column 2 of the matrix from the inertial to the body frame
  * @param {number} r13 row 1, column 3 of the matrix from the inertial to the body frame
@@ -52,7 +56,7 @@ export function matrixFromEuler(roll, pitch, yaw) {
  * @param {number} r31 row 3, column 1 of the matrix from the inertial to the body frame
  * @param {number} r32 row 3, column 2 of the matrix from the inertial to the body frame
  * @param {number} r33 row 3, column 3 of the matrix from the inertial to the body frame
- * @returns {[...number[], boolean]} last: whether at gimbal lock, where roll is set to 0
+ * @returns {[number, number, number, boolean]} last: whether at gimbal lock, where roll is set to 0
  */
 export function eulerFromMatrix(r11, r12, r13, r21, r22, r23, r31, r32, r33) {
   const pitch = Math.atan2(-r13, Math.hypot(r11, r12));
@@ -70,6 +74,7 @@ export function eulerFromMatrix(r11, r12, r13, r21, r22, r23, r31, r32, r33) {
 
 /**
  * How far a matrix is from a rotation: root mean square of R Rᵀ - 1, and the determinant (2).
+ * NaN gives NaN in each result that it enters.
  * @param {number} r11 row 1, column 1 of the matrix from the inertial to the body frame
  * @param {number} r12 row 1, column 2 of the matrix from the inertial to the body frame
  * @param {number} r13 row 1, column 3 of the matrix from the inertial to the body frame
@@ -79,7 +84,7 @@ export function eulerFromMatrix(r11, r12, r13, r21, r22, r23, r31, r32, r33) {
  * @param {number} r31 row 3, column 1 of the matrix from the inertial to the body frame
  * @param {number} r32 row 3, column 2 of the matrix from the inertial to the body frame
  * @param {number} r33 row 3, column 3 of the matrix from the inertial to the body frame
- * @returns {number[]}
+ * @returns {[number, number]}
  */
 export function rotationDefect(r11, r12, r13, r21, r22, r23, r31, r32, r33) {
   const off11 = -1 + r11*r11 + r12*r12 + r13*r13;
@@ -98,10 +103,11 @@ export function rotationDefect(r11, r12, r13, r21, r22, r23, r31, r32, r33) {
 
 /**
  * Matrix D from body rates to Euler rates, row by row (3 by 3).
+ * NaN gives NaN in each result that it enters.
+ * Ledger: euler.7.2, euler.7.d.
  * @param {number} roll roll about the body x-axis, radians
  * @param {number} pitch pitch about the vehicle-1 y-axis, radians
- * @returns {number[]}
- * Ledger: euler.7.2, euler.7.d.
+ * @returns {[number, number, number, number, number, number, number, number, number]}
  */
 export function eulerRatesMatrix(roll, pitch) {
   const cosPitch = Math.cos(pitch);
@@ -124,13 +130,14 @@ export function eulerRatesMatrix(roll, pitch) {
 
 /**
  * Derivatives of roll, pitch and yaw, rad/s (3).
+ * NaN gives NaN in each result that it enters.
+ * Ledger: euler.7.3.
  * @param {number} roll roll about the body x-axis, radians
  * @param {number} pitch pitch about the vehicle-1 y-axis, radians
  * @param {number} p body rate about x, rad/s
  * @param {number} q body rate about y, rad/s
  * @param {number} r body rate about z, rad/s
- * @returns {number[]}
- * Ledger: euler.7.3.
+ * @returns {[number, number, number]}
  */
 export function eulerRatesFromBodyRates(roll, pitch, p, q, r) {
   const cosPitch = Math.cos(pitch);
@@ -144,13 +151,14 @@ export function eulerRatesFromBodyRates(roll, pitch, p, q, r) {
 
 /**
  * Body rates about x, y and z, rad/s (3).
+ * NaN gives NaN in each result that it enters.
+ * Ledger: euler.7.a.
  * @param {number} roll roll about the body x-axis, radians
  * @param {number} pitch pitch about the vehicle-1 y-axis, radians
  * @param {number} rollRate derivative of roll, rad/s
  * @param {number} pitchRate derivative of pitch, rad/s
  * @param {number} yawRate derivative of yaw, rad/s
- * @returns {number[]}
- * Ledger: euler.7.a.
+ * @returns {[number, number, number]}
  */
 export function bodyRatesFromEulerRates(roll, pitch, rollRate, pitchRate, yawRate) {
   const sinPitch = Math.sin(pitch);
@@ -167,9 +175,10 @@ export function bodyRatesFromEulerRates(roll, pitch, rollRate, pitchRate, yawRat
 
 /**
  * Determinant of the matrix D.
+ * NaN gives NaN in each result that it enters.
+ * Ledger: euler.7.c.
  * @param {number} pitch pitch about the vehicle-1 y-axis, radians
  * @returns {number}
- * Ledger: euler.7.c.
  */
 export function eulerRatesDeterminant(pitch) {
   const cosPitch = Math.cos(pitch);
@@ -179,9 +188,10 @@ export function eulerRatesDeterminant(pitch) {
 
 /**
  * Condition number of the matrix D in the 2-norm.
+ * NaN gives NaN in each result that it enters.
+ * Ledger: euler.7.c.
  * @param {number} pitch pitch about the vehicle-1 y-axis, radians
  * @returns {number}
- * Ledger: euler.7.c.
  */
 export function eulerRatesCondition(pitch) {
   const sinPitch = Math.sin(pitch);
@@ -192,6 +202,8 @@ export function eulerRatesCondition(pitch) {
 
 /**
  * The angle less whole turns, from -pi up to but not including pi.
+ * The angle from -pi to pi.
+ * NaN gives NaN in each result that it enters.
  * @param {number} angle angle, radians
  * @returns {number}
  */
@@ -212,13 +224,15 @@ export function wrapAngle(angle) {
 
 /**
  * Matrix from the inertial to the body frame, row by row (3 by 3).
+ * Each from -1 to 1.
+ * NaN gives NaN in each result that it enters.
+ * Right as long as the norm squared neither overflows nor vanishes.
+ * Ledger: quaternions.3.3.
  * @param {number} a scalar part of the attitude quaternion
  * @param {number} b factor of i of the attitude quaternion
  * @param {number} c factor of j of the attitude quaternion
  * @param {number} d factor of k of the attitude quaternion
- * @returns {number[]}
- * Right as long as the norm squared neither overflows nor vanishes.
- * Ledger: quaternions.3.3.
+ * @returns {[number, number, number, number, number, number, number, number, number]}
  */
 export function matrixFromQuaternion(a, b, c, d) {
   const aSquared = a*a;
@@ -255,6 +269,9 @@ export function matrixFromQuaternion(a, b, c, d) {
 
 /**
  * Unit quaternion with a >= 0 (4).
+ * A from 0 to 1, b, c and d from -1 to 1.
+ * NaN gives NaN in each result that it enters.
+ * Ledger: quaternions.3.3.
  * @param {number} r11 row 1, column 1 of the matrix from the inertial to the body frame
  * @param {number} r12 row 1, column 2 of the matrix from the inertial to the body frame
  * @param {number} r13 row 1, column 3 of the matrix from the inertial to the body frame
@@ -264,8 +281,7 @@ export function matrixFromQuaternion(a, b, c, d) {
  * @param {number} r31 row 3, column 1 of the matrix from the inertial to the body frame
  * @param {number} r32 row 3, column 2 of the matrix from the inertial to the body frame
  * @param {number} r33 row 3, column 3 of the matrix from the inertial to the body frame
- * @returns {number[]}
- * Ledger: quaternions.3.3.
+ * @returns {[number, number, number, number]}
  */
 export function quaternionFromMatrix(r11, r12, r13, r21, r22, r23, r31, r32, r33) {
   let a, b, c, d;
@@ -298,10 +314,12 @@ export function quaternionFromMatrix(r11, r12, r13, r21, r22, r23, r31, r32, r33
 
 /**
  * Unit quaternion with a >= 0 (4).
+ * A from 0 to 1, b, c and d from -1 to 1.
+ * NaN gives NaN in each result that it enters.
  * @param {number} roll roll about the body x-axis, radians
  * @param {number} pitch pitch about the vehicle-1 y-axis, radians
  * @param {number} yaw yaw about the inertial z-axis, radians
- * @returns {number[]}
+ * @returns {[number, number, number, number]}
  */
 export function quaternionFromEuler(roll, pitch, yaw) {
   const sinHalfPitch = Math.sin(0.5*pitch);
@@ -324,13 +342,15 @@ export function quaternionFromEuler(roll, pitch, yaw) {
 
 /**
  * Roll, pitch and yaw, radians (3).
+ * Roll and yaw from -pi to pi, pitch from -pi/2 to pi/2.
+ * NaN gives NaN in each result that it enters.
+ * Right as long as the sum of squares neither overflows nor vanishes.
+ * Ledger: quaternions.4.1, quaternions.4.2, quaternions.4.3, quaternions.4.b.
  * @param {number} a scalar part of the attitude quaternion
  * @param {number} b factor of i of the attitude quaternion
  * @param {number} c factor of j of the attitude quaternion
  * @param {number} d factor of k of the attitude quaternion
- * @returns {[...number[], boolean]} last: whether at gimbal lock, where roll is set to 0
- * Right as long as the sum of squares neither overflows nor vanishes.
- * Ledger: quaternions.4.1, quaternions.4.2, quaternions.4.3, quaternions.4.b.
+ * @returns {[number, number, number, boolean]} last: whether at gimbal lock, where roll is set to 0
  */
 export function eulerFromQuaternion(a, b, c, d) {
   const aMinusC = a - c;
@@ -359,13 +379,15 @@ export function eulerFromQuaternion(a, b, c, d) {
 
 /**
  * Unit quaternion with a >= 0 (4).
+ * A from 0 to 1, b, c and d from -1 to 1.
+ * NaN gives NaN in each result that it enters.
+ * Right as long as the length squared neither overflows nor vanishes.
+ * Ledger: quaternions.2.2.
  * @param {number} x x of the axis, any length
  * @param {number} y y of the axis, any length
  * @param {number} z z of the axis, any length
  * @param {number} angle angle of the turn about the axis, radians
- * @returns {number[]}
- * Right as long as the length squared neither overflows nor vanishes.
- * Ledger: quaternions.2.2.
+ * @returns {[number, number, number, number]}
  */
 export function quaternionFromAxisAngle(x, y, z, angle) {
   const sinHalfAngle = Math.sin(0.5*angle);
@@ -378,13 +400,15 @@ export function quaternionFromAxisAngle(x, y, z, angle) {
 
 /**
  * Unit axis x, y, z and the angle in [0, pi] of the turn about it, radians (4).
+ * The axis from -1 to 1, the angle from 0 to pi.
+ * NaN gives NaN in each result that it enters.
+ * Right as long as the norm squared neither overflows nor vanishes.
+ * Ledger: quaternions.2.2.
  * @param {number} a scalar part of the attitude quaternion
  * @param {number} b factor of i of the attitude quaternion
  * @param {number} c factor of j of the attitude quaternion
  * @param {number} d factor of k of the attitude quaternion
- * @returns {number[]}
- * Right as long as the norm squared neither overflows nor vanishes.
- * Ledger: quaternions.2.2.
+ * @returns {[number, number, number, number]}
  */
 export function axisAngleFromQuaternion(a, b, c, d) {
   const size = Math.abs(b) + Math.abs(c) + Math.abs(d);
@@ -416,6 +440,8 @@ export function axisAngleFromQuaternion(a, b, c, d) {
 
 /**
  * Product of two quaternions (4).
+ * NaN gives NaN in each result that it enters.
+ * Ledger: quaternions.3.2.
  * @param {number} a1 scalar part of the first factor
  * @param {number} b1 factor of i of the first factor
  * @param {number} c1 factor of j of the first factor
@@ -424,8 +450,7 @@ export function axisAngleFromQuaternion(a, b, c, d) {
  * @param {number} b2 factor of i of the second factor
  * @param {number} c2 factor of j of the second factor
  * @param {number} d2 factor of k of the second factor
- * @returns {number[]}
- * Ledger: quaternions.3.2.
+ * @returns {[number, number, number, number]}
  */
 export function quaternionMultiply(a1, b1, c1, d1, a2, b2, c2, d2) {
   return [
@@ -438,12 +463,13 @@ export function quaternionMultiply(a1, b1, c1, d1, a2, b2, c2, d2) {
 
 /**
  * Conjugate of the quaternion (4).
+ * NaN gives NaN in each result that it enters.
+ * Ledger: quaternions.3.c.
  * @param {number} a scalar part of the attitude quaternion
  * @param {number} b factor of i of the attitude quaternion
  * @param {number} c factor of j of the attitude quaternion
  * @param {number} d factor of k of the attitude quaternion
- * @returns {number[]}
- * Ledger: quaternions.3.c.
+ * @returns {[number, number, number, number]}
  */
 export function quaternionConjugate(a, b, c, d) {
   return [a, -b, -c, -d];
@@ -451,13 +477,14 @@ export function quaternionConjugate(a, b, c, d) {
 
 /**
  * Inverse of the quaternion (4).
+ * NaN gives NaN in each result that it enters.
+ * Right as long as the norm squared neither overflows nor vanishes.
+ * Ledger: quaternions.3.a.
  * @param {number} a scalar part of the attitude quaternion
  * @param {number} b factor of i of the attitude quaternion
  * @param {number} c factor of j of the attitude quaternion
  * @param {number} d factor of k of the attitude quaternion
- * @returns {number[]}
- * Right as long as the norm squared neither overflows nor vanishes.
- * Ledger: quaternions.3.a.
+ * @returns {[number, number, number, number]}
  */
 export function quaternionInverse(a, b, c, d) {
   const normSquared = a*a + b*b + c*c + d*d;
@@ -469,6 +496,9 @@ export function quaternionInverse(a, b, c, d) {
 
 /**
  * The vector in the inertial frame (3).
+ * NaN gives NaN in each result that it enters.
+ * Right as long as the norm squared neither overflows nor vanishes.
+ * Ledger: quaternions.3.1.
  * @param {number} a scalar part of the attitude quaternion
  * @param {number} b factor of i of the attitude quaternion
  * @param {number} c factor of j of the attitude quaternion
@@ -476,9 +506,7 @@ export function quaternionInverse(a, b, c, d) {
  * @param {number} x x of a vector in the body frame
  * @param {number} y y of a vector in the body frame
  * @param {number} z z of a vector in the body frame
- * @returns {number[]}
- * Right as long as the norm squared neither overflows nor vanishes.
- * Ledger: quaternions.3.1.
+ * @returns {[number, number, number]}
  */
 export function rotateToInertial(a, b, c, d, x, y, z) {
   const normSquared = a*a + b*b + c*c + d*d;
@@ -495,6 +523,9 @@ export function rotateToInertial(a, b, c, d, x, y, z) {
 
 /**
  * The vector in the body frame (3).
+ * NaN gives NaN in each result that it enters.
+ * Right as long as the norm squared neither overflows nor vanishes.
+ * Ledger: quaternions.3.1, quaternions.3.4.
  * @param {number} a scalar part of the attitude quaternion
  * @param {number} b factor of i of the attitude quaternion
  * @param {number} c factor of j of the attitude quaternion
@@ -502,9 +533,7 @@ export function rotateToInertial(a, b, c, d, x, y, z) {
  * @param {number} x x of a vector in the inertial frame
  * @param {number} y y of a vector in the inertial frame
  * @param {number} z z of a vector in the inertial frame
- * @returns {number[]}
- * Right as long as the norm squared neither overflows nor vanishes.
- * Ledger: quaternions.3.1, quaternions.3.4.
+ * @returns {[number, number, number]}
  */
 export function rotateToBody(a, b, c, d, x, y, z) {
   const normSquared = a*a + b*b + c*c + d*d;
@@ -521,6 +550,7 @@ export function rotateToBody(a, b, c, d, x, y, z) {
 
 /**
  * Attitude quaternion after a time during which the body rates do not change (4).
+ * NaN gives NaN in each result that it enters.
  * @param {number} a scalar part of the attitude quaternion
  * @param {number} b factor of i of the attitude quaternion
  * @param {number} c factor of j of the attitude quaternion
@@ -529,7 +559,7 @@ export function rotateToBody(a, b, c, d, x, y, z) {
  * @param {number} q body rate about y, rad/s
  * @param {number} r body rate about z, rad/s
  * @param {number} dt time that passes, s
- * @returns {number[]}
+ * @returns {[number, number, number, number]}
  */
 export function quaternionAfterConstantRates(a, b, c, d, p, q, r, dt) {
   const halfTurn = 0.5*dt*Math.sqrt(p*p + q*q + r*r);
@@ -551,6 +581,7 @@ export function quaternionAfterConstantRates(a, b, c, d, p, q, r, dt) {
 
 /**
  * Derivatives of a, b, c and d, 1/s (4).
+ * NaN gives NaN in each result that it enters.
  * @param {number} a scalar part of the attitude quaternion
  * @param {number} b factor of i of the attitude quaternion
  * @param {number} c factor of j of the attitude quaternion
@@ -558,7 +589,7 @@ export function quaternionAfterConstantRates(a, b, c, d, p, q, r, dt) {
  * @param {number} p body rate about x, rad/s
  * @param {number} q body rate about y, rad/s
  * @param {number} r body rate about z, rad/s
- * @returns {number[]}
+ * @returns {[number, number, number, number]}
  */
 export function quaternionRates(a, b, c, d, p, q, r) {
   return [
@@ -571,11 +602,12 @@ export function quaternionRates(a, b, c, d, p, q, r) {
 
 /**
  * Reading of an accelerometer at rest, m/s² (3).
+ * NaN gives NaN in each result that it enters.
+ * Ledger: estimation.2.4, sensors.2.2, sensors.2.c.
  * @param {number} roll roll about the body x-axis, radians
  * @param {number} pitch pitch about the vehicle-1 y-axis, radians
  * @param {number} gravity magnitude of gravity, m/s²
- * @returns {number[]}
- * Ledger: estimation.2.4, sensors.2.2, sensors.2.c.
+ * @returns {[number, number, number]}
  */
 export function accelerometerAtRest(roll, pitch, gravity) {
   const sinPitch = Math.sin(pitch);
@@ -588,6 +620,8 @@ export function accelerometerAtRest(roll, pitch, gravity) {
 
 /**
  * Reading of a three-axis sensor, by its model (3).
+ * NaN gives NaN in each result that it enters.
+ * Ledger: sensors.2.3, sensors.2.4.
  * @param {number} m11 row 1, column 1 of the misalignment
  * @param {number} m12 row 1, column 2 of the misalignment
  * @param {number} m13 row 1, column 3 of the misalignment
@@ -606,8 +640,7 @@ export function accelerometerAtRest(roll, pitch, gravity) {
  * @param {number} x what is there along x
  * @param {number} y what is there along y
  * @param {number} z what is there along z
- * @returns {number[]}
- * Ledger: sensors.2.3, sensors.2.4.
+ * @returns {[number, number, number]}
  */
 export function sensorMeasures(
   m11,
@@ -639,6 +672,8 @@ export function sensorMeasures(
 
 /**
  * What is there, from the reading of a three-axis sensor (3).
+ * NaN gives NaN in each result that it enters.
+ * Ledger: sensors.2.5, sensors.2.e, sensors.4.1.
  * @param {number} n11 row 1, column 1 of the inverse of the misalignment
  * @param {number} n12 row 1, column 2 of the inverse of the misalignment
  * @param {number} n13 row 1, column 3 of the inverse of the misalignment
@@ -657,8 +692,7 @@ export function sensorMeasures(
  * @param {number} x what the sensor reads along x
  * @param {number} y what the sensor reads along y
  * @param {number} z what the sensor reads along z
- * @returns {number[]}
- * Ledger: sensors.2.5, sensors.2.e, sensors.4.1.
+ * @returns {[number, number, number]}
  */
 export function sensorCorrected(
   n11,
@@ -689,6 +723,8 @@ export function sensorCorrected(
 
 /**
  * Reading of a rate gyro on which acceleration acts, by its model (3).
+ * NaN gives NaN in each result that it enters.
+ * Ledger: sensors.3.2.
  * @param {number} m11 row 1, column 1 of the misalignment
  * @param {number} m12 row 1, column 2 of the misalignment
  * @param {number} m13 row 1, column 3 of the misalignment
@@ -719,8 +755,7 @@ export function sensorCorrected(
  * @param {number} x what is there along x
  * @param {number} y what is there along y
  * @param {number} z what is there along z
- * @returns {number[]}
- * Ledger: sensors.3.2.
+ * @returns {[number, number, number]}
  */
 export function gyroMeasures(
   m11,
@@ -764,6 +799,8 @@ export function gyroMeasures(
 
 /**
  * Body rates, from the reading of a rate gyro on which acceleration acts (3).
+ * NaN gives NaN in each result that it enters.
+ * Ledger: sensors.3.2.
  * @param {number} n11 row 1, column 1 of the inverse of the misalignment
  * @param {number} n12 row 1, column 2 of the inverse of the misalignment
  * @param {number} n13 row 1, column 3 of the inverse of the misalignment
@@ -794,8 +831,7 @@ export function gyroMeasures(
  * @param {number} x what the sensor reads along x
  * @param {number} y what the sensor reads along y
  * @param {number} z what the sensor reads along z
- * @returns {number[]}
- * Ledger: sensors.3.2.
+ * @returns {[number, number, number]}
  */
 export function gyroCorrected(
   n11,
@@ -838,6 +874,8 @@ export function gyroCorrected(
 
 /**
  * The magnetic field without what soft and hard iron do to it (3).
+ * NaN gives NaN in each result that it enters.
+ * Ledger: sensors.4.2.
  * @param {number} d11 row 1, column 1 of the soft-iron matrix
  * @param {number} d12 row 1, column 2 of the soft-iron matrix
  * @param {number} d13 row 1, column 3 of the soft-iron matrix
@@ -853,8 +891,7 @@ export function gyroCorrected(
  * @param {number} x what the sensor reads along x
  * @param {number} y what the sensor reads along y
  * @param {number} z what the sensor reads along z
- * @returns {number[]}
- * Ledger: sensors.4.2.
+ * @returns {[number, number, number]}
  */
 export function ironRemoved(
   d11, d12, d13, d21, d22, d23, d31, d32, d33, hardX, hardY, hardZ, x, y, z
@@ -866,6 +903,8 @@ export function ironRemoved(
 
 /**
  * The magnetic field as soft and hard iron distort it (3).
+ * NaN gives NaN in each result that it enters.
+ * Ledger: sensors.4.2.
  * @param {number} n11 row 1, column 1 of the inverse of the soft-iron matrix
  * @param {number} n12 row 1, column 2 of the inverse of the soft-iron matrix
  * @param {number} n13 row 1, column 3 of the inverse of the soft-iron matrix
@@ -881,8 +920,7 @@ export function ironRemoved(
  * @param {number} x what is there along x
  * @param {number} y what is there along y
  * @param {number} z what is there along z
- * @returns {number[]}
- * Ledger: sensors.4.2.
+ * @returns {[number, number, number]}
  */
 export function ironAdded(
   n11, n12, n13, n21, n22, n23, n31, n32, n33, hardX, hardY, hardZ, x, y, z
@@ -896,12 +934,15 @@ export function ironAdded(
 
 /**
  * Roll and pitch of a body at rest, radians (2).
+ * Roll from -pi to pi, pitch from -pi/2 to pi/2.
+ * A reading that is zero, or has NaN or infinity, gives NaN.
+ * Straight up or down roll is 0.
+ * Right as long as the length squared neither overflows nor vanishes.
+ * Ledger: estimation.2.5, estimation.2.6.
  * @param {number} accelX reading of the accelerometer along x, m/s²
  * @param {number} accelY reading of the accelerometer along y, m/s²
  * @param {number} accelZ reading of the accelerometer along z, m/s²
- * @returns {number[]}
- * Right as long as the length squared neither overflows nor vanishes.
- * Ledger: estimation.2.5, estimation.2.6.
+ * @returns {[number, number]}
  */
 export function tiltFromAccelerometer(accelX, accelY, accelZ) {
   const size = Math.abs(accelX) + Math.abs(accelY) + Math.abs(accelZ);
@@ -924,6 +965,9 @@ export function tiltFromAccelerometer(accelX, accelY, accelZ) {
 
 /**
  * Roll, pitch and yaw one period later by Euler integration, radians (3).
+ * Rates with NaN or infinity, or of 1e12 rad/s and more, are held out: the body stands still.
+ * Angles grow past half a turn.
+ * Ledger: estimation.3.1, estimation.3.2, estimation.3.3.
  * @param {number} roll roll about the body x-axis, radians
  * @param {number} pitch pitch about the vehicle-1 y-axis, radians
  * @param {number} yaw yaw about the inertial z-axis, radians
@@ -931,8 +975,7 @@ export function tiltFromAccelerometer(accelX, accelY, accelZ) {
  * @param {number} q body rate about y, rad/s
  * @param {number} r body rate about z, rad/s
  * @param {number} dt time that passes, s
- * @returns {number[]}
- * Ledger: estimation.3.1, estimation.3.2, estimation.3.3.
+ * @returns {[number, number, number]}
  */
 export function gyroStep(roll, pitch, yaw, p, q, r, dt) {
   const cosPitch = Math.cos(pitch);
@@ -966,6 +1009,7 @@ export function gyroStep(roll, pitch, yaw, p, q, r, dt) {
 
 /**
  * Attitude quaternion one period later, by a turn at constant rates (4).
+ * Rates with NaN or infinity, or of 1e12 rad/s and more, are held out: the body stands still.
  * @param {number} a scalar part of the attitude quaternion
  * @param {number} b factor of i of the attitude quaternion
  * @param {number} c factor of j of the attitude quaternion
@@ -974,7 +1018,7 @@ export function gyroStep(roll, pitch, yaw, p, q, r, dt) {
  * @param {number} q body rate about y, rad/s
  * @param {number} r body rate about z, rad/s
  * @param {number} dt time that passes, s
- * @returns {number[]}
+ * @returns {[number, number, number, number]}
  */
 export function gyroTurn(a, b, c, d, p, q, r, dt) {
   const absP = Math.abs(p);
@@ -1012,6 +1056,8 @@ export function gyroTurn(a, b, c, d, p, q, r, dt) {
 
 /**
  * Attitude quaternion one period later, the accelerometer heard with a fixed gain (4).
+ * Rates with NaN or infinity, or of 1e12 rad/s and more, are held out: the body stands still.
+ * Readings that are zero, or have NaN or infinity, are not heard: the gyros go on alone.
  * @param {number} a scalar part of the attitude quaternion
  * @param {number} b factor of i of the attitude quaternion
  * @param {number} c factor of j of the attitude quaternion
@@ -1024,7 +1070,7 @@ export function gyroTurn(a, b, c, d, p, q, r, dt) {
  * @param {number} accelZ reading of the accelerometer along z, m/s²
  * @param {number} dt time that passes, s
  * @param {number} gain weight of the accelerometer, from 0 to 1
- * @returns {number[]}
+ * @returns {[number, number, number, number]}
  */
 export function observerTurn(a, b, c, d, p, q, r, accelX, accelY, accelZ, dt, gain) {
   const absP = Math.abs(p);
@@ -1106,6 +1152,10 @@ export function observerTurn(a, b, c, d, p, q, r, accelX, accelY, accelZ, dt, ga
 
 /**
  * Roll, pitch and yaw one period later, the accelerometer heard with a fixed gain, radians (3).
+ * Roll and yaw from -pi to pi, pitch from -pi/2 to pi/2.
+ * Rates with NaN or infinity, or of 1e12 rad/s and more, are held out: the body stands still.
+ * Readings that are zero, or have NaN or infinity, are not heard: the gyros go on alone.
+ * At gimbal lock roll is set to 0 and yaw has the rest.
  * @param {number} roll roll about the body x-axis, radians
  * @param {number} pitch pitch about the vehicle-1 y-axis, radians
  * @param {number} yaw yaw about the inertial z-axis, radians
@@ -1117,7 +1167,7 @@ export function observerTurn(a, b, c, d, p, q, r, accelX, accelY, accelZ, dt, ga
  * @param {number} accelZ reading of the accelerometer along z, m/s²
  * @param {number} dt time that passes, s
  * @param {number} gain weight of the accelerometer, from 0 to 1
- * @returns {number[]}
+ * @returns {[number, number, number]}
  */
 export function observerStep(roll, pitch, yaw, p, q, r, accelX, accelY, accelZ, dt, gain) {
   const sinHalfPitch = Math.sin(0.5*pitch);
@@ -1243,6 +1293,10 @@ export function observerStep(roll, pitch, yaw, p, q, r, accelX, accelY, accelZ, 
 
 /**
  * Roll, pitch and yaw one period later by the notes' step, angle by angle, radians (3).
+ * Rates with NaN or infinity, or of 1e12 rad/s and more, are held out: the body stands still.
+ * Readings that are zero, or have NaN or infinity, are not heard: the gyros go on alone.
+ * Angles grow past half a turn.
+ * Ledger: estimation.4.1, estimation.4.2, estimation.4.3, estimation.4.4.
  * @param {number} roll roll about the body x-axis, radians
  * @param {number} pitch pitch about the vehicle-1 y-axis, radians
  * @param {number} yaw yaw about the inertial z-axis, radians
@@ -1254,8 +1308,7 @@ export function observerStep(roll, pitch, yaw, p, q, r, accelX, accelY, accelZ, 
  * @param {number} accelZ reading of the accelerometer along z, m/s²
  * @param {number} dt time that passes, s
  * @param {number} gain weight of the accelerometer, from 0 to 1
- * @returns {number[]}
- * Ledger: estimation.4.1, estimation.4.2, estimation.4.3, estimation.4.4.
+ * @returns {[number, number, number]}
  */
 export function eulerObserverStep(roll, pitch, yaw, p, q, r, accelX, accelY, accelZ, dt, gain) {
   const cosPitch = Math.cos(pitch);
@@ -1319,6 +1372,10 @@ export function eulerObserverStep(roll, pitch, yaw, p, q, r, accelX, accelY, acc
 
 /**
  * Yaw, radians.
+ * Yaw from -pi to pi.
+ * A reading that is zero, or has NaN or infinity, gives NaN.
+ * Right as long as the length squared neither overflows nor vanishes.
+ * Ledger: validation.12, validation.16.
  * @param {number} magX reading of the magnetometer along x, any unit
  * @param {number} magY reading of the magnetometer along y, any unit
  * @param {number} magZ reading of the magnetometer along z, any unit
@@ -1327,8 +1384,6 @@ export function eulerObserverStep(roll, pitch, yaw, p, q, r, accelX, accelY, acc
  * @param {number} north horizontal field at yaw 0 along x, any unit
  * @param {number} east horizontal field at yaw 0 along y, any unit
  * @returns {number}
- * Right as long as the length squared neither overflows nor vanishes.
- * Ledger: validation.12, validation.16.
  */
 export function headingFromMagnetometer(magX, magY, magZ, roll, pitch, north, east) {
   const sinPitch = Math.sin(pitch);
@@ -1350,6 +1405,9 @@ export function headingFromMagnetometer(magX, magY, magZ, roll, pitch, north, ea
 
 /**
  * The factor E: by how much the field down is off, the whole field being 1.
+ * E, for a reference from -1 to 1 from 0 to 2.
+ * A reading that is zero, or has NaN or infinity, gives NaN.
+ * Ledger: validation.17.
  * @param {number} magX reading of the magnetometer along x, any unit
  * @param {number} magY reading of the magnetometer along y, any unit
  * @param {number} magZ reading of the magnetometer along z, any unit
@@ -1357,7 +1415,6 @@ export function headingFromMagnetometer(magX, magY, magZ, roll, pitch, north, ea
  * @param {number} pitch pitch about the vehicle-1 y-axis, radians
  * @param {number} referenceDown part of the field that points down, the whole field being 1
  * @returns {number}
- * Ledger: validation.17.
  */
 export function validationFactor(magX, magY, magZ, roll, pitch, referenceDown) {
   const sinPitch = Math.sin(pitch);
@@ -1389,6 +1446,7 @@ export function validationFactor(magX, magY, magZ, roll, pitch, referenceDown) {
 
 /**
  * Gain to use once E has been above the threshold for so many samples.
+ * NaN for the count gives the gain otherwise.
  * @param {number} above for how many samples in a row E has been above the threshold
  * @param {number} patience samples for which each other gain is tried
  * @param {number} gain weight of the accelerometer otherwise, from 0 to 1
@@ -1410,6 +1468,7 @@ export function monitorGain(above, patience, gain, lowest, highest) {
 
 /**
  * For how many samples in a row E has been above the threshold; NaN tells nothing.
+ * A factor of NaN leaves the count as it was.
  * @param {number} above for how many samples in a row E has been above the threshold
  * @param {number} factor the factor E, NaN where it is not known
  * @param {number} threshold of E, positive
@@ -1429,6 +1488,10 @@ export function monitorCount(above, factor, threshold) {
 
 /**
  * Attitude quaternion one period later by the gain that a monitor asks for, and its count (5).
+ * Rates with NaN or infinity, or of 1e12 rad/s and more, are held out: the body stands still.
+ * Readings that are zero, or have NaN or infinity, are not heard: the gyros go on alone.
+ * A field that is zero or has NaN leaves the count.
+ * Ledger: validation.17.
  * @param {number} a scalar part of the attitude quaternion
  * @param {number} b factor of i of the attitude quaternion
  * @param {number} c factor of j of the attitude quaternion
@@ -1450,8 +1513,7 @@ export function monitorCount(above, factor, threshold) {
  * @param {number} gain weight of the accelerometer otherwise, from 0 to 1
  * @param {number} lowest the gain that is tried second
  * @param {number} highest the gain that is tried first
- * @returns {number[]}
- * Ledger: validation.17.
+ * @returns {[number, number, number, number, number]}
  */
 export function monitoredTurn(
   a,
@@ -1594,6 +1656,8 @@ export function monitoredTurn(
 
 /**
  * Acceleration of the body in the inertial frame, m/s² (3).
+ * NaN gives NaN in each result that it enters.
+ * Ledger: dead_reckoning.2.3.
  * @param {number} accelX reading of the accelerometer along x, m/s²
  * @param {number} accelY reading of the accelerometer along y, m/s²
  * @param {number} accelZ reading of the accelerometer along z, m/s²
@@ -1601,8 +1665,7 @@ export function monitoredTurn(
  * @param {number} pitch pitch about the vehicle-1 y-axis, radians
  * @param {number} yaw yaw about the inertial z-axis, radians
  * @param {number} gravity magnitude of gravity, m/s²
- * @returns {number[]}
- * Ledger: dead_reckoning.2.3.
+ * @returns {[number, number, number]}
  */
 export function inertialAcceleration(accelX, accelY, accelZ, roll, pitch, yaw, gravity) {
   const sinPitch = Math.sin(pitch);
@@ -1627,6 +1690,8 @@ export function inertialAcceleration(accelX, accelY, accelZ, roll, pitch, yaw, g
 
 /**
  * Reading of an accelerometer on a body that accelerates, m/s² (3).
+ * NaN gives NaN in each result that it enters.
+ * Ledger: dead_reckoning.2.1.
  * @param {number} accelNorth acceleration north now, m/s²
  * @param {number} accelEast acceleration east now, m/s²
  * @param {number} accelDown acceleration down now, m/s²
@@ -1634,8 +1699,7 @@ export function inertialAcceleration(accelX, accelY, accelZ, roll, pitch, yaw, g
  * @param {number} pitch pitch about the vehicle-1 y-axis, radians
  * @param {number} yaw yaw about the inertial z-axis, radians
  * @param {number} gravity magnitude of gravity, m/s²
- * @returns {number[]}
- * Ledger: dead_reckoning.2.1.
+ * @returns {[number, number, number]}
  */
 export function accelerometerFromAcceleration(
   accelNorth, accelEast, accelDown, roll, pitch, yaw, gravity
@@ -1665,6 +1729,8 @@ export function accelerometerFromAcceleration(
 
 /**
  * Velocity north, east, down (m/s), then position (m), one period later by the notes' step (6).
+ * Accelerations with NaN or infinity change no velocity.
+ * Ledger: dead_reckoning.3.3, dead_reckoning.3.4.
  * @param {number} velocityNorth velocity north, m/s
  * @param {number} velocityEast velocity east, m/s
  * @param {number} velocityDown velocity down, m/s
@@ -1675,8 +1741,7 @@ export function accelerometerFromAcceleration(
  * @param {number} accelEast acceleration east now, m/s²
  * @param {number} accelDown acceleration down now, m/s²
  * @param {number} dt time that passes, s
- * @returns {number[]}
- * Ledger: dead_reckoning.3.3, dead_reckoning.3.4.
+ * @returns {[number, number, number, number, number, number]}
  */
 export function deadReckoningHeld(
   velocityNorth,
@@ -1714,6 +1779,8 @@ export function deadReckoningHeld(
 
 /**
  * Velocity north, east, down (m/s), then position (m), one period later (6).
+ * NaN gives NaN in each result that it enters.
+ * Ledger: dead_reckoning.3.1, dead_reckoning.3.2.
  * @param {number} velocityNorth velocity north, m/s
  * @param {number} velocityEast velocity east, m/s
  * @param {number} velocityDown velocity down, m/s
@@ -1727,8 +1794,7 @@ export function deadReckoningHeld(
  * @param {number} nextEast acceleration east at the end of the step, m/s²
  * @param {number} nextDown acceleration down at the end of the step, m/s²
  * @param {number} dt time that passes, s
- * @returns {number[]}
- * Ledger: dead_reckoning.3.1, dead_reckoning.3.2.
+ * @returns {[number, number, number, number, number, number]}
  */
 export function deadReckoningStep(
   velocityNorth,
@@ -1761,11 +1827,12 @@ export function deadReckoningStep(
 
 /**
  * Error of acceleration (m/s²), of velocity (m/s) and of position (m), along the ground (3).
+ * NaN gives NaN in each result that it enters.
+ * Ledger: dead_reckoning.4.g.
  * @param {number} angleError angle between true and estimated vertical, radians
  * @param {number} time time that passes, s
  * @param {number} gravity magnitude of gravity, m/s²
- * @returns {number[]}
- * Ledger: dead_reckoning.4.g.
+ * @returns {[number, number, number]}
  */
 export function driftFromTiltError(angleError, time, gravity) {
   const sinAngleError = Math.sin(angleError);
@@ -1775,6 +1842,7 @@ export function driftFromTiltError(angleError, time, gravity) {
 
 /**
  * Error of position (m), had its last error of velocity been there all along.
+ * NaN gives NaN in each result that it enters.
  * @param {number} angleError angle between true and estimated vertical, radians
  * @param {number} time time that passes, s
  * @param {number} gravity magnitude of gravity, m/s²
