@@ -37,10 +37,15 @@ PERMITTED = {
     "chromium": ("tests/book/", "tests/demos/"),
     "gcc": (
         "tests/codegen/test_languages.py::test_c_",
+        "tests/codegen/test_tumbling.py::test_exported_c",
         "tests/native/",
         "tests/test_export.py::",
     ),
-    "node": ("tests/codegen/test_languages.py::test_javascript", "tests/test_export.py::"),
+    "node": (
+        "tests/codegen/test_languages.py::test_javascript",
+        "tests/codegen/test_tumbling.py::test_exported_javascript",
+        "tests/test_export.py::",
+    ),
     "npx": (
         "tests/demos/test_build.py::test_committed_bundles_are_as_made_now",
         "tests/test_export.py::test_typescript_accepts_right_uses_alone",
