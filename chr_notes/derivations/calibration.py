@@ -5,7 +5,7 @@ away, and the misalignment M mixes the axes. Its inverse N is used as a matrix o
 any invertible M has one. What is there comes first in each model, what is measured second.
 """
 
-from sympy import Expr, ImmutableMatrix, Symbol, cos, diag, pi, sin, solve, sqrt, symbols
+from sympy import Expr, ImmutableMatrix, Symbol, cos, diag, hessian, pi, sin, solve, sqrt, symbols
 
 from chr_notes.symbols import ACCELEROMETER, VECTOR
 
@@ -59,6 +59,21 @@ def with_iron() -> ImmutableMatrix:
 def _solved(zero: ImmutableMatrix, unknowns: ImmutableMatrix) -> ImmutableMatrix:
     found: dict[Symbol, Expr] = solve(list(zero), list(unknowns))
     return ImmutableMatrix([found[unknown] for unknown in unknowns])
+
+
+def sensitivity_matrix(sensitivities: tuple[Symbol, ...] = SENSITIVITY) -> ImmutableMatrix:
+    """Matrix of a sensor each of whose axes scales what lies along it by its own sensitivity."""
+    outputs = [factor * part for factor, part in zip(sensitivities, VECTOR, strict=True)]
+    return ImmutableMatrix(ImmutableMatrix(outputs).jacobian(VECTOR))
+
+
+def ellipsoid_shape() -> ImmutableMatrix:
+    """Matrix Q of the ellipsoid x^T Q x on which readings lie, counted from their centre.
+
+    What the soft-iron matrix makes of a reading has the length of the field, wherever it points.
+    """
+    field = SOFT_IRON * INPUT
+    return ImmutableMatrix(hessian(field.dot(field), VECTOR) / 2)
 
 
 def readings_centre() -> ImmutableMatrix:

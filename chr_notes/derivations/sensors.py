@@ -2,7 +2,11 @@
 
 from functools import cache
 
-from sympy import Expr, ImmutableMatrix, Symbol, cancel, solve, symbols
+from sympy import Expr, I, ImmutableMatrix, Symbol, cancel, exp, solve, symbols
+
+# Angular frequency of a vibration of the casing, and the natural one of proof mass and spring.
+frequency = Symbol("omega", nonnegative=True)
+natural_frequency = Symbol("omega_0", positive=True)
 
 
 def specific_force(force: ImmutableMatrix, weight: ImmutableMatrix, mass: Expr) -> ImmutableMatrix:
@@ -43,3 +47,16 @@ def _held() -> tuple[Expr, tuple[Symbol, ...]]:
     # mass times acceleration, less the forces that act
     newton = proof_mass * force / mass - (holding + proof_mass * weight / mass)
     return cancel(solve(newton, holding)[0] / proof_mass), (force, weight, mass)
+
+
+def deflection(at: Expr = frequency) -> Expr:
+    """Find the deflection of the proof mass per unit of acceleration of its vibrating casing.
+
+    Seen from the casing, the spring pulls the proof mass back and the casing's acceleration pushes
+    it the other way. Without friction the deflection vibrates along.
+    """
+    t, amplitude = symbols("t x", real=True)
+    vibration = exp(I * frequency * t)
+    moving = amplitude * vibration
+    newton = moving.diff(t, 2) + natural_frequency**2 * moving + vibration
+    return -cancel(solve(cancel(newton / vibration), amplitude)[0]).subs(frequency, at)

@@ -18,7 +18,7 @@ NOTHING = ImmutableMatrix.zeros(3, 1)
 
 # Documents whose cases are still brought in the old way: corrections typed, no root, no weight,
 # a reading for each case.
-UNCONVERTED = frozenset({"sensors", "estimation"})
+UNCONVERTED = frozenset({"estimation"})
 
 
 class CannotJudgeError(Exception):

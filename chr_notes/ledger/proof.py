@@ -38,6 +38,7 @@ from chr_notes.printed.statement import Approximately
 from chr_notes.symbols import Angle
 
 FEW_CHARACTERS = 200
+FEW_OPERATIONS = 60  # a longer formula is simplified for minutes
 
 
 @dataclass(frozen=True)
@@ -179,7 +180,8 @@ def _gap(relation: Relational, read: Read, by: Mapping[Basic, Basic]) -> str:
             if isinstance(left, MatrixBase):
                 row, column = divmod(place, left.cols)
                 where = f" in element ({row + 1}, {column + 1})"
-            return f"{_short(simplify(element))}{where}"
+            short = element.count_ops() < FEW_OPERATIONS
+            return f"{_short(simplify(element) if short else element)}{where}"
     return "0"
 
 

@@ -19,6 +19,15 @@ ROOTS: Final[Mapping[str, str]] = MappingProxyType(
         "section 3 from the inertial frame to the body, section 4 and the sensors the other way.",
         "complex-for-imaginary": "A quaternion is said to have complex elements.",
         "inverse-is-conjugate": "The inverse of a quaternion is said to be its conjugate.",
+        "accelerometer-for-magnetometer": "The magnetometer's terms have the accelerometer's "
+        "symbols.",
+        "specific-force-called-acceleration": "What the accelerometer tells, the specific force, "
+        "is called the actual acceleration.",
+        "below-is-far-below": "The deflection is said to be proportional to acceleration below the "
+        "natural frequency; it is so far below it.",
+        "constant-but-for-temperature": "Bias and sensitivity are said to be constant, and to "
+        "change with temperature.",
+        "figure-without-a-number": "The text names another figure than the one that it means.",
         "missing-half": "Position under a constant acceleration: the half in front of the time "
         "squared is missing.",
         "kilometre": "The 612 m of the note's own table are called almost a kilometre.",

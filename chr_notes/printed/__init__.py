@@ -12,6 +12,7 @@ from chr_notes.printed import (
     quaternions,
     quaternions_claims,
     sensors,
+    sensors_claims,
     validation,
     validation_claims,
 )
@@ -28,6 +29,7 @@ PRINTED: dict[str, tuple[Printed, ...]] = {
 ADDITIONS: dict[str, tuple[Printed, ...]] = {
     "euler": euler_claims.ADDITIONS,
     "quaternions": quaternions_claims.ADDITIONS,
+    "sensors": sensors_claims.ADDITIONS,
     "dead_reckoning": dead_reckoning_claims.ADDITIONS,
     "validation": validation_claims.ADDITIONS,
 }

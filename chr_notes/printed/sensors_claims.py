@@ -13,6 +13,7 @@ from chr_notes.printed.sensors import (
     D_S,
     F_LESS_G,
     FIELD,
+    B,
 )
 from chr_notes.printed.statement import Approximately, InOrder, Printed, as_printed, words
 from chr_notes.symbols import m
@@ -41,7 +42,7 @@ COLD_AND_WARM = tuple(
 )
 
 with as_printed():
-    FROM_CENTRE = MatAdd(B_M, MatMul(-1, CENTRE))
+    FROM_CENTRE = MatAdd(B, MatMul(-1, CENTRE))
     ADDITIONS = (
         Printed(
             "sensors.2.f",

@@ -31,6 +31,14 @@ EQUIVALENT: dict[tuple[str, str], str] = {
     **{("euler.7.e", f"wrong frame {n}"): AXIS_STAYS for n in (1, 6, 11)},
     **{("euler.7.e", f"swapped symbols, throughout {n}"): ANY_ANGLE for n in range(1, 4)},
     **{("euler.7.b", f"swapped symbols, throughout {n}"): BOTH_WAYS for n in (1, 11, 14)},
+    **{(f"sensors.2.{n}", "transposed 1"): "a diagonal matrix is its own transpose" for n in "45"},
+    **{("sensors.2.b", kind): "nothing is left" for kind in ("sign 1", "added term 1")},
+    ("sensors.2.d", "swapped symbols, throughout 1"): "the same is said of both angles",
+    **{
+        (f"sensors.{entry}", f"swapped symbols, throughout {n}"): BOTH_WAYS
+        for entry, n in (("2.f", 1), ("2.i", 1), ("4.a", 1), ("4.b", 3), ("4.c", 1))
+    },
+    ("sensors.2.g", "swapped symbols, throughout 1"): "the order of a sum does not matter",
     ("euler.7.f", "swapped symbols, throughout 1"): BOTH_WAYS,
     ("dead_reckoning.2.1", "wrong frame 2"): VERTICAL,
     ("dead_reckoning.2.2", "wrong frame 2"): VERTICAL,

@@ -32,7 +32,7 @@ def is_seen(name: str, wrong: Basic) -> bool:
                 document = cases[name].printed.document
                 others = (each for each in stored.read(document) if each.id != name)
                 return any(judge(cases[each.id]).verdict != each.verdict for each in others)
-        except (CannotJudgeError, TypeError, ValueError):
+        except (CannotJudgeError, IndexError, TypeError, ValueError):
             return True  # refused, or no mathematics at all: a vector added to a number
     return False
 

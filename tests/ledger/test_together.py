@@ -6,7 +6,6 @@ comes out is compared with the package's own functions.
 """
 
 import functools
-import operator
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any, ClassVar
 
@@ -17,10 +16,12 @@ from sympy import (
     Eq,
     Identity,
     Inverse,
+    MatAdd,
     MatMul,
     MatrixBase,
     MatrixSymbol,
     Symbol,
+    Transpose,
     atan,
     atan2,
     fraction,
@@ -31,11 +32,11 @@ import chr_notes
 from chr_notes.ledger.cases import CASES
 from chr_notes.ledger.edits import in_order
 from chr_notes.ledger.evaluation import parts
-from chr_notes.printed import euler, euler_claims
+from chr_notes.printed import euler, euler_claims, sensors, sensors_claims
 from chr_notes.printed import quaternions as quaternion
 from chr_notes.printed.hamilton import Conjugate, Product, Pure, Reciprocal
 from chr_notes.printed.statement import Rotation
-from chr_notes.symbols import BODY_RATES, EULER, EULER_RATES, FIRST, QUATERNION, SECOND
+from chr_notes.symbols import BODY_RATES, EULER, EULER_RATES, FIRST, QUATERNION, SECOND, m
 
 ATTITUDES = 10
 
@@ -73,7 +74,8 @@ class Known(dict[Basic, Any]):
         return rows[:, 0] if matrix.cols == 1 else rows
 
     def _product(self, product: MatMul) -> np.ndarray:
-        return functools.reduce(operator.matmul, map(self.value, product.args))
+        factors = map(self.value, product.args)
+        return functools.reduce(lambda x, y: x @ y if np.ndim(x) and np.ndim(y) else x * y, factors)
 
     def _quaternion_product(self, product: Product) -> np.ndarray:
         return functools.reduce(chr_notes.quaternion_multiply, map(self.value, product.args))
@@ -83,6 +85,8 @@ class Known(dict[Basic, Any]):
         MatrixBase: _matrix,
         MatMul: _product,
         Inverse: lambda self, m: np.linalg.inv(self.value(m.args[0])),
+        MatAdd: lambda self, total: sum(map(self.value, total.args)),
+        Transpose: lambda self, m: self.value(m.args[0]).T,
         Identity: lambda _, m: np.eye(int(m.rows)),
         Product: _quaternion_product,
         Pure: lambda self, v: np.concatenate(([0.0], self.value(v.args[0]))),
@@ -167,3 +171,56 @@ def test_euler_note(seed: int) -> None:
     np.testing.assert_allclose(numbers.value(euler.R_BI), matrix.T)
     np.testing.assert_allclose(numbers[euler.D], chr_notes.euler_rates_matrix(angles))
     assert {"euler.5.3", "euler.5.5", "euler.7.a", "euler.7.e"} < {name for name, _ in statements}
+
+
+@pytest.mark.parametrize("seed", range(ATTITUDES))
+def test_sensor_note(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    matrices = {name: np.eye(3) + rng.uniform(-0.1, 0.1, (3, 3)) for name in "agbd"}
+    scales, biases = rng.uniform(0.5, 2, (3, 3)), rng.normal(size=(3, 3))
+    weight = chr_notes.rotate_to_body(rng.normal(size=4), [0, 0, chr_notes.STANDARD_GRAVITY])
+    force, gyros, field, hard = rng.normal(size=(4, 3))
+    coupling = rng.normal(scale=0.1, size=(3, 3))
+    sensor, gyro, compass = ((matrices[name], scales[n], biases[n]) for n, name in enumerate("agb"))
+    to_field = matrices["d"] @ np.diag(1 / scales[2]) @ np.linalg.inv(matrices["b"])
+    numbers = Known(
+        {
+            m: 1.5,
+            sensors.F: force,
+            sensors.F_G: 1.5 * weight,
+            **dict(zip(sensors.SENSITIVITIES, map(float, scales[0]), strict=True)),
+            sensors.M_A: matrices["a"],
+            sensors.S_A: np.diag(scales[0]),
+            sensors.BETA: biases[0],
+            sensors.BETA_A: biases[0],
+            **dict(zip(BODY_RATES, map(float, gyros), strict=True)),
+            sensors.M_G: matrices["g"],
+            sensors.S_G: np.diag(scales[1]),
+            sensors.BETA_G: biases[1],
+            sensors.C_GA: coupling,
+            sensors.P_M: chr_notes.RateGyroCalibration(*gyro, coupling).measure(
+                gyros, force / 1.5 - weight
+            ),
+            sensors.B: field,
+            sensors.M_B: matrices["b"],
+            sensors.S_B: np.diag(scales[2]),
+            sensors.BETA_B: biases[2],
+            sensors.B_M: chr_notes.ThreeAxisCalibration(*compass).measure(field),
+            sensors.D_S: matrices["d"],
+            sensors.BETA_H: hard,
+            sensors_claims.COMBINED: to_field,
+            sensors_claims.OFFSET: hard - to_field @ matrices["b"] @ biases[2],
+        }
+    )
+    # The other meaning of the reading, special circumstances, spheres, numbers of terms.
+    others = ("2.1", "2.2", "2.a", "2.b", "2.c", "2.d", "2.f", "2.g", "2.i", "4.a", "4.b", "4.c")
+    more = ("4.f", "4.g")
+    statements = list(equations("sensors", *(f"sensors.{name}" for name in (*others, *more))))
+    assert apply(statements, numbers) == []
+    calibration = chr_notes.ThreeAxisCalibration(*sensor)
+    np.testing.assert_allclose(numbers[sensors.A_M], calibration.measure(force / 1.5 - weight))
+    np.testing.assert_allclose(numbers[sensors.A_MC], calibration.correct(numbers[sensors.A_M]))
+    iron = chr_notes.MagnetometerCalibration(matrices["d"], hard)
+    np.testing.assert_allclose(numbers[sensors.B_C], iron.correct(field))
+    np.testing.assert_allclose(numbers[sensors_claims.ACTUAL], force / 1.5)
+    assert {"sensors.4.3", "sensors.4.d", "sensors.2.h", "sensors.3.2"} < {n for n, _ in statements}

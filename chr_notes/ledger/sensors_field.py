@@ -1,0 +1,154 @@
+"""The note on sensors, section 4: magnetometers and iron, before the judgement."""
+
+from sympy import Eq, ImmutableMatrix, MatAdd, MatMul
+
+from chr_notes.derivations.calibration import BIAS, SENSITIVITY
+from chr_notes.derivations.steps import Step, equation
+from chr_notes.ledger.case import NOTHING, Case, Condition
+from chr_notes.ledger.edits import Edit
+from chr_notes.ledger.sensors_reading import (
+    FORCE,
+    READ_DISTORTED,
+    READ_FIELD,
+    READ_IRON,
+    READ_OUTPUT,
+    READ_SHAPE,
+    READ_TEMPERATURES,
+    READ_TURNED,
+    SLOPES,
+    TEMPERATURES,
+)
+from chr_notes.printed import sensors as printed
+from chr_notes.symbols import g, m, phi, theta
+
+EYE = ImmutableMatrix.eye(3)
+ALIGNED = MatMul(printed.M_B.I, printed.B_M)
+FIELD_FROM_READING = MatMul(printed.S_B.I, MatAdd(ALIGNED, printed.BETA_B))
+
+SETTLED = (
+    Case(
+        "sensors.4.1",
+        READ_FIELD,
+        steps=(
+            Step(
+                "The note begins with a model like that of the accelerometer:",
+                equation(
+                    printed.B_M,
+                    MatMul(
+                        printed.M_B,
+                        MatAdd(MatMul(printed.S_B, printed.B), MatMul(-1, printed.BETA_B)),
+                    ),
+                ),
+            ),
+            Step(
+                "Undo the misalignment and add the bias. What is left is scaled; undo that.",
+                equation(MatAdd(ALIGNED, printed.BETA_B), MatMul(printed.S_B, printed.B)),
+            ),
+        ),
+    ),
+    Case(
+        "sensors.4.3",
+        READ_OUTPUT,
+        edits=(
+            Edit(printed.S_A.I, printed.S_B.I),
+            Edit(printed.M_A.I, printed.M_B.I),
+            Edit(printed.A_M, printed.B_M),
+            Edit(printed.BETA_A, printed.BETA_B),
+        ),
+        witness={
+            **dict.fromkeys((*FORCE, phi, theta), 0),
+            **dict.fromkeys((*printed.SENSITIVITIES, m), 1),
+            g: 10,
+            printed.B: ImmutableMatrix([20, 0, 40]),
+            **dict.fromkeys((printed.M_A, printed.D_S), EYE),
+            **dict.fromkeys((printed.BETA, printed.BETA_A, printed.BETA_H), NOTHING),
+        },
+        root="accelerometer-for-magnetometer",
+        weight="misleads",
+        steps=(
+            Step(
+                "Put the magnetometer's own correction in place of the field.",
+                equation(printed.B, FIELD_FROM_READING),
+            ),
+            Step(
+                "Then take soft and hard iron out of it.",
+                equation(
+                    printed.B_C,
+                    MatAdd(MatMul(printed.D_S, printed.B), MatMul(-1, printed.BETA_H)),
+                ),
+            ),
+        ),
+        remark="The line has the accelerometer's reading, sensitivity, misalignment and bias where "
+        "the magnetometer's belong. As printed it calibrates gravity.",
+    ),
+    Case("sensors.4.a", READ_TURNED),
+    Case("sensors.4.b", READ_IRON),
+    Case(
+        "sensors.4.c",
+        READ_IRON,
+        steps=(
+            Step(
+                "A field and the opposite field give readings on either side of the centre. The "
+                "correction takes β_h away after the soft iron, so in the readings it appears "
+                "taken back through the matrix.",
+                equation(printed.CENTRE, MatMul(printed.D_S.I, printed.BETA_H)),
+            ),
+        ),
+        remark="The bias in the readings is not the β_h of the formula that follows: that one is "
+        "taken away after the soft-iron matrix has acted, so the centre is β_h taken back through "
+        "the matrix.",
+    ),
+    Case(
+        "sensors.4.d",
+        edits=(Edit(printed.S_A.I, printed.S_B.I),),
+        witness={**dict.fromkeys(printed.SENSITIVITIES, 4), printed.S_B: 2 * EYE},
+        root="accelerometer-for-magnetometer",
+        weight="label",
+        remark="The index is the accelerometer's; the formula just before has the right one.",
+    ),
+    Case(
+        "sensors.4.e",
+        steps=(
+            Step(
+                "Put the correction for the field into that for iron, and multiply out: a matrix "
+                "times the reading, less a vector.",
+                equation(
+                    printed.B_C,
+                    MatAdd(
+                        MatMul(printed.D_S, printed.S_B.I, printed.M_B.I, printed.B_M),
+                        MatMul(printed.D_S, printed.S_B.I, printed.BETA_B),
+                        MatMul(-1, printed.BETA_H),
+                    ),
+                ),
+            ),
+        ),
+        remark="Twelve numbers in place of 27.",
+    ),
+    Case(
+        "sensors.4.f",
+        READ_TEMPERATURES,
+        condition=Condition(Eq(*TEMPERATURES)),
+        witness={
+            TEMPERATURES[0]: 10,
+            TEMPERATURES[1]: 40,
+            **dict.fromkeys((*BIAS, *SENSITIVITY), 1),
+            **dict.fromkeys(SLOPES, 1),
+        },
+        root="constant-but-for-temperature",
+        weight="small print",
+        remark="Wherever the sensor is mounted, the sentence means. With temperature two of the "
+        "three change: the section's first paragraph says so, and so do the symbols.",
+    ),
+    Case(
+        "sensors.4.g",
+        READ_DISTORTED,
+        remark="Only up to a rotation, though: any turn of the sphere is the same sphere, so the "
+        "shape alone does not say which of its points belongs to which reading.",
+    ),
+    Case(
+        "sensors.4.h",
+        READ_SHAPE,
+        remark="Of the matrix the shape has this product only, which is the same for the matrix "
+        "turned by any rotation.",
+    ),
+)
