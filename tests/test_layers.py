@@ -30,6 +30,7 @@ ALLOWED = {
     "demos": {"demos", "palette", "aircraft", "generated", "conventions", "printed"},
     "book": NOTATION
     | {"ledger", "conventions", "palette", "demos", "book"}
+    | {"plots"}  # for the curves of the page on speed
     # One page follows a formula through these, and one says what the documents' symbols mean.
     | {"derivations", "codegen", "generated", "typeset", "printed"},
     "__init__": NUMERIC,

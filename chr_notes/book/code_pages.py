@@ -1,12 +1,11 @@
-"""Pages about the generated code: one formula followed through all stages, and the times."""
+"""A page about the generated code: one formula followed through all stages."""
 
-import json
 import re
 from collections.abc import Iterator
 from math import radians
 from pathlib import Path
 from textwrap import dedent
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 from sympy import ImmutableMatrix, Symbol
@@ -25,14 +24,9 @@ from chr_notes.typeset import formula
 __all__ = ["generated"]
 
 ROOT: Final = Path(__file__).resolve().parents[2]
-SPEED: Final = ROOT / "book" / "speed.json"
 GENERATED: Final = ROOT / "chr_notes" / "generated"
 NAME: Final = "euler_rates_from_body_rates"
 TARGET: Final = next(target for target in TARGETS if target.name == NAME)
-SIZES: Final = {1: "one attitude", 100: "a hundred", 1_000: "a thousand", 1_000_000: "a million"}
-SCALAR: Final = "chr_notes, one at a time"
-TENTH: Final = 0.1
-"""Factors below it have two decimals, so that none reads as zero."""
 
 
 def generated() -> dict[str, str]:
@@ -49,7 +43,6 @@ def generated() -> dict[str, str]:
         "code/kernel.md": _block("c", kernel()),
         "code/javascript.md": _block("javascript", javascript()),
         "code/c.md": _block("c", c()),
-        "speed.md": "\n".join(speed(json.loads(SPEED.read_text(encoding="utf-8")))),
     }
 
 
@@ -126,36 +119,4 @@ def _number() -> Iterator[str]:
     yield (
         f"With a roll of {roll:g}°, a pitch of {pitch:g}° and body rates of ({given}) rad/s, it "
         f"returns the rates of roll, pitch and yaw: {numbers}."
-    )
-
-
-def speed(run: dict[str, Any]) -> Iterator[str]:
-    """Yield a table for each number of attitudes and the machine that they were timed on.
-
-    Parameters
-    ----------
-    run
-        What `tests/benchmarks/store.py` keeps of a run.
-    """
-    for size, words in SIZES.items():
-        cases = [row for row in run["rows"] if row["size"] == size]
-        faster: list[str] = []
-        yield f"## {words[0].upper()}{words[1:]}\n"
-        yield ":::{div} speed\n| task | library | ns each | times as long |\n|---|---|--:|--:|"
-        for task in dict.fromkeys(row["task"] for row in cases):
-            times = {r["library"]: r["nanoseconds"] for r in cases if r["task"] == task}
-            ours = times[SCALAR] if size == 1 else times["chr_notes"]
-            for place, (library, time) in enumerate(times.items()):
-                ratio = time / ours
-                factor = f"{ratio:.1f}" if ratio >= TENTH else f"{ratio:.2f}"
-                yield f"| {'' if place else task} | {library} | {time:,g} | {factor} |"
-                if time < ours:
-                    faster.append(f"{library} ({task})")
-        yield ":::\n"
-        if faster:
-            yield f"Faster here than ours: {', '.join(faster)}.\n"
-    libraries = ", ".join(f"{name} {version}" for name, version in run["libraries"].items())
-    yield (
-        f"Timed on {run['cpu']}, {run['vector_instructions']}, one thread, {run['system']}, "
-        f"Python {run['python']}, {libraries}. Each time is the shortest of two rounds or more."
     )

@@ -10,14 +10,14 @@ from typing import Any
 import numpy as np
 import pytest
 
-from .tasks import MANY, ONE, OURS, data
+from .tasks import MANY, MEMCPY, ONE, OURS, data, memcpy
 
-SIZES = (1, 100, 1_000, 1_000_000)
+SIZES = (1, 10, 100, 1_000, 10_000, 100_000, 1_000_000)
 CASES = [
     pytest.param(size, task, library, id=f"{size}-{task}-{library}")
     for size in SIZES
     for task, libraries in (ONE if size == 1 else MANY).items()
-    for library in libraries
+    for library in (*libraries, *([MEMCPY] if size > 1 else []))
 ]
 
 
@@ -41,7 +41,7 @@ def numbers(result: Any, size: int) -> np.ndarray:  # noqa: ANN401 (each library
 def test_speed(benchmark: Any, size: int, task: str, library: str) -> None:  # noqa: ANN401
     rows = data(size)
     table = (ONE if size == 1 else MANY)[task]
-    run = table[library](rows)
+    run = memcpy(table[OURS], rows) if library == MEMCPY else table[library](rows)
     with warnings.catch_warnings():
         # Other libraries' warnings are not ours to judge.
         warnings.simplefilter("ignore")

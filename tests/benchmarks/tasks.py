@@ -25,6 +25,7 @@ from chr_notes.generated.scalar import quaternions as scalar
 
 Floats = NDArray[np.float64]
 OURS, SCALAR = "chr_notes", "chr_notes, one at a time"
+MEMCPY = "memcpy of the result"
 # Its functions return arrays, so what goes from one to the next is an array; lists are taken too,
 # and Python's own numbers in them are multiplied faster.
 TRANSFORMS3D, ON_LISTS = "transforms3d", "transforms3d, given lists"
@@ -70,6 +71,13 @@ def _symforce(row: Floats) -> Any:  # noqa: ANN401 (the library has no types)
 
 
 Task = Callable[[Data], Callable[[], Any]]
+
+
+def memcpy(task: Task, rows: Data) -> Callable[[], Floats]:
+    """Copy our result to a new array, which is the least that can be asked of anyone."""
+    result: Floats = task(rows)()
+    return result.copy
+
 
 # For many attitudes: by task, then by library.
 MANY: dict[str, dict[str, Task]] = {
