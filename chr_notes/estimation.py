@@ -78,7 +78,7 @@ def accelerometer_at_rest(
 
     Notes
     -----
-    Ledger: estimation.2.4.
+    Ledger: estimation.2.4, sensors.2.2, sensors.2.c.
     """
     return _accelerometer_at_rest(euler, gravity, out=out)
 

@@ -146,7 +146,7 @@ def euler_from_quaternion(
 
     Notes
     -----
-    Ledger: quaternions.4.1, quaternions.4.2, quaternions.4.3, quaternions.4.b.
+    Ledger: quaternions.4.1, quaternions.4.2, quaternions.4.3.
     """
     return with_lock(_euler_from_quaternion, q, on_gimbal_lock, out)
 
@@ -265,7 +265,7 @@ def quaternion_conjugate(q: ArrayLike, *, out: Floats | None = None) -> Floats:
 
     Notes
     -----
-    Ledger: quaternions.3.a, quaternions.3.c.
+    Ledger: quaternions.3.c.
     """
     return _quaternion_conjugate(q, out=out)
 

@@ -46,7 +46,7 @@ def heading_from_magnetometer(
 
     Notes
     -----
-    Ledger: validation.12, validation.13, validation.14, validation.15, validation.16.
+    Ledger: validation.12, validation.16.
     """
     level = floats("reference", reference, 2)
     zero = np.asarray(~level.any(axis=-1))
@@ -87,7 +87,7 @@ def validation_factor(
 
     Notes
     -----
-    Ledger: validation.17, validation.d, validation.f, validation.g.
+    Ledger: validation.17.
     """
     factor = _validation_factor(mag, tilt, part_down(reference_down), out=out)
     return factor[()] if out is None else factor

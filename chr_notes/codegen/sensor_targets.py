@@ -127,7 +127,7 @@ TARGETS = (
         "Roll and pitch of a body at rest, radians",
         given.ACCEL,
         filter_forms.tilt,
-        ("estimation.2.5", "estimation.2.6"),
+        ("estimation.2.5", "estimation.2.6", "validation.3", "validation.4"),
         arrays=(("accel", given.ACCEL),),
     ),
     Target(
@@ -257,7 +257,6 @@ TARGETS = (
             *given.GAINS,
         ),
         filters.monitored_turn,
-        ("validation.17",),
         arrays=(
             ("state", (*given.QUATERNION_ARGUMENTS, given.ABOVE)),
             ("body_rates", given.RATES),
@@ -321,7 +320,7 @@ TARGETS = (
         "Error of acceleration (m/s²), of velocity (m/s) and of position (m), along the ground",
         (given.TILT_ERROR, given.TIME, given.GRAVITY),
         dead_reckoning.drift,
-        ("dead_reckoning.4.g",),
+        ("dead_reckoning.4.a", "dead_reckoning.4.b"),
         arrays=(
             ("angle_error", (given.TILT_ERROR,)),
             ("time", (given.TIME,)),

@@ -155,8 +155,6 @@ def monitored_turn(
     gain: weight of the accelerometer otherwise, from 0 to 1
     lowest: the gain that is tried second
     highest: the gain that is tried first
-
-    Ledger: validation.17.
     """
     if above <= patience and above > 0.0:
         chosen_gain = highest
