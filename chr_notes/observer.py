@@ -6,14 +6,14 @@ out, and the estimate goes on without it.
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from math import isfinite, pi
+from math import inf, isfinite, pi
 from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from chr_notes._arrays import Floats
-from chr_notes._kernels import of_numbers
+from chr_notes._kernels import kernel, of_numbers
 from chr_notes._recordings import run
 from chr_notes._samples import (
     WILD_RATE,
@@ -45,6 +45,8 @@ class _Way:
         The same for one sample.
     sample
         From Euler angles and sample to the next Euler angles.
+    quick_sample
+        A kernel that does the same with arrays, if there is one.
     begin
         From Euler angles to a state.
     end, angles
@@ -54,6 +56,7 @@ class _Way:
     step: Callable[..., tuple[float, ...]]
     advance: Callable[..., tuple[float, ...]]
     sample: Callable[..., tuple[float, ...]]
+    quick_sample: Callable[..., Floats | None] | None
     begin: Callable[..., Sequence[float]]
     end: Callable[[Floats], Floats]
     angles: Callable[[Sequence[float]], Floats]
@@ -73,9 +76,12 @@ def _angles(quaternion: Sequence[float]) -> Floats:
     return np.array((roll if roll < pi else -pi, pitch, yaw if yaw < pi else -pi))
 
 
+def _is_in_range(roll: float, pitch: float, yaw: float) -> bool:
+    return -pi <= roll < pi and -pi <= yaw < pi and -pi / 2 <= pitch <= pi / 2
+
+
 def _angles_in_range(euler: Sequence[float]) -> Floats:
-    roll, pitch, yaw = euler
-    if -pi <= roll < pi and -pi <= yaw < pi and -pi / 2 <= pitch <= pi / 2:
+    if _is_in_range(*euler):
         return np.array(euler)
     return np.asarray(in_range(np.array([euler]))[0])
 
@@ -85,6 +91,7 @@ _WAYS = {
         steps.observer_turn,
         of_numbers(steps.observer_turn),
         of_numbers(steps.observer_step),
+        kernel("observer_step"),
         _quaternion,
         attitudes_in_range,
         _angles,
@@ -93,6 +100,7 @@ _WAYS = {
         steps.euler_observer_step,
         of_numbers(steps.euler_observer_step),
         of_numbers(steps.euler_observer_step),
+        kernel("euler_observer_step"),
         lambda *euler: euler,
         in_range,
         _angles_in_range,
@@ -246,10 +254,15 @@ def observe_sample(  # noqa: PLR0913 (a state and a sample)
     ValueError
         As `fixed_gain_observer`.
     """
+    way, share, step = way_of(method), check_gain("gain", gain), period(dt)
+    take = way.quick_sample
+    found = take(euler, body_rates, accel, step, share, None) if take is not None else None
+    # Of several samples, or a start that is no attitude, the rest has to say.
+    if found is not None and found.ndim == 1 and _is_in_range(*found.tolist()):
+        return found
     before = start("euler", euler)
     rates, force = one_sample("body_rates", body_rates), one_sample("accel", accel)
-    share = check_gain("gain", gain)
-    return _angles_in_range(way_of(method).sample(*before, *rates, *force, period(dt), share))
+    return _angles_in_range(way.sample(*before, *rates, *force, step, share))
 
 
 class Estimate(NamedTuple):
@@ -301,7 +314,7 @@ def observe(
     for body_rates, accel, dt in stream:
         rates, force = one_sample("body_rates", body_rates), one_sample("accel", accel)
         x, y, z = force
-        heard = isfinite(x) and isfinite(y) and isfinite(z) and any(force)
+        heard = 0 < abs(x) + abs(y) + abs(z) < inf or (any(force) and all(map(isfinite, force)))
         p, q, r = rates
         turned = abs(p) < WILD_RATE and abs(q) < WILD_RATE and abs(r) < WILD_RATE
         incomplete += not (heard and turned)
