@@ -30,12 +30,13 @@ from sympy import (
     solve,
     sqrt,
     symbols,
+    tan,
 )
 
 from chr_notes.derivations.euler import Z, rotation
 from chr_notes.derivations.quaternions import from_axis_angle, rotate_to_body
 from chr_notes.derivations.sensors import specific_force
-from chr_notes.symbols import ACCELEROMETER, VECTOR, Angle, AngularRate, T, g, m
+from chr_notes.symbols import ACCELEROMETER, VECTOR, Angle, AngularRate, T, g, m, phi
 
 # Gain of the observer; number of steps; error at the start.
 L = Symbol("L", real=True)
@@ -80,6 +81,16 @@ def tilt() -> ImmutableMatrix:
     """
     x, y, z = ACCELEROMETER
     return ImmutableMatrix([atan2(-y, -z), atan2(x, sqrt(y**2 + z**2))])
+
+
+def roll_in_level_turn(bank: Expr) -> Expr:
+    """Roll that an accelerometer shows in a level turn, flown such that nothing slides sideways.
+
+    The turn takes a level acceleration `g tan(bank)` towards its centre, to the right.
+    """
+    force = ImmutableMatrix([0, g * tan(bank), -g])
+    reading = rotation("v2", "B").subs(phi, bank) * force
+    return tilt()[0].subs(dict(zip(ACCELEROMETER, map(simplify, reading), strict=True)))
 
 
 def euler_step(before: Expr = angle, slope: Expr = rate) -> Expr:

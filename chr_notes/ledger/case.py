@@ -16,10 +16,6 @@ from chr_notes.printed import BY_ID, Printed
 DEGREE = pi / 180
 NOTHING = ImmutableMatrix.zeros(3, 1)
 
-# Documents whose cases are still brought in the old way: corrections typed, no root, no weight,
-# a reading for each case.
-UNCONVERTED = frozenset({"estimation"})
-
 
 class CannotJudgeError(Exception):
     """A statement is neither proved nor shown to fail with what was brought before it."""
@@ -108,8 +104,6 @@ class Case:
         The derivation of the right form or of the condition.
     remark
         Markdown for the reader.
-    correction
-        A correction typed as a whole; for documents in `UNCONVERTED` only.
     """
 
     id: str
@@ -125,7 +119,6 @@ class Case:
     readings: tuple[Reading, ...] = ()
     steps: tuple[Step, ...] = ()
     remark: str | None = None
-    correction: Boolean | None = None
 
     @property
     def printed(self) -> Printed:
@@ -144,7 +137,7 @@ class Case:
     def right(self) -> Boolean | None:
         """The corrected statement: the printed one, edited. Nothing if there are no edits."""
         if not self.edits:
-            return self.correction
+            return None
         try:
             return edited(self.printed.statement, self.edits)
         except ValueError as error:
@@ -183,7 +176,7 @@ def complete(
         case = by_id.get(statement.id, Case(statement.id))
         if case.read is None:
             case = replace(case, read=read)
-        elif statement.document not in UNCONVERTED and not case.read.extends(read):
+        elif not case.read.extends(read):
             msg = f"{case.id}: read otherwise than the document; give more names by `READ.also`"
             raise CannotJudgeError(msg)
         cases.append(case)

@@ -11,6 +11,7 @@ from sympy import (
     Integer,
     Limit,
     MatrixBase,
+    MatrixExpr,
     Pow,
     Rational,
     S,
@@ -192,7 +193,7 @@ def equal(left: Basic, right: Basic) -> bool:
         return False
     if left == right:
         return True
-    if getattr(left, "shape", ()) != getattr(right, "shape", ()):
+    if shape_of(left) != shape_of(right):
         return False
     infinite = {left, right} & {S.Infinity, S.NegativeInfinity}
     if infinite or isinstance(left, Set) or isinstance(right, Set):
@@ -200,6 +201,11 @@ def equal(left: Basic, right: Basic) -> bool:
     if isinstance(left, Abs) and isinstance(right, Abs):
         return any(is_zero(left.args[0] - sign * right.args[0]) for sign in (1, -1))
     return all(is_zero(element) for element in difference(left, right))
+
+
+def shape_of(side: Basic) -> tuple[Basic, ...]:
+    """Rows and columns of a matrix, nothing for a number; an element of a sequence is one."""
+    return tuple(side.shape) if isinstance(side, MatrixBase | MatrixExpr) else ()
 
 
 def same_angle(left: Expr, right: Expr) -> bool:

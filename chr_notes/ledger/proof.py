@@ -32,7 +32,14 @@ from sympy.logic.boolalg import BooleanFalse, BooleanTrue
 
 from chr_notes.ledger.case import Condition
 from chr_notes.ledger.evaluation import evaluate, parts, put, sides
-from chr_notes.ledger.identities import difference, equal, is_positive, is_zero, same_angle
+from chr_notes.ledger.identities import (
+    difference,
+    equal,
+    is_positive,
+    is_zero,
+    same_angle,
+    shape_of,
+)
 from chr_notes.ledger.reading import Read
 from chr_notes.printed.statement import Approximately
 from chr_notes.symbols import Angle
@@ -171,7 +178,7 @@ def _gap(relation: Relational, read: Read, by: Mapping[Basic, Basic]) -> str:
     left, right = sides(relation, read, by)
     if isinstance(left, Set) or isinstance(right, Set):
         return f"{left} against {right}"
-    shapes = [getattr(side, "shape", "a number") for side in (left, right)]
+    shapes = [shape_of(side) or "a number" for side in (left, right)]
     if shapes[0] != shapes[1]:
         return f"of different shapes, {shapes[0]} and {shapes[1]}"
     for place, element in enumerate(difference(left, right)):

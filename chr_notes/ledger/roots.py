@@ -28,6 +28,11 @@ ROOTS: Final[Mapping[str, str]] = MappingProxyType(
         "constant-but-for-temperature": "Bias and sensitivity are said to be constant, and to "
         "change with temperature.",
         "figure-without-a-number": "The text names another figure than the one that it means.",
+        "gravity-alone": "No net force is said to mean that gravity alone acts; it means that "
+        "something holds the sensor against it.",
+        "gyro-acceleration": "Gyros are said not to feel acceleration; a little of it couples in.",
+        "steady-force": "A larger gain is said to let more of all other forces in; one that stays "
+        "comes through whole with every gain.",
         "missing-half": "Position under a constant acceleration: the half in front of the time "
         "squared is missing.",
         "kilometre": "The 612 m of the note's own table are called almost a kilometre.",

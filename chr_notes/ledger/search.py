@@ -33,7 +33,7 @@ Point = Mapping[Basic, Basic]
 
 POINTS = 6  # for each way of not meeting the condition
 TRIES = 400
-SPECIAL = 0.3  # of the angles drawn are right ones, or none
+SPECIAL = 0.3  # of the angles drawn are right ones, or none; of the numbers, 0 or 1
 RIGHT_ANGLES = (0, pi / 2, -pi / 2, pi)
 
 
@@ -131,6 +131,8 @@ def _value(name: Symbol, random: Random) -> Expr:
         return Rational(random.randint(1, 6))
     if name.is_nonnegative:
         return Rational(random.randint(1, 30), 10)
+    if random.random() < SPECIAL:
+        return sympify(random.choice((0, 1)))
     size = random.choice((10, 30))
     return Rational(random.randint(-size, size), 10)
 

@@ -75,10 +75,10 @@ SETTLED = (
         given=(ranges.acute(printed.ROLL_ACCEL), ranges.from_0_to_1(printed.ALPHA)),
         condition=ranges.short_turn(ROLL_STEP, printed.ROLL_ACCEL),
         witness={
-            printed.ROLL_BEFORE: 100 * DEGREE,
+            printed.ROLL_BEFORE: 170 * DEGREE,
             printed.ROLL_RATE: 0,
             printed.DT: Rational(1, 100),
-            printed.ROLL_ACCEL: -85 * DEGREE,
+            printed.ROLL_ACCEL: -80 * DEGREE,
             printed.ALPHA: Rational(2, 100),
         },
         root="seam",
@@ -94,10 +94,10 @@ SETTLED = (
                 ),
             ),
         ),
-        remark="Equation 3 gives angles between −90° and 90°, the gyro goes beyond. From 100° to "
-        "−85°, which also stands for 95° there, the numbers are 185° apart and the mean heads the "
-        "long way round. Where the two are more than half a turn apart as numbers, whole turns "
-        "must come off first.",
+        remark="Equation 3 gives angles between −90° and 90°. A filter that has gone far beyond, "
+        "to 170°, is 110° from −80° the shorter way, but the difference of the numbers is −250°. "
+        "With a roll from all four quadrants the seam lies in wait everywhere: between 179° and "
+        "−179° lies 180°, not zero. Whole turns must come off first.",
     ),
     Case(
         "validation.11",

@@ -7,6 +7,7 @@ from chr_notes.printed import (
     dead_reckoning,
     dead_reckoning_claims,
     estimation,
+    estimation_claims,
     euler,
     euler_claims,
     quaternions,
@@ -30,6 +31,7 @@ ADDITIONS: dict[str, tuple[Printed, ...]] = {
     "euler": euler_claims.ADDITIONS,
     "quaternions": quaternions_claims.ADDITIONS,
     "sensors": sensors_claims.ADDITIONS,
+    "estimation": estimation_claims.ADDITIONS,
     "dead_reckoning": dead_reckoning_claims.ADDITIONS,
     "validation": validation_claims.ADDITIONS,
 }

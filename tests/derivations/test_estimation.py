@@ -121,3 +121,9 @@ def test_no_gain_beats_the_best() -> None:
     variance = lambdify(derived.L, derived.steady_variance().subs(SIGMAS))
     assert 0 < best < 1
     assert all(variance(best) < variance(best * factor) for factor in (0.5, 0.9, 1.1, 2))
+
+
+def test_a_level_turn_presses_through_the_floor() -> None:
+    for degrees in (-60, 10, 45):
+        bank = np.radians(degrees)
+        assert derived.roll_in_level_turn(bank) == pytest.approx(0, abs=1e-9)

@@ -8,7 +8,6 @@ from sympy import And, Basic, Eq, ImmutableMatrix, Integer, Lt, Symbol, cos, pi,
 
 from chr_notes import printed
 from chr_notes.derivations.steps import Step
-from chr_notes.ledger import case as cases
 from chr_notes.ledger.case import CannotJudgeError, Case, Condition, Reading, complete
 from chr_notes.ledger.edits import Edit
 from chr_notes.ledger.entry import Entry
@@ -188,4 +187,3 @@ def test_a_document_has_one_reading(say: Say) -> None:
     with pytest.raises(CannotJudgeError, match="expected one case at most"):
         complete(document, READ, (Case("tried.1.9"),))
     assert replace(Case("tried.1.1"), read=READ).reading is READ
-    assert "tried" not in cases.UNCONVERTED
