@@ -1,17 +1,17 @@
 """The pages of the book that come from data, as MyST Markdown."""
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 from typing import Final, get_args
 
 from chr_notes.book import code_pages, speed_page
+from chr_notes.book.errata import errata, summary
 from chr_notes.book.notation import notation
 from chr_notes.conventions import CONVENTIONS
 from chr_notes.demos import GimbalLockDemo
 from chr_notes.ledger import Entry, Verdict, entries
 from chr_notes.ledger.show import badge, display, show
-from chr_notes.ledger.table import show_table
 
 __all__ = ["generated"]
 
@@ -45,7 +45,7 @@ def generated() -> dict[str, str]:
         "conventions.md": conventions(),
         "notation.md": notation(),
         "ledger.md": "\n".join(_overview(ledger)),
-        "errata.md": "\n".join(_errata(ledger)),
+        "errata.md": "\n".join(errata(ledger)),
         "verdicts.md": verdicts(ledger),
         "gimbal_lock.md": GimbalLockDemo(yaw=30.0, pitch=75.0, roll=20.0).to_html() + "\n",
     }
@@ -60,14 +60,14 @@ def conventions() -> str:
     return "\n".join(f"## {each.title}\n\n{each.statement}\n" for each in CONVENTIONS)
 
 
-def verdicts(ledger: Iterable[Entry]) -> str:
-    """Return how many entries have each verdict, and what it means, as an HTML list."""
+def verdicts(ledger: tuple[Entry, ...]) -> str:
+    """Return how many entries have each verdict, what it means, and how many errors that is."""
     counts = Counter(entry.verdict for entry in ledger)
     items = "\n".join(
         f"<li><b>{counts[verdict]}</b> {badge(verdict)} <span>{MEANINGS[verdict]}</span></li>"
         for verdict in get_args(Verdict)
     )
-    return f'<ul class="verdict-counts">\n{items}\n</ul>\n'
+    return f'<ul class="verdict-counts">\n{items}\n</ul>\n\n{summary(ledger)}'
 
 
 def _overview(ledger: tuple[Entry, ...]) -> Iterator[str]:
@@ -98,28 +98,3 @@ def _row(entry: Entry) -> Iterator[str]:
     else:
         yield f"What the derivation gives:\n\n{display(entry.derived_latex)}"
     yield "::::\n:::::\n"
-
-
-def _errata(ledger: Iterable[Entry]) -> Iterator[str]:
-    """Yield what one would write into the margins: the wrong form, the right one, why."""
-    document = None
-    for entry in ledger:
-        if entry.verdict not in ("corrected", "qualified") or entry.kind == "table cell":
-            continue
-        if entry.document != document:
-            document = entry.document
-            yield f"## {DOCUMENTS[document]}\n"
-        yield f"### {entry.id}\n"
-        yield f"{badge(entry.verdict)} {entry.says}\n"
-        yield display(entry.printed_latex)
-        if entry.correction_latex is not None:
-            yield f"should read\n\n{display(entry.correction_latex)}"
-        if entry.condition is not None:
-            holds = "holds exactly when" if entry.exact else "holds if"
-            yield f"{holds}\n\n{display(entry.condition)}"
-        if entry.remark is not None:
-            yield f"{entry.remark}\n"
-        yield f"[The entry with its witness and derivation](#{entry.id})\n"
-    yield "## Table 1 of the dead-reckoning note\n"
-    yield "Wrong numbers are struck out, with the right ones beside them.\n"
-    yield show_table().markdown

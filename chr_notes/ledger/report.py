@@ -100,12 +100,15 @@ def as_list(entries: Iterable[Entry]) -> str:
 
 
 def as_text(entries: Iterable[Entry]) -> str:
-    """Write entries as a table, with the counts of the verdicts below."""
+    """Write entries as a table, with the counts of verdicts and of the errors behind them below."""
     rows = list(entries)
     width = max((len(row.id) for row in rows), default=0)
     lines = [f"{row.id:{width}}  {row.verdict:10}  {row.says}" for row in rows]
     counts = Counter(row.verdict for row in rows)
     total = ", ".join(f"{number} {verdict}" for verdict, number in counts.most_common())
+    errors = Counter(row.root for row in rows if row.root is not None)
+    if errors:
+        total += f"; {errors.total()} places of {len(errors)} errors"
     return "\n".join([*lines, "", f"{len(rows)} entries: {total}" if rows else "no entries"]) + "\n"
 
 

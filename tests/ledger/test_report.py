@@ -31,7 +31,8 @@ def test_table_has_a_line_an_entry_and_the_counts(capsys: pytest.CaptureFixture[
     lines = capsys.readouterr().out.splitlines()
     corrected = [n for n in CASES if "euler." in n and ledger.entry(n).verdict == "corrected"]
     assert [line.split()[0] for line in lines[: len(corrected)]] == corrected
-    assert lines[-1] == f"{len(corrected)} entries: {len(corrected)} corrected"
+    count, errors = len(corrected), len({ledger.entry(name).root for name in corrected})
+    assert lines[-1] == f"{count} entries: {count} corrected; {count} places of {errors} errors"
 
 
 def test_an_unknown_document_is_refused(capsys: pytest.CaptureFixture[str]) -> None:

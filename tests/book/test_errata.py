@@ -1,0 +1,52 @@
+"""The errata name each error once, the heaviest first, and leave none out."""
+
+import re
+from collections import Counter
+from dataclasses import replace
+
+from chr_notes.book.errata import HEADINGS, by_root, errata, heaviest, summary
+from chr_notes.ledger import entries
+from chr_notes.ledger.roots import ROOTS
+
+TEXT = "\n".join(errata(entries()))
+
+
+def test_parts_and_errors_stand_in_the_order_of_their_weight() -> None:
+    titles = [title for title, _ in HEADINGS.values()]
+    assert re.findall(r"^## (.*)$", TEXT, re.MULTILINE)[: len(titles)] == titles
+    weights = [heaviest(places) for places in by_root(entries()).values()]
+    assert weights == sorted(weights, key=list(HEADINGS).index)
+    for says in ROOTS.values():
+        assert TEXT.count(says) == 1
+
+
+def test_each_entry_that_is_not_right_stands_there_once_or_in_the_table() -> None:
+    wrong = [entry for entry in entries() if entry.verdict in ("qualified", "corrected")]
+    assert {entry.id for entry in wrong} == {
+        entry.id for places in by_root(entries()).values() for entry in places
+    }
+    for entry in wrong:
+        assert TEXT.count(f"**[{entry.id}](#{entry.id})**") == (entry.kind != "table cell")
+
+
+def test_of_equal_weight_the_error_with_most_places_comes_first() -> None:
+    places = Counter(heaviest(each) for each in by_root(entries()).values())
+    assert min(places.values()) > 1
+    for weight in HEADINGS:
+        counts = [len(each) for each in by_root(entries()).values() if heaviest(each) == weight]
+        assert counts == sorted(counts, reverse=True)
+
+
+def test_an_error_weighs_as_much_as_its_worst_place() -> None:
+    entry = entries()[0]
+    places = [replace(entry, weight=weight) for weight in ("small print", "misleads", "label")]
+    assert heaviest(places) == "misleads"
+    assert heaviest(places[2:]) == "label"
+
+
+def test_the_summary_counts_places_and_errors() -> None:
+    errors = by_root(entries())
+    numbers = [int(number) for number in re.findall(r"\*\*(\d+)\*\*", summary(entries()))]
+    places, count, *weights = numbers
+    assert places == sum(entry.verdict in ("qualified", "corrected") for entry in entries())
+    assert count == len(errors) == sum(weights)
