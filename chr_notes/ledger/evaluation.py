@@ -1,9 +1,25 @@
 """What a printed expression comes to, with the derived quantities in place of its symbols."""
 
 from collections.abc import Mapping
-from functools import lru_cache
+from functools import lru_cache, reduce
+from operator import add, mul
 
-from sympy import And, Basic, Limit, MatrixBase, Pow, S, Subs, Symbol, expand, sympify
+from sympy import (
+    And,
+    Basic,
+    ImmutableMatrix,
+    Inverse,
+    Limit,
+    MatAdd,
+    MatMul,
+    MatrixBase,
+    Pow,
+    S,
+    Subs,
+    Symbol,
+    expand,
+    sympify,
+)
 from sympy.concrete.expr_with_limits import ExprWithLimits
 from sympy.matrices.expressions.matexpr import MatrixElement, MatrixExpr
 
@@ -46,12 +62,36 @@ def _evaluated(expression: Basic, read: Read, pairs: tuple[tuple[Basic, Basic], 
         return S.NaN
     meaning = work_out(expression, read, by)
     if isinstance(meaning, MatrixExpr):
-        meaning = meaning.as_explicit()
-    # What is known of a matrix as a whole is used by now; its elements are numbers like others.
-    meaning = meaning.xreplace(
-        {element: Symbol(latex(element), real=True) for element in meaning.atoms(MatrixElement)}
-    )
+        meaning = explicit(meaning)
+    meaning = _elements_named(meaning)
     return meaning.applyfunc(settle) if isinstance(meaning, MatrixBase) else settle(meaning)
+
+
+def explicit(matrix: MatrixExpr) -> MatrixBase:
+    """Write out the elements, from the inside out; SymPy's `as_explicit` sums up from the outside.
+
+    Raises
+    ------
+    ValueError
+        If the determinant is zero where an inverse is needed.
+    """
+    if isinstance(matrix, MatMul | MatAdd):
+        terms = [explicit(term) if term.is_Matrix else term for term in matrix.args]
+        return ImmutableMatrix(reduce(mul if isinstance(matrix, MatMul) else add, terms))
+    if isinstance(matrix, Inverse):
+        inner = explicit(matrix.arg)
+        determinant = inner.det()
+        if is_zero(determinant):
+            msg = f"expected a matrix with an inverse, got {inner}"
+            raise ValueError(msg)
+        return ImmutableMatrix(inner.adjugate() / determinant)
+    return _elements_named(matrix if isinstance(matrix, MatrixBase) else matrix.as_explicit())
+
+
+def _elements_named(expression: Basic) -> Basic:
+    """Make numbers like others of the elements of a matrix that is used as a whole no more."""
+    elements = expression.atoms(MatrixElement)
+    return expression.xreplace({element: Symbol(latex(element), real=True) for element in elements})
 
 
 def sides(relation: Basic, read: Read, by: Mapping[Basic, Basic]) -> tuple[Basic, Basic]:

@@ -66,6 +66,7 @@ class Read:
         self.notation = notation
         self.base = base
         self._worked_out: dict[Basic, Basic] = {}
+        self._met: set[Basic] = set()  # names that are being worked out
 
     def __call__(self, expression: Basic) -> Basic:
         """Put the derived quantities in place of the symbols, unevaluated."""
@@ -111,8 +112,14 @@ class Read:
             quantity = self.meaning[symbol]
             named = quantity if isinstance(quantity, Basic) else quantity()
             # A printed definition speaks in the document's own symbols.
-            by_print = isinstance(quantity, Defined)
-            self._worked_out[symbol] = self.with_names(named) if by_print else named
+            if isinstance(quantity, Defined):
+                if symbol in self._met:
+                    msg = f"{symbol} is defined by itself, in {quantity.id}"
+                    raise ValueError(msg)
+                self._met.add(symbol)
+                named = self.with_names(named)
+                self._met.remove(symbol)
+            self._worked_out[symbol] = named
         return self._worked_out[symbol]
 
     def _work_out(self, node: Basic) -> Basic:

@@ -6,8 +6,6 @@ misprint there shows wherever the reading is used; the gyro and the magnetometer
 same model, for section 4 says that theirs are essentially equivalent.
 """
 
-from collections.abc import Callable
-
 from sympy import (
     Basic,
     Eq,
@@ -28,7 +26,7 @@ from chr_notes.derivations import sensors as physics
 from chr_notes.derivations.estimation import tilt, weight
 from chr_notes.derivations.euler import rotation
 from chr_notes.ledger.case import NOTHING, Condition
-from chr_notes.ledger.reading import Meaning, Read, defined, elements, reading
+from chr_notes.ledger.reading import Meaning, defined, elements, reading
 from chr_notes.printed import BY_ID
 from chr_notes.printed import sensors as printed
 from chr_notes.printed import sensors_claims as claims
@@ -74,11 +72,6 @@ def _count(*terms: ImmutableMatrix) -> Integer:
     return Integer(len(set().union(*(term.free_symbols for term in terms))))
 
 
-def _by_print(name: str, read: Read) -> Callable[[], Basic]:
-    """Read a name by what a document prints, and that as it is read."""
-    return lambda: read(BY_ID[name].statement.rhs)
-
-
 _MEANING: dict[Basic, Meaning] = {
     printed.F: FORCE,
     printed.F_G: weight,
@@ -112,9 +105,9 @@ READ = reading(_MEANING)
 # The reading as the specific force; as the sensor puts it out; and the correction besides: the
 # term that is wanted, and what is printed.
 READ_FORCE = READ.also({printed.A_M: lambda: physics.specific_force(FORCE, weight(), m)})
-READ_OUTPUT = READ.also({printed.A_M: _by_print("sensors.2.3", READ)})
+READ_OUTPUT = READ.also(defined("sensors.2.3"))
 READ_WANTED = READ_OUTPUT.also({printed.A_MC: lambda: physics.specific_force(FORCE, weight(), m)})
-READ_SOLVED = READ_OUTPUT.also({printed.A_MC: _by_print("sensors.2.5", READ_OUTPUT)})
+READ_SOLVED = READ_OUTPUT.also(defined("sensors.2.5"))
 # What must be added to the output for that.
 READ_ADDED = READ_OUTPUT.also(
     {

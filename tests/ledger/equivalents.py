@@ -14,6 +14,7 @@ BOTH_WAYS = "what differs, or is the same, is so both ways"
 
 EQUIVALENT: dict[tuple[str, str], str] = {
     **{("quaternions.3.a", f"swapped symbols, throughout {n}"): RENAMED for n in range(1, 7)},
+    ("quaternions.3.d", "factors in reverse order 1"): "the turn back leaves no real part either",
     ("quaternions.4.c", "swapped symbols, throughout 1"): BOTH_WAYS,
     **{("euler.3.a", kind): AXIS_STAYS for kind in ("transposed 1", "wrong frame 1")},
     ("euler.4.2", "swapped symbols, throughout 1"): ANGLES_RENAMED,
@@ -39,6 +40,7 @@ EQUIVALENT: dict[tuple[str, str], str] = {
         (f"sensors.{entry}", f"swapped symbols, throughout {n}"): BOTH_WAYS
         for entry, n in (("2.f", 1), ("2.i", 1), ("4.a", 1), ("4.b", 3), ("4.c", 1))
     },
+    ("sensors.4.3", "swapped symbols, throughout 5"): "the same equation, solved for its last term",
     ("sensors.2.g", "swapped symbols, throughout 1"): "the order of a sum does not matter",
     ("euler.7.f", "swapped symbols, throughout 1"): BOTH_WAYS,
     ("estimation.2.3", "wrong frame 2"): VERTICAL,

@@ -139,6 +139,12 @@ def test_a_name_with_a_meaning_is_not_defined_once_more(say: Say) -> None:
         say(Eq(NAME, NAME + x, evaluate=False))
 
 
+def test_a_name_that_is_defined_by_itself_is_refused(say: Say) -> None:
+    own = reading({NAME: Defined("tried.1.1")})
+    with pytest.raises(ValueError, match=r"defined by itself, in tried\.1\.1"):
+        say(Eq(NAME, OTHER + NAME, evaluate=False), Eq(NAME, OTHER), of=2, read=own)
+
+
 def test_a_reported_fact_is_written_down_twice(say: Say) -> None:
     fact = Eq(words("weight of the product"), 7, evaluate=False)
     assert say(fact, reported=fact).verdict == "reported"

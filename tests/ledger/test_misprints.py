@@ -24,16 +24,16 @@ def is_seen(name: str, wrong: Basic) -> bool:
     A definition is tied to its use: there another entry of the document may say it.
     """
     own = entry(name).verdict
-    with planted(name, wrong) as cases:
-        try:
+    try:
+        with planted(name, wrong) as cases:
             if judge(cases[name]).verdict != own:
                 return True
             if own == "definition":
                 document = cases[name].printed.document
                 others = (each for each in stored.read(document) if each.id != name)
                 return any(judge(cases[each.id]).verdict != each.verdict for each in others)
-        except (CannotJudgeError, IndexError, TypeError, ValueError):
-            return True  # refused, or no mathematics at all: a vector added to a number
+    except (CannotJudgeError, IndexError, TypeError, ValueError):
+        return True  # refused, or no mathematics at all: a vector added to a number
     return False
 
 
