@@ -57,5 +57,14 @@ EQUIVALENT: dict[tuple[str, str], str] = {
     ("dead_reckoning.3.2", "swapped symbols, throughout 1"): BOTH_WAYS,
     ("validation.e", "sign 3"): NOTHING,
     ("validation.f", "swapped symbols, throughout 1"): BOTH_WAYS,
+    **{
+        ("validation.i", f"swapped symbols, in one place {n}"): "alpha is the accelerometer's share"
+        for n in (9, 12)
+    },
+    **{
+        ("validation.16", f"swapped symbols, {kind}"): "the paper calls yaw by both names"
+        for kind in (*(f"in one place {n}" for n in range(1, 4)), "throughout 1")
+    },
+    **{("validation.l", f"transposed {n}"): AXIS_STAYS for n in range(1, 4)},
     ("validation.k", "swapped symbols, throughout 1"): BOTH_WAYS,
 }
