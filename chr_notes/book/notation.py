@@ -111,6 +111,7 @@ NOTATION: Final[dict[str, tuple[Notation, ...]]] = {
         Notation(
             (estimation.ROLL_ACCEL, estimation.PITCH_ACCEL), "as the accelerometer has it", "rad"
         ),
+        Notation((estimation.n,), "number of samples taken", "", "1, 2, 3, …"),
         Notation((estimation.L,), "gain: how far to move towards the accelerometer", "", "0 to 1"),
         Notation((observer.bias,), "bias of a gyro", "rad/s"),
         Notation(

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from matplotlib import pyplot as plt
+from matplotlib.ticker import LogLocator, NullLocator
 
 from chr_notes.palette import PALETTE
 from chr_notes.plots.figure import line_style, show
@@ -127,6 +128,9 @@ def curves(run: Mapping[str, Any]) -> Iterator[str]:
                 lw=2.6 if name == OURS else 1.4, ms=5 if name == OURS else 4, label=name,
             )  # fmt: skip
         axes.set(xscale="log", yscale="log", xlabel="rows", ylabel="time of a call (µs)")
+        for axis in (axes.xaxis, axes.yaxis):  # few marks make small pictures
+            axis.set_major_locator(LogLocator(base=100))
+            axis.set_minor_locator(NullLocator())
         axes.grid(color=PALETTE["line"].light, lw=0.6)
         axes.legend(fontsize="small")
         last = max(shown[OURS])
