@@ -66,7 +66,7 @@ def summary(ledger: Iterable[Entry]) -> str:
     """Say in how many places the documents err, and how many errors these are, by weight."""
     errors = by_root(ledger)
     count = sum(map(len, errors.values()))
-    kinds = [heaviest(places) for places in errors.values()]
+    kinds: list[str] = [heaviest(places) for places in errors.values()]
     parts = [
         f"**{kinds.count(weight)}** {words}"
         for weight, words in (
