@@ -29,8 +29,10 @@ def is_seen(name: str, wrong: Basic) -> bool:
             if judge(cases[name]).verdict != own:
                 return True
             if own == "definition":
-                document = cases[name].printed.document
-                others = (each for each in stored.read(document) if each.id != name)
+                document, defined = cases[name].printed.document, BY_ID[name].statement.lhs
+                others = [each for each in stored.read(document) if each.id != name]
+                # It most likely shows where the name stands.
+                others.sort(key=lambda each: not BY_ID[each.id].statement.has(defined))
                 return any(judge(cases[each.id]).verdict != each.verdict for each in others)
     except (CannotJudgeError, IndexError, TypeError, ValueError):
         return True  # refused, or no mathematics at all: a vector added to a number
