@@ -15,6 +15,18 @@ BOTH_WAYS = "what differs, or is the same, is so both ways"
 EQUIVALENT: dict[tuple[str, str], str] = {
     **{("quaternions.3.a", f"swapped symbols, throughout {n}"): RENAMED for n in range(1, 7)},
     ("quaternions.3.d", "factors in reverse order 1"): "the turn back leaves no real part either",
+    **{
+        ("quaternions.4.b", f"swapped symbols, in one place {n}"): "at the lock a² = c² and b² = d²"
+        for n in (14, 17, 34, 38)
+    },
+    **{
+        ("quaternions.4.b", kind): "a multiple of nothing is nothing"
+        for kind in ("lost factor 1", "lost factor 9", "digit 1", "digit 6")
+    },
+    **{
+        ("quaternions.4.b", f"swapped symbols, throughout {n}"): "roll and yaw change places"
+        for n in (2, 5)
+    },
     ("quaternions.4.c", "swapped symbols, throughout 1"): BOTH_WAYS,
     **{("euler.3.a", kind): AXIS_STAYS for kind in ("transposed 1", "wrong frame 1")},
     ("euler.4.2", "swapped symbols, throughout 1"): ANGLES_RENAMED,
