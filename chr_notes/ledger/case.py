@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
-from sympy import Basic, ImmutableMatrix, pi
+from sympy import Basic, ImmutableMatrix, false, pi
 from sympy.logic.boolalg import Boolean
 
 from chr_notes.derivations.steps import Step
@@ -34,7 +34,7 @@ class Condition:
     holds: Boolean
 
     def __post_init__(self) -> None:
-        """Refuse a condition that says nothing, or that no rule can state.
+        """Refuse a condition that says nothing, that cannot be met, or that no rule can state.
 
         Raises
         ------
@@ -44,7 +44,9 @@ class Condition:
         if not self.holds.args:
             msg = f"expected a relation or several as condition, got {self.holds}"
             raise ValueError(msg)
-        substitutions(self.holds)
+        if any(self.holds.xreplace(dict(by)) == false for by in substitutions(self.holds)):
+            msg = f"expected a condition that can be met, got {self.holds}"
+            raise ValueError(msg)
 
     @property
     def by(self) -> tuple[Mapping[Basic, Basic], ...]:

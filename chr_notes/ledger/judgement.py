@@ -159,6 +159,9 @@ def _corrected(case: Case) -> Judged:
     if any(_is_empty(part) for part in parts(right)):
         msg = f"{case.id}: the correction says nothing: {right}"
         raise CannotJudgeError(msg)
+    if case.witness and right is not None and fails(right, case.reading, case.witness):
+        msg = f"{case.id}: the correction fails at the witness {case.witness} too"
+        raise CannotJudgeError(msg)
     shown = "as printed it fails at the witness" if case.witness else "as printed it fails"
     return Judged("corrected", f"the correction is proved: {_how(findings)}; {shown}")
 
@@ -183,7 +186,7 @@ def _is_empty(relation: Basic) -> bool:
     """Whether a relation holds whatever its symbols stand for."""
     if isinstance(relation, Approximately):
         return not relation.lhs.free_symbols
-    left, right = in_order(relation.lhs), in_order(relation.rhs)
+    left, right = (in_order(side).doit() for side in (relation.lhs, relation.rhs))
     return left == right or (isinstance(left, Expr) and not left.is_Matrix and equal(left, right))
 
 

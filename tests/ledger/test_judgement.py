@@ -4,7 +4,23 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import pytest
-from sympy import And, Basic, Eq, ImmutableMatrix, Integer, Lt, Symbol, cos, pi, sin, symbols
+from sympy import (
+    Abs,
+    And,
+    Basic,
+    Eq,
+    Identity,
+    ImmutableMatrix,
+    Integer,
+    Lt,
+    MatMul,
+    MatrixSymbol,
+    Symbol,
+    cos,
+    pi,
+    sin,
+    symbols,
+)
 
 from chr_notes import printed
 from chr_notes.derivations.steps import Step
@@ -112,6 +128,25 @@ def test_a_correction_that_says_nothing_is_refused(say: Say) -> None:
     tautology = (Edit(y, cos(z) ** 2 + sin(z) ** 2), Edit(x, Integer(1)))
     with pytest.raises(CannotJudgeError, match="both sides"):
         say(FALSE, edits=tautology, witness={x: 2}, **ROOTED)
+
+
+def test_a_correction_of_matrices_that_says_nothing_is_refused(say: Say) -> None:
+    one, other = (MatrixSymbol(name, 2, 2) for name in ("A", "B"))
+    wrong = Eq(one, one + other, evaluate=False)
+    with pytest.raises(CannotJudgeError, match="says nothing"):
+        say(wrong, edits=(Edit(one + other, MatMul(Identity(2), one, evaluate=False)),), **ROOTED)
+
+
+def test_a_witness_at_which_the_correction_fails_too_is_refused(say: Say) -> None:
+    # Both are 0/0 there, so that it does not show the printed one to be the worse.
+    printed, right = Eq(y * x / x, x**2, evaluate=False), (Edit(y * x / x, x**3 / x),)
+    with pytest.raises(CannotJudgeError, match=r"fails at the witness|does not show|not proved"):
+        say(printed, edits=right, witness={x: 0}, **ROOTED)
+
+
+def test_a_condition_that_cannot_be_met_is_refused() -> None:
+    with pytest.raises(ValueError, match="can be met"):
+        Condition(Eq(Abs(z), -1, evaluate=False))
 
 
 def test_a_condition_and_a_correction_together_are_refused(say: Say) -> None:
