@@ -1,7 +1,9 @@
 """The page on speed: curves of a stored run, and what of it to use when."""
 
 import json
+import re
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from itertools import cycle
 from pathlib import Path
 from typing import Any, Final
@@ -22,6 +24,8 @@ TOLD: Final = {1: "1 row", 100: "100", 1_000: "1,000", 1_000_000: "10⁶"}
 """Numbers of rows in the table; the curves have all."""
 LOOKS: Final = (("z", "y", "s"), ("y", "z", "^"), ("qualified", "alert", "D"), ("ink", "y", "v"))
 """Colour, dashes and marker of other libraries."""
+NOT_SEEN: Final = re.compile(r"<metadata>.*?</metadata>|\b([1-9]\d*\.\d\d)\d+", re.DOTALL)
+"""What only makes a page heavy: metadata, and digits beyond a hundredth of a point."""
 TENTH: Final = 0.1
 """Factors below it have two decimals, so that none reads as zero."""
 
@@ -126,6 +130,7 @@ def curves(run: Mapping[str, Any]) -> Iterator[str]:
             axes.plot(
                 sizes, calls, color=PALETTE[colour].light, ls=line_style(dash), marker=marker,
                 lw=2.6 if name == OURS else 1.4, ms=5 if name == OURS else 4, label=name,
+                markevery=1 if name == OURS else max(1, len(sizes) - 1),
             )  # fmt: skip
         axes.set(xscale="log", yscale="log", xlabel="rows", ylabel="time of a call (µs)")
         for axis in (axes.xaxis, axes.yaxis):  # few marks make small pictures
@@ -141,7 +146,9 @@ def curves(run: Mapping[str, Any]) -> Iterator[str]:
             f"line a library. With {last:,} rows, from the shortest time to the longest: {order}."
         )
         yield f"### {task[0].upper()}{task[1:]}\n"
-        yield f'<div class="curves">{show(figure, words)._repr_html_()}</div>\n'
+        picture = show(figure, words)
+        small = replace(picture, svg=NOT_SEEN.sub(r"\1", picture.svg))
+        yield f'<div class="curves">{small._repr_html_()}</div>\n'
 
 
 def filters(run: Mapping[str, Any]) -> Iterator[str]:
