@@ -141,6 +141,14 @@ def test_half_a_turn_is_written_with_a_minus(method: Literal["quaternion", "eule
     assert_array_equal(found, [[0.0, 0.0, -np.pi]])
 
 
+@pytest.mark.parametrize("beyond", [1e-9, 1e-4, 0.3])
+def test_a_pitch_beyond_the_pole_is_written_from_the_other_side(beyond: float) -> None:
+    start = (0.2, np.pi / 2 + beyond, 0.3)
+    found = integrate_gyro(np.zeros((1, 3)), 0.01, start, method="euler")
+    assert np.abs(found[0, 1]) <= np.pi / 2
+    assert apart(found[0], start) < 1e-7
+
+
 def test_only_turns_survive_the_pole() -> None:
     # A loop: pitch goes round once, in 4 s.
     rates = np.tile([0.01, 2 * np.pi / 4, 0.02], (400, 1))

@@ -112,6 +112,13 @@ def test_a_stream_counts_what_it_leaves_out() -> None:
     assert [each.held_out for each in streamed] == [1, 2, 3, 3]
 
 
+@pytest.mark.parametrize("axis", [0, 1, 2])
+def test_a_stream_counts_a_wild_rate_about_each_axis(axis: int) -> None:
+    rates = np.where(np.arange(3) == axis, 1e12, 0.1)
+    streamed = observe([(np.zeros(3), LEVEL, 0.01), (rates, LEVEL, 0.01)], 0.05)
+    assert [each.held_out for each in streamed] == [0, 1]
+
+
 def test_a_recording_tells_what_it_leaves_out() -> None:
     rates, forces = np.zeros((5, 3)), np.tile((0.0, 0.0, -1.0), (5, 1))
     rates[1, 2] = np.inf

@@ -44,6 +44,16 @@ def test_each_program_of_the_list_is_installed_by_the_check_of_changes(
     }
 
 
+def test_a_name_that_only_begins_like_a_permitted_one_has_no_permit(
+    rules: ModuleType, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(rules, "is_there", lambda _: False)
+    test, *_ = rules.PERMITTED["../shared/data"]
+    assert rules.permitted(test, "waits for ../shared/data")
+    assert rules.permitted(f"{test}[one]", "waits for ../shared/data")
+    assert not rules.permitted(f"{test}_and_more", "waits for ../shared/data")
+
+
 LEFT_OUT = """
 import pytest
 

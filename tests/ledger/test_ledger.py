@@ -20,10 +20,10 @@ FAILING = {
 }
 
 
-def test_every_row_of_the_inventory_is_an_entry() -> None:
+def test_the_rows_of_the_inventory_are_the_entries() -> None:
     with INVENTORY.open(encoding="utf-8") as rows:
         kinds = {row["id"]: row["kind"] for row in csv.DictReader(rows, delimiter="\t")}
-    assert {name: CASES[name].printed.kind for name in kinds} == kinds
+    assert {name: case.printed.kind for name, case in CASES.items()} == kinds
 
 
 @pytest.mark.parametrize("name", CASES)
