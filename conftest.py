@@ -24,13 +24,13 @@ ONCE = ("tests/book/", "tests/ledger/")
 # What a test waits for: a program, or a folder beside the project. Then the tests that do.
 PERMITTED = {
     RECORDINGS: (
-        "tests/test_calibration.py::test_a_recorded_session_of_six_positions",
-        "tests/test_calibration.py::test_bias_of_a_recording_at_rest",
-        "tests/test_calibration.py::test_recorded_fields_are_calibrated",
+        "tests/sensors/test_calibration.py::test_a_recorded_session_of_six_positions",
+        "tests/sensors/test_calibration.py::test_bias_of_a_recording_at_rest",
+        "tests/sensors/test_calibration.py::test_recorded_fields_are_calibrated",
         "tests/test_dead_reckoning.py::test_a_recorded_walk_ends_metres_off",
-        "tests/test_ellipsoid.py::test_a_recording_that_covers_too_little_is_refused",
-        "tests/test_ellipsoid.py::test_recorded_fields_have_one_norm",
-        "tests/test_observer.py::test_inclination_on_a_recording_with_optical_truth",
+        "tests/sensors/test_ellipsoid.py::test_a_recording_that_covers_too_little_is_refused",
+        "tests/sensors/test_ellipsoid.py::test_recorded_fields_have_one_norm",
+        "tests/estimation/test_fixed_gain.py::test_inclination_on_a_recording_with_optical_truth",
     ),
     # The documents themselves: what the project keeps of them is compared where they are.
     "../shared/sources": ("tests/printed/test_places.py::test_statements_stand_in_their_places",),

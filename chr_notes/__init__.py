@@ -4,12 +4,6 @@ Importing the package loads NumPy; SymPy is loaded when something is derived.
 """
 
 from chr_notes._kernels import kernels_in_use
-from chr_notes.calibration import (
-    fit_accelerometer,
-    fit_gyro_bias,
-    fit_magnetometer,
-    stillest_stretch,
-)
 from chr_notes.conventions import STANDARD_GRAVITY
 from chr_notes.dead_reckoning import (
     accelerometer_from_acceleration,
@@ -17,9 +11,12 @@ from chr_notes.dead_reckoning import (
     drift_from_tilt_error,
     inertial_acceleration,
 )
-from chr_notes.ellipsoid import Ellipsoid, fit_ellipsoid
 from chr_notes.errors import GimbalLockError, GimbalLockWarning
-from chr_notes.estimation import accelerometer_at_rest, integrate_gyro, tilt_from_accelerometer
+from chr_notes.estimation.fixed_gain import fixed_gain_observer, rejected_samples
+from chr_notes.estimation.gyro import integrate_gyro
+from chr_notes.estimation.monitor import Monitor, Monitored, Watch, monitored_observer
+from chr_notes.estimation.streams import Estimate, observe, observe_sample
+from chr_notes.estimation.tilt import accelerometer_at_rest, tilt_from_accelerometer
 from chr_notes.euler import (
     body_rates_from_euler_rates,
     euler_from_matrix,
@@ -27,14 +24,6 @@ from chr_notes.euler import (
     euler_rates_matrix,
     matrix_from_euler,
     wrap_angle,
-)
-from chr_notes.monitor import Monitor, Monitored, Watch, monitored_observer
-from chr_notes.observer import (
-    Estimate,
-    fixed_gain_observer,
-    observe,
-    observe_sample,
-    samples_held_out,
 )
 from chr_notes.quaternions import (
     axis_angle_from_quaternion,
@@ -49,7 +38,18 @@ from chr_notes.quaternions import (
     rotate_to_body,
     rotate_to_inertial,
 )
-from chr_notes.sensors import MagnetometerCalibration, RateGyroCalibration, ThreeAxisCalibration
+from chr_notes.sensors.calibration import (
+    fit_accelerometer,
+    fit_gyro_bias,
+    fit_magnetometer,
+    static_interval,
+)
+from chr_notes.sensors.ellipsoid import Ellipsoid, fit_ellipsoid
+from chr_notes.sensors.models import (
+    MagnetometerCalibration,
+    RateGyroCalibration,
+    ThreeAxisCalibration,
+)
 from chr_notes.validation import heading_from_magnetometer, validation_factor
 
 __version__ = "0.1.0"
@@ -96,10 +96,10 @@ __all__ = [
     "quaternion_from_matrix",
     "quaternion_inverse",
     "quaternion_multiply",
+    "rejected_samples",
     "rotate_to_body",
     "rotate_to_inertial",
-    "samples_held_out",
-    "stillest_stretch",
+    "static_interval",
     "tilt_from_accelerometer",
     "validation_factor",
     "wrap_angle",

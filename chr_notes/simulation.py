@@ -2,7 +2,7 @@
 
 A `Curve` is a smooth function of time with its exact first and second derivatives. Three
 of them for the angles and three for the position make a `Trajectory`, from which readings follow
-without any numerical differentiation. `chr_notes.simulated_sensors` spoils them.
+without any numerical differentiation. `chr_notes.sensors.simulated` spoils them.
 """
 
 from dataclasses import dataclass

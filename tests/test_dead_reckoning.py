@@ -17,12 +17,12 @@ from chr_notes import (
     fit_gyro_bias,
     fixed_gain_observer,
     inertial_acceleration,
-    stillest_stretch,
+    static_interval,
 )
 from chr_notes.conventions import NOTES_GRAVITY
 from chr_notes.derivations import dead_reckoning as derived
 from chr_notes.ledger.table_1 import PRINTED_G
-from chr_notes.simulated_sensors import SensorErrors, spoil
+from chr_notes.sensors.simulated import SensorErrors, add_errors
 from chr_notes.simulation import ideal_readings, minimum_jerk, swing, trajectory
 from chr_notes.symbols import T
 
@@ -133,7 +133,7 @@ def test_noise_makes_velocity_walk_with_the_root_of_time() -> None:
     still = np.tile([0.0, 0.0, -G], (1000, 1))
     ends = []
     for seed in range(200):
-        forces = spoil(still, time, SensorErrors(noise_density=0.02), seed=seed)
+        forces = add_errors(still, time, SensorErrors(noise_density=0.02), seed=seed)
         velocity, position = dead_reckon(forces, np.zeros((1000, 3)), 0.01)
         ends.append([velocity[-1], position[-1]])
     # White noise of density d: after t seconds d √t of velocity, d √(t³/3) of position. 600 ends
@@ -165,7 +165,7 @@ def test_a_recorded_walk_ends_metres_off(recordings: Path) -> None:
     step = (walk[-1, 0] - walk[0, 0]) / (len(walk) - 1)
     to_body = np.array([1.0, -1.0, -1.0])  # from z up to forward, right, down
     rates, forces = np.radians(walk[:, 1:4]) * to_body, G * walk[:, 4:7] * to_body
-    rates -= fit_gyro_bias(rates[stillest_stretch(rates, 800)])
+    rates -= fit_gyro_bias(rates[static_interval(rates, 800)])
     # The accelerometer on a foot shows its tilt only while the foot stands.
     stands = np.abs(np.linalg.norm(forces, axis=1) - G) < 0.05 * G
     stands &= np.linalg.norm(rates, axis=1) < np.radians(20)

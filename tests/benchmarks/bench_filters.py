@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from vqf import BasicVQF
 
 from chr_notes import _recordings, fixed_gain_observer, integrate_gyro, matrix_from_euler
-from chr_notes.simulated_sensors import SensorErrors, spoil
+from chr_notes.sensors.simulated import SensorErrors, add_errors
 from chr_notes.simulation import at_rest, ideal_readings, swing, trajectory
 
 Floats = NDArray[np.float64]
@@ -36,8 +36,8 @@ def recording() -> Recording:
     truth = trajectory(time, swing(time, [0.5, 0.4, 1.0], [0.2, 0.13, 0.05]), at_rest(time))
     ideal = ideal_readings(truth)
     return Recording(
-        spoil(ideal.body_rates, time, SensorErrors(bias=0.001, noise_density=1e-4), seed=1),
-        spoil(ideal.accel, time, SensorErrors(noise_density=2e-3), seed=2),
+        add_errors(ideal.body_rates, time, SensorErrors(bias=0.001, noise_density=1e-4), seed=1),
+        add_errors(ideal.accel, time, SensorErrors(noise_density=2e-3), seed=2),
         matrix_from_euler(truth.euler)[..., 2],
     )
 

@@ -109,7 +109,7 @@ def gyro_measures(
     misalignment: Floats,
     sensitivity: Floats,
     bias: Floats,
-    coupling: Floats,
+    g_sensitivity: Floats,
     accel: Floats,
     actual: Floats,
     out: Floats,
@@ -119,7 +119,7 @@ def gyro_measures(
     misalignment: m11, m12, m13, m21, m22, m23, m31, m32, m33, shape (..., 3, 3)
     sensitivity: sensitivity_x, sensitivity_y, sensitivity_z, shape (..., 3)
     bias: bias_x, bias_y, bias_z, shape (..., 3)
-    coupling: c11, c12, c13, c21, c22, c23, c31, c32, c33, shape (..., 3, 3)
+    g_sensitivity: c11, c12, c13, c21, c22, c23, c31, c32, c33, shape (..., 3, 3)
     accel: accel_x, accel_y, accel_z, shape (..., 3)
     actual: x, y, z, shape (..., 3)
     out: for the result, shape (..., 3)
@@ -141,15 +141,15 @@ def gyro_measures(
     bias_x = bias[..., 0]
     bias_y = bias[..., 1]
     bias_z = bias[..., 2]
-    c11 = coupling[..., 0, 0]
-    c12 = coupling[..., 0, 1]
-    c13 = coupling[..., 0, 2]
-    c21 = coupling[..., 1, 0]
-    c22 = coupling[..., 1, 1]
-    c23 = coupling[..., 1, 2]
-    c31 = coupling[..., 2, 0]
-    c32 = coupling[..., 2, 1]
-    c33 = coupling[..., 2, 2]
+    c11 = g_sensitivity[..., 0, 0]
+    c12 = g_sensitivity[..., 0, 1]
+    c13 = g_sensitivity[..., 0, 2]
+    c21 = g_sensitivity[..., 1, 0]
+    c22 = g_sensitivity[..., 1, 1]
+    c23 = g_sensitivity[..., 1, 2]
+    c31 = g_sensitivity[..., 2, 0]
+    c32 = g_sensitivity[..., 2, 1]
+    c33 = g_sensitivity[..., 2, 2]
     accel_x = accel[..., 0]
     accel_y = accel[..., 1]
     accel_z = accel[..., 2]
@@ -168,7 +168,7 @@ def gyro_corrected(
     misalignment: Floats,
     sensitivity: Floats,
     bias: Floats,
-    coupling: Floats,
+    g_sensitivity: Floats,
     accel: Floats,
     measured: Floats,
     out: Floats,
@@ -178,7 +178,7 @@ def gyro_corrected(
     misalignment: n11, n12, n13, n21, n22, n23, n31, n32, n33, shape (..., 3, 3)
     sensitivity: sensitivity_x, sensitivity_y, sensitivity_z, shape (..., 3)
     bias: bias_x, bias_y, bias_z, shape (..., 3)
-    coupling: c11, c12, c13, c21, c22, c23, c31, c32, c33, shape (..., 3, 3)
+    g_sensitivity: c11, c12, c13, c21, c22, c23, c31, c32, c33, shape (..., 3, 3)
     accel: accel_x, accel_y, accel_z, shape (..., 3)
     measured: x, y, z, shape (..., 3)
     out: for the result, shape (..., 3)
@@ -200,15 +200,15 @@ def gyro_corrected(
     bias_x = bias[..., 0]
     bias_y = bias[..., 1]
     bias_z = bias[..., 2]
-    c11 = coupling[..., 0, 0]
-    c12 = coupling[..., 0, 1]
-    c13 = coupling[..., 0, 2]
-    c21 = coupling[..., 1, 0]
-    c22 = coupling[..., 1, 1]
-    c23 = coupling[..., 1, 2]
-    c31 = coupling[..., 2, 0]
-    c32 = coupling[..., 2, 1]
-    c33 = coupling[..., 2, 2]
+    c11 = g_sensitivity[..., 0, 0]
+    c12 = g_sensitivity[..., 0, 1]
+    c13 = g_sensitivity[..., 0, 2]
+    c21 = g_sensitivity[..., 1, 0]
+    c22 = g_sensitivity[..., 1, 1]
+    c23 = g_sensitivity[..., 1, 2]
+    c31 = g_sensitivity[..., 2, 0]
+    c32 = g_sensitivity[..., 2, 1]
+    c33 = g_sensitivity[..., 2, 2]
     accel_x = accel[..., 0]
     accel_y = accel[..., 1]
     accel_z = accel[..., 2]

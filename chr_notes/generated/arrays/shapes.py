@@ -28,13 +28,13 @@ SHAPES: dict[str, tuple[dict[str, tuple[int, ...]], tuple[int, ...]]] = {
         {"misalignment": (3, 3), "sensitivity": (3,), "bias": (3,), "measured": (3,)}, (3,)
     ),
     "gyro_measures": (
-        {"misalignment": (3, 3), "sensitivity": (3,), "bias": (3,), "coupling": (3, 3), "accel":
-            (3,), "actual": (3,)},
+        {"misalignment": (3, 3), "sensitivity": (3,), "bias": (3,), "g_sensitivity": (3, 3),
+            "accel": (3,), "actual": (3,)},
         (3,),
     ),
     "gyro_corrected": (
-        {"misalignment": (3, 3), "sensitivity": (3,), "bias": (3,), "coupling": (3, 3), "accel":
-            (3,), "measured": (3,)},
+        {"misalignment": (3, 3), "sensitivity": (3,), "bias": (3,), "g_sensitivity": (3, 3),
+            "accel": (3,), "measured": (3,)},
         (3,),
     ),
     "iron_removed": ({"soft_iron": (3, 3), "hard_iron": (3,), "field": (3,)}, (3,)),

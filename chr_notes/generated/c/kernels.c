@@ -951,7 +951,7 @@ EVERY_INSTRUCTION_SET static int64_t gyro_measures
         double misalignment_in[9][BLOCK];
         double sensitivity_in[3][BLOCK];
         double bias_in[3][BLOCK];
-        double coupling_in[9][BLOCK];
+        double g_sensitivity_in[9][BLOCK];
         double accel_in[3][BLOCK];
         double actual_in[3][BLOCK];
         double results[3][BLOCK];
@@ -959,7 +959,7 @@ EVERY_INSTRUCTION_SET static int64_t gyro_measures
         LOAD(misalignment_in, 0, 9)
         LOAD(sensitivity_in, 1, 3)
         LOAD(bias_in, 2, 3)
-        LOAD(coupling_in, 3, 9)
+        LOAD(g_sensitivity_in, 3, 9)
         LOAD(accel_in, 4, 3)
         LOAD(actual_in, 5, 3)
         for (ptrdiff_t row = 0; row < padded; row++) {
@@ -978,15 +978,15 @@ EVERY_INSTRUCTION_SET static int64_t gyro_measures
             const double bias_x = bias_in[0][row];
             const double bias_y = bias_in[1][row];
             const double bias_z = bias_in[2][row];
-            const double c11 = coupling_in[0][row];
-            const double c12 = coupling_in[1][row];
-            const double c13 = coupling_in[2][row];
-            const double c21 = coupling_in[3][row];
-            const double c22 = coupling_in[4][row];
-            const double c23 = coupling_in[5][row];
-            const double c31 = coupling_in[6][row];
-            const double c32 = coupling_in[7][row];
-            const double c33 = coupling_in[8][row];
+            const double c11 = g_sensitivity_in[0][row];
+            const double c12 = g_sensitivity_in[1][row];
+            const double c13 = g_sensitivity_in[2][row];
+            const double c21 = g_sensitivity_in[3][row];
+            const double c22 = g_sensitivity_in[4][row];
+            const double c23 = g_sensitivity_in[5][row];
+            const double c31 = g_sensitivity_in[6][row];
+            const double c32 = g_sensitivity_in[7][row];
+            const double c33 = g_sensitivity_in[8][row];
             const double accel_x = accel_in[0][row];
             const double accel_y = accel_in[1][row];
             const double accel_z = accel_in[2][row];
@@ -1023,7 +1023,7 @@ EVERY_INSTRUCTION_SET static int64_t gyro_corrected
         double misalignment_in[9][BLOCK];
         double sensitivity_in[3][BLOCK];
         double bias_in[3][BLOCK];
-        double coupling_in[9][BLOCK];
+        double g_sensitivity_in[9][BLOCK];
         double accel_in[3][BLOCK];
         double measured_in[3][BLOCK];
         double results[3][BLOCK];
@@ -1031,7 +1031,7 @@ EVERY_INSTRUCTION_SET static int64_t gyro_corrected
         LOAD(misalignment_in, 0, 9)
         LOAD(sensitivity_in, 1, 3)
         LOAD(bias_in, 2, 3)
-        LOAD(coupling_in, 3, 9)
+        LOAD(g_sensitivity_in, 3, 9)
         LOAD(accel_in, 4, 3)
         LOAD(measured_in, 5, 3)
         for (ptrdiff_t row = 0; row < padded; row++) {
@@ -1050,15 +1050,15 @@ EVERY_INSTRUCTION_SET static int64_t gyro_corrected
             const double bias_x = bias_in[0][row];
             const double bias_y = bias_in[1][row];
             const double bias_z = bias_in[2][row];
-            const double c11 = coupling_in[0][row];
-            const double c12 = coupling_in[1][row];
-            const double c13 = coupling_in[2][row];
-            const double c21 = coupling_in[3][row];
-            const double c22 = coupling_in[4][row];
-            const double c23 = coupling_in[5][row];
-            const double c31 = coupling_in[6][row];
-            const double c32 = coupling_in[7][row];
-            const double c33 = coupling_in[8][row];
+            const double c11 = g_sensitivity_in[0][row];
+            const double c12 = g_sensitivity_in[1][row];
+            const double c13 = g_sensitivity_in[2][row];
+            const double c21 = g_sensitivity_in[3][row];
+            const double c22 = g_sensitivity_in[4][row];
+            const double c23 = g_sensitivity_in[5][row];
+            const double c31 = g_sensitivity_in[6][row];
+            const double c32 = g_sensitivity_in[7][row];
+            const double c33 = g_sensitivity_in[8][row];
             const double accel_x = accel_in[0][row];
             const double accel_y = accel_in[1][row];
             const double accel_z = accel_in[2][row];

@@ -488,15 +488,15 @@ export function sensorCorrected(
  * @param {number} biasX bias along x
  * @param {number} biasY bias along y
  * @param {number} biasZ bias along z
- * @param {number} c11 row 1, column 1 of the coupling of acceleration into the reading
- * @param {number} c12 row 1, column 2 of the coupling of acceleration into the reading
- * @param {number} c13 row 1, column 3 of the coupling of acceleration into the reading
- * @param {number} c21 row 2, column 1 of the coupling of acceleration into the reading
- * @param {number} c22 row 2, column 2 of the coupling of acceleration into the reading
- * @param {number} c23 row 2, column 3 of the coupling of acceleration into the reading
- * @param {number} c31 row 3, column 1 of the coupling of acceleration into the reading
- * @param {number} c32 row 3, column 2 of the coupling of acceleration into the reading
- * @param {number} c33 row 3, column 3 of the coupling of acceleration into the reading
+ * @param {number} c11 row 1, column 1 of the g-sensitivity
+ * @param {number} c12 row 1, column 2 of the g-sensitivity
+ * @param {number} c13 row 1, column 3 of the g-sensitivity
+ * @param {number} c21 row 2, column 1 of the g-sensitivity
+ * @param {number} c22 row 2, column 2 of the g-sensitivity
+ * @param {number} c23 row 2, column 3 of the g-sensitivity
+ * @param {number} c31 row 3, column 1 of the g-sensitivity
+ * @param {number} c32 row 3, column 2 of the g-sensitivity
+ * @param {number} c33 row 3, column 3 of the g-sensitivity
  * @param {number} accelX reading of the accelerometer along x, m/s²
  * @param {number} accelY reading of the accelerometer along y, m/s²
  * @param {number} accelZ reading of the accelerometer along z, m/s²
@@ -557,15 +557,15 @@ export function gyroMeasures(
  * @param {number} biasX bias along x
  * @param {number} biasY bias along y
  * @param {number} biasZ bias along z
- * @param {number} c11 row 1, column 1 of the coupling of acceleration into the reading
- * @param {number} c12 row 1, column 2 of the coupling of acceleration into the reading
- * @param {number} c13 row 1, column 3 of the coupling of acceleration into the reading
- * @param {number} c21 row 2, column 1 of the coupling of acceleration into the reading
- * @param {number} c22 row 2, column 2 of the coupling of acceleration into the reading
- * @param {number} c23 row 2, column 3 of the coupling of acceleration into the reading
- * @param {number} c31 row 3, column 1 of the coupling of acceleration into the reading
- * @param {number} c32 row 3, column 2 of the coupling of acceleration into the reading
- * @param {number} c33 row 3, column 3 of the coupling of acceleration into the reading
+ * @param {number} c11 row 1, column 1 of the g-sensitivity
+ * @param {number} c12 row 1, column 2 of the g-sensitivity
+ * @param {number} c13 row 1, column 3 of the g-sensitivity
+ * @param {number} c21 row 2, column 1 of the g-sensitivity
+ * @param {number} c22 row 2, column 2 of the g-sensitivity
+ * @param {number} c23 row 2, column 3 of the g-sensitivity
+ * @param {number} c31 row 3, column 1 of the g-sensitivity
+ * @param {number} c32 row 3, column 2 of the g-sensitivity
+ * @param {number} c33 row 3, column 3 of the g-sensitivity
  * @param {number} accelX reading of the accelerometer along x, m/s²
  * @param {number} accelY reading of the accelerometer along y, m/s²
  * @param {number} accelZ reading of the accelerometer along z, m/s²

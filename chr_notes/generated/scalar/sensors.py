@@ -175,15 +175,15 @@ def gyro_measures(
     bias_x: bias along x
     bias_y: bias along y
     bias_z: bias along z
-    c11: row 1, column 1 of the coupling of acceleration into the reading
-    c12: row 1, column 2 of the coupling of acceleration into the reading
-    c13: row 1, column 3 of the coupling of acceleration into the reading
-    c21: row 2, column 1 of the coupling of acceleration into the reading
-    c22: row 2, column 2 of the coupling of acceleration into the reading
-    c23: row 2, column 3 of the coupling of acceleration into the reading
-    c31: row 3, column 1 of the coupling of acceleration into the reading
-    c32: row 3, column 2 of the coupling of acceleration into the reading
-    c33: row 3, column 3 of the coupling of acceleration into the reading
+    c11: row 1, column 1 of the g-sensitivity
+    c12: row 1, column 2 of the g-sensitivity
+    c13: row 1, column 3 of the g-sensitivity
+    c21: row 2, column 1 of the g-sensitivity
+    c22: row 2, column 2 of the g-sensitivity
+    c23: row 2, column 3 of the g-sensitivity
+    c31: row 3, column 1 of the g-sensitivity
+    c32: row 3, column 2 of the g-sensitivity
+    c33: row 3, column 3 of the g-sensitivity
     accel_x: reading of the accelerometer along x, m/s²
     accel_y: reading of the accelerometer along y, m/s²
     accel_z: reading of the accelerometer along z, m/s²
@@ -252,15 +252,15 @@ def gyro_corrected(
     bias_x: bias along x
     bias_y: bias along y
     bias_z: bias along z
-    c11: row 1, column 1 of the coupling of acceleration into the reading
-    c12: row 1, column 2 of the coupling of acceleration into the reading
-    c13: row 1, column 3 of the coupling of acceleration into the reading
-    c21: row 2, column 1 of the coupling of acceleration into the reading
-    c22: row 2, column 2 of the coupling of acceleration into the reading
-    c23: row 2, column 3 of the coupling of acceleration into the reading
-    c31: row 3, column 1 of the coupling of acceleration into the reading
-    c32: row 3, column 2 of the coupling of acceleration into the reading
-    c33: row 3, column 3 of the coupling of acceleration into the reading
+    c11: row 1, column 1 of the g-sensitivity
+    c12: row 1, column 2 of the g-sensitivity
+    c13: row 1, column 3 of the g-sensitivity
+    c21: row 2, column 1 of the g-sensitivity
+    c22: row 2, column 2 of the g-sensitivity
+    c23: row 2, column 3 of the g-sensitivity
+    c31: row 3, column 1 of the g-sensitivity
+    c32: row 3, column 2 of the g-sensitivity
+    c33: row 3, column 3 of the g-sensitivity
     accel_x: reading of the accelerometer along x, m/s²
     accel_y: reading of the accelerometer along y, m/s²
     accel_z: reading of the accelerometer along z, m/s²

@@ -17,7 +17,7 @@ from chr_notes import (
     fit_accelerometer,
     fit_gyro_bias,
     fit_magnetometer,
-    stillest_stretch,
+    static_interval,
 )
 
 Floats = NDArray[np.float64]
@@ -135,7 +135,7 @@ def test_the_bias_of_the_model_follows_from_the_reading_at_rest() -> None:
     bias, force = generator.normal(0, 0.01, 3), np.array([1.0, -2.0, -9.0])
     gyro = RateGyroCalibration(misalignment, np.ones(3), bias, coupling.reshape(3, 3) / 1000)
     at_rest = fit_gyro_bias(np.tile(gyro.measure(np.zeros(3), force), (10, 1)))
-    assert_allclose(gyro.coupling @ force - np.linalg.solve(misalignment, at_rest), bias)
+    assert_allclose(gyro.g_sensitivity @ force - np.linalg.solve(misalignment, at_rest), bias)
     plain = RateGyroCalibration(np.eye(3), np.ones(3), bias, np.zeros((3, 3)))
     assert_allclose(fit_gyro_bias([plain.measure(np.zeros(3), force)] * 10), -bias)
 
@@ -149,7 +149,7 @@ def test_bias_of_a_recording_at_rest(recordings: Path) -> None:
     error = fit_gyro_bias(half) - rates[::2].mean(axis=0)
     assert 0 < np.abs(np.degrees(error)).max() < 0.002
     # The bias drifts by more than that even at rest: two minutes know only their own.
-    error = fit_gyro_bias(rates[stillest_stretch(rates, 12_000)]) - rates.mean(axis=0)
+    error = fit_gyro_bias(rates[static_interval(rates, 12_000)]) - rates.mean(axis=0)
     assert 0.002 < np.abs(np.degrees(error)).max() < 0.01
 
 
@@ -169,9 +169,9 @@ def test_a_gyro_that_moves_or_is_silent_has_no_bias_to_find() -> None:
 def test_the_stillest_stretch_is_where_it_was_put() -> None:
     rates = np.random.default_rng(1).normal(0, 0.1, (1000, 3)) + 50
     rates[400:500] = rates[400:500] / 1000 + 50
-    assert stillest_stretch(rates, 100) == slice(400, 500)
+    assert static_interval(rates, 100) == slice(400, 500)
     rates[450] = np.nan
-    found = stillest_stretch(rates, 40)
+    found = static_interval(rates, 40)
     assert found.start >= 400
     assert found.stop <= 500
     assert not found.start <= 450 < found.stop
@@ -181,23 +181,23 @@ def test_the_stillest_stretch_is_that_of_a_plain_search() -> None:
     rates = np.random.default_rng(2).normal(0, 0.1, (60, 3))
     spreads = [rates[a : a + 7].var(axis=0).sum() for a in range(54)]
     best = int(np.argmin(spreads))
-    assert stillest_stretch(rates, 7) == slice(best, best + 7)
+    assert static_interval(rates, 7) == slice(best, best + 7)
 
 
 def test_of_stretches_that_are_as_still_the_first_is_found() -> None:
     rates = np.tile([[0.0, 0.0, 0.0], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0]], (4, 1))
-    assert stillest_stretch(rates, 2) == slice(0, 2)
-    assert stillest_stretch(np.zeros((9, 3)), 3) == slice(0, 3)
+    assert static_interval(rates, 2) == slice(0, 2)
+    assert static_interval(np.zeros((9, 3)), 3) == slice(0, 3)
 
 
 def test_a_stretch_that_is_not_there_is_refused() -> None:
     with pytest.raises(
         ValueError, match="length: expected from 2 to the 5 samples there are, got 6"
     ):
-        stillest_stretch(np.zeros((5, 3)), 6)
+        static_interval(np.zeros((5, 3)), 6)
     with pytest.raises(ValueError, match="expected 3 samples in a row without NaN, got none"):
-        stillest_stretch([[0, 0, 0], [0, 0, 0], [np.nan, 0, 0], [0, 0, 0], [0, 0, 0]], 3)
+        static_interval([[0, 0, 0], [0, 0, 0], [np.nan, 0, 0], [0, 0, 0], [0, 0, 0]], 3)
     with pytest.raises(ValueError, match="expected 2 samples in a row without NaN, got none"):
-        stillest_stretch(np.full((5, 3), np.nan), 2)
+        static_interval(np.full((5, 3), np.nan), 2)
     with pytest.raises(TypeError, match="'float' object cannot be interpreted as an integer"):
-        stillest_stretch(np.zeros((5, 3)), 2.5)  # type: ignore[arg-type]
+        static_interval(np.zeros((5, 3)), 2.5)  # type: ignore[arg-type]

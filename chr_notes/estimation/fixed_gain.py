@@ -1,13 +1,13 @@
-"""The fixed-gain observer, over a recording or on a stream.
+"""The fixed-gain observer, a complementary filter, over a recording.
 
 A sample with NaN or infinity, or with a rate of 1e12 rad/s and more, which no gyro reads, is held
 out, and the estimate goes on without it.
 """
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from math import inf, isfinite, pi
-from typing import Literal, NamedTuple
+from math import pi
+from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -19,14 +19,12 @@ from chr_notes._samples import (
     WILD_RATE,
     complete,
     number,
-    one_sample,
-    period,
     periods,
     same_length,
     samples,
     start,
 )
-from chr_notes.estimation import attitudes_in_range, in_range
+from chr_notes.estimation.gyro import attitudes_in_range, in_range
 from chr_notes.generated.scalar import estimation as steps
 from chr_notes.generated.scalar.quaternions import euler_from_quaternion, quaternion_from_euler
 
@@ -76,12 +74,14 @@ def _angles(quaternion: Sequence[float]) -> Floats:
     return np.array((roll if roll < pi else -pi, pitch, yaw if yaw < pi else -pi))
 
 
-def _is_in_range(roll: float, pitch: float, yaw: float) -> bool:
+def is_in_range(roll: float, pitch: float, yaw: float) -> bool:
+    """Say whether three angles are in the ranges that filters write them in."""
     return -pi <= roll < pi and -pi <= yaw < pi and -pi / 2 <= pitch <= pi / 2
 
 
-def _angles_in_range(euler: Sequence[float]) -> Floats:
-    if _is_in_range(*euler):
+def angles_in_range(euler: Sequence[float]) -> Floats:
+    """Write three angles in these ranges."""
+    if is_in_range(*euler):
         return np.array(euler)
     return np.asarray(in_range(np.array([euler]))[0])
 
@@ -103,7 +103,7 @@ _WAYS = {
         kernel("euler_observer_step"),
         lambda *euler: euler,
         in_range,
-        _angles_in_range,
+        angles_in_range,
     ),
 }
 
@@ -125,7 +125,7 @@ def fixed_gain_observer(  # noqa: PLR0913 (a recording, and how to run through i
     *,
     method: Method = "quaternion",
 ) -> Floats:
-    """Predict by the gyros, and correct roll and pitch by the accelerometer.
+    """Run a complementary filter: predict by gyros, correct roll and pitch by the accelerometer.
 
     Each sample turns the attitude by the gyros. If the accelerometer then reads gravity from
     elsewhere than the attitude says, the attitude is turned towards it, about a level axis, by
@@ -166,7 +166,7 @@ def fixed_gain_observer(  # noqa: PLR0913 (a recording, and how to run through i
 
     See Also
     --------
-    samples_held_out : The rows of which something was left out.
+    rejected_samples : The rows of which something was left out.
     observe : The same on a stream.
 
     Notes
@@ -194,7 +194,7 @@ def fixed_gain_observer(  # noqa: PLR0913 (a recording, and how to run through i
     return out
 
 
-def samples_held_out(body_rates: ArrayLike, accel: ArrayLike) -> NDArray[np.bool_]:
+def rejected_samples(body_rates: ArrayLike, accel: ArrayLike) -> NDArray[np.bool_]:
     """Say which samples of a recording `fixed_gain_observer` leaves out, whole or in part.
 
     Parameters
@@ -218,113 +218,6 @@ def samples_held_out(body_rates: ArrayLike, accel: ArrayLike) -> NDArray[np.bool
     rates, forces = samples("body_rates", body_rates), samples("accel", accel)
     same_length(("body_rates", rates), ("accel", forces))
     return ~(complete(rates, WILD_RATE) & complete(forces) & forces.any(axis=1))
-
-
-def observe_sample(  # noqa: PLR0913 (a state and a sample)
-    euler: ArrayLike,
-    body_rates: ArrayLike,
-    accel: ArrayLike,
-    dt: float,
-    gain: float,
-    *,
-    method: Method = "quaternion",
-) -> Floats:
-    """Take one step of `fixed_gain_observer`.
-
-    Parameters
-    ----------
-    euler
-        Roll, pitch, yaw before the time step, radians, shape (3,).
-    body_rates, accel
-        One sample each, shape (3,). What holds NaN is left out.
-    dt
-        Time step, seconds.
-    gain
-        L, from 0 to 1; it may differ from sample to sample.
-    method
-        As for `fixed_gain_observer`.
-
-    Returns
-    -------
-    ndarray
-        Roll, pitch, yaw after it, radians, shape (3,).
-
-    Raises
-    ------
-    ValueError
-        As `fixed_gain_observer`.
-    """
-    way, share, step = way_of(method), check_gain("gain", gain), period(dt)
-    take = way.quick_sample
-    found = take(euler, body_rates, accel, step, share, None) if take is not None else None
-    # Of several samples, or a start that is no attitude, the rest has to say.
-    if found is not None and found.ndim == 1 and _is_in_range(*found.tolist()):
-        return found
-    before = start("euler", euler)
-    rates, force = one_sample("body_rates", body_rates), one_sample("accel", accel)
-    return _angles_in_range(way.sample(*before, *rates, *force, step, share))
-
-
-class Estimate(NamedTuple):
-    """What an observer says after a sample.
-
-    Parameters
-    ----------
-    euler
-        Roll, pitch, yaw in radians, shape (3,).
-    held_out
-        How many samples so far had a reading that was left out: one that holds NaN or infinity,
-        or an accelerometer that reads zero.
-    """
-
-    euler: Floats
-    held_out: int
-
-
-def observe(
-    stream: Iterable[tuple[ArrayLike, ArrayLike, float]],
-    gain: float,
-    initial: ArrayLike | None = None,
-    *,
-    method: Method = "quaternion",
-) -> Iterator[Estimate]:
-    """Run the fixed-gain observer on a stream, sample by sample.
-
-    Parameters
-    ----------
-    stream
-        Body rates (3,), specific force (3,) and time step of each sample, as they come.
-    gain, initial, method
-        As for `fixed_gain_observer`, which gives the same numbers. Without an initial attitude
-        nothing comes out before the first sample whose accelerometer shows a tilt.
-
-    Yields
-    ------
-    Estimate
-        After each sample. One without rates is predicted to stay as it was.
-
-    Raises
-    ------
-    ValueError
-        As for `fixed_gain_observer`, when the sample comes.
-    """
-    way, share = way_of(method), check_gain("gain", gain)
-    state = None if initial is None else way.begin(*canonical("initial", initial))
-    incomplete = 0
-    for body_rates, accel, dt in stream:
-        rates, force = one_sample("body_rates", body_rates), one_sample("accel", accel)
-        x, y, z = force
-        heard = 0 < abs(x) + abs(y) + abs(z) < inf or (any(force) and all(map(isfinite, force)))
-        p, q, r = rates
-        turned = abs(p) < WILD_RATE and abs(q) < WILD_RATE and abs(r) < WILD_RATE
-        incomplete += not (heard and turned)
-        if state is None:
-            if not heard:
-                continue
-            state = way.begin(*steps.tilt_from_accelerometer(*force), 0.0)
-        else:
-            state = way.advance(*state, *rates, *force, period(dt), share)
-        yield Estimate(way.angles(state), incomplete)
 
 
 def first_tilt(forces: Floats) -> tuple[int, Sequence[float]]:

@@ -123,7 +123,7 @@ class RateGyroCalibration(_Checked):
     ----------
     misalignment, sensitivity, bias
         As for `ThreeAxisCalibration`.
-    coupling
+    g_sensitivity
         C, reading before misalignment per m/s² along each axis, shape (3, 3).
 
     Raises
@@ -139,14 +139,14 @@ class RateGyroCalibration(_Checked):
     misalignment: Floats
     sensitivity: Floats
     bias: Floats
-    coupling: Floats
+    g_sensitivity: Floats
 
     def __post_init__(self) -> None:
         """Check the parameters and keep them as arrays."""
         _keep(self, "misalignment", _invertible("misalignment", self.misalignment))
         _keep(self, "sensitivity", _polynomial("sensitivity", self.sensitivity))
         _keep(self, "bias", _polynomial("bias", self.bias))
-        _keep(self, "coupling", _finite("coupling", self.coupling, 3, 3))
+        _keep(self, "g_sensitivity", _finite("g_sensitivity", self.g_sensitivity, 3, 3))
         _refuse_zeros(np.abs(self.sensitivity).max(axis=0))
 
     def measure(
@@ -181,8 +181,8 @@ class RateGyroCalibration(_Checked):
             If a shape is wrong, the temperature is missing, or a sensitivity is zero at it.
         """
         sensitivity, bias = _at(self, temperature)
-        given = (self.misalignment, sensitivity, bias, self.coupling, accel, actual)
-        names = (*_TERMS, "coupling", "accel", "actual")
+        given = (self.misalignment, sensitivity, bias, self.g_sensitivity, accel, actual)
+        names = (*_TERMS, "g_sensitivity", "accel", "actual")
         return _gyro_measures.located(*given, out=out, names=names)[0]
 
     def correct(
@@ -195,8 +195,15 @@ class RateGyroCalibration(_Checked):
     ) -> Floats:
         """Tell the body rates from what the gyro reads; parameters and errors as in `measure`."""
         sensitivity, bias = _at(self, temperature)
-        given = (_inverse(self.misalignment), sensitivity, bias, self.coupling, accel, measured)
-        names = (*_TERMS, "coupling", "accel", "measured")
+        given = (
+            _inverse(self.misalignment),
+            sensitivity,
+            bias,
+            self.g_sensitivity,
+            accel,
+            measured,
+        )
+        names = (*_TERMS, "g_sensitivity", "accel", "measured")
         return _gyro_corrected.located(*given, out=out, names=names)[0]
 
 

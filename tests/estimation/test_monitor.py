@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 import chr_notes
 from chr_notes import Monitor, Watch, fixed_gain_observer, monitored_observer, validation_factor
-from chr_notes.simulated_sensors import SensorErrors, passing_iron, spoil
+from chr_notes.sensors.simulated import SensorErrors, add_errors, passing_iron
 from chr_notes.simulation import Readings, at_rest, ideal_readings, swing, trajectory
 
 TIME = np.arange(0, 40, 0.01)
@@ -76,8 +76,8 @@ def test_it_starts_at_the_first_tilt_as_the_observer_does() -> None:
 def test_it_is_the_observer_step_by_step_with_the_gain_of_the_watch() -> None:
     iron = passing_iron(TIME, 10.0, 20.0, (0.0, 40.0, -60.0))
     readings = ideal_readings(TRUTH, FIELD + iron)
-    rates = spoil(readings.body_rates, TIME, SensorErrors(noise_density=1e-3), seed=1)
-    accel = spoil(readings.accel, TIME, SensorErrors(noise_density=0.02), seed=2)
+    rates = add_errors(readings.body_rates, TIME, SensorErrors(noise_density=1e-3), seed=1)
+    accel = add_errors(readings.accel, TIME, SensorErrors(noise_density=0.02), seed=2)
     mag = readings.mag.copy()
     rates[100], accel[200:210], mag[1100:1105], mag[1200] = np.nan, 0.0, np.nan, 0.0
     monitor = Monitor(0.1, patience=40, gain=0.03)
@@ -111,7 +111,7 @@ def test_a_disturbed_field_raises_an_alarm_that_ends() -> None:
 
 def test_a_gyro_that_fails_is_heard_less_before_there_is_an_alarm() -> None:
     ideal = ideal_readings(TRUTH, FIELD)
-    broken = spoil(ideal.body_rates, TIME, SensorErrors(bias=(0.5, 0.5, 0.0)), seed=1)
+    broken = add_errors(ideal.body_rates, TIME, SensorErrors(bias=(0.5, 0.5, 0.0)), seed=1)
     faulty = Readings(ideal.time, broken, ideal.accel, ideal.mag)
     found = run(faulty, Monitor(0.1, patience=20))
     constant = fixed_gain_observer(broken, ideal.accel, 0.01, 0.02)

@@ -148,7 +148,7 @@ REFUSED = {
     ),
     "shape of the coupling": (
         lambda: RateGyroCalibration(EYE, ONES, ZEROS, ONES),
-        r"coupling: expected shape \(\.\.\., 3, 3\), got \(3,\)",
+        r"g_sensitivity: expected shape \(\.\.\., 3, 3\), got \(3,\)",
     ),
     "shape of the hard iron": (
         lambda: MagnetometerCalibration(EYE, 1.0),

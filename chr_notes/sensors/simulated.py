@@ -51,7 +51,7 @@ class SensorErrors:
                 raise ValueError(msg)
 
 
-def spoil(ideal: ArrayLike, time: ArrayLike, errors: SensorErrors, seed: int) -> Floats:
+def add_errors(ideal: ArrayLike, time: ArrayLike, errors: SensorErrors, seed: int) -> Floats:
     """Add the errors of a sensor to ideal readings.
 
     Parameters

@@ -10,8 +10,7 @@ from numpy.typing import NDArray
 
 import chr_notes
 from chr_notes import fixed_gain_observer, integrate_gyro, observe
-
-from .attitudes import apart
+from tests.attitudes import apart
 
 Floats = NDArray[np.float64]
 LEVEL = np.array([0.0, 0.0, -9.80665])
@@ -62,14 +61,14 @@ def test_a_wild_number_is_held_out_like_nan(wild: float) -> None:
     found = fixed_gain_observer(rates, forces, 0.1, 0)
     assert np.isnan(found[2]).all()
     assert_array_equal(np.delete(found, 2, axis=0), expected)
-    assert chr_notes.samples_held_out(rates, forces).tolist() == [False, False, True, False, False]
+    assert chr_notes.rejected_samples(rates, forces).tolist() == [False, False, True, False, False]
 
 
 def test_no_force_is_wild_because_its_unit_does_not_matter() -> None:
     rates, forces = np.zeros((3, 3)), np.tile([0.0, -1.0, -1.0], (3, 1))
     found = fixed_gain_observer(rates, 1e200 * forces, 0.01, 0.5)
     assert_array_equal(found, fixed_gain_observer(rates, forces, 0.01, 0.5))
-    assert not chr_notes.samples_held_out(rates, 1e200 * forces).any()
+    assert not chr_notes.rejected_samples(rates, 1e200 * forces).any()
 
 
 def test_after_the_wildest_number_that_counts_the_tilt_comes_back() -> None:
@@ -124,12 +123,12 @@ def test_a_recording_tells_what_it_leaves_out() -> None:
     rates[1, 2] = np.inf
     forces[2, 0] = forces[1, 0] = np.nan
     forces[3] = 0
-    out = chr_notes.samples_held_out(rates, forces)
+    out = chr_notes.rejected_samples(rates, forces)
     assert out.tolist() == [False, True, True, True, False]
     streamed = list(chr_notes.observe(zip(rates, forces, [0.01] * 5, strict=True), 0.1))
     assert streamed[-1].held_out == out.sum()
     with pytest.raises(ValueError, match="got 5, 4"):
-        chr_notes.samples_held_out(rates, forces[1:])
+        chr_notes.rejected_samples(rates, forces[1:])
 
 
 def test_one_step_is_that_of_a_recording() -> None:

@@ -12,8 +12,8 @@ from chr_notes._arrays import Floats, floats
 from chr_notes._samples import complete, number, whole_samples
 from chr_notes._samples import samples as recording
 from chr_notes.conventions import STANDARD_GRAVITY
-from chr_notes.ellipsoid import fit_ellipsoid
-from chr_notes.sensors import MagnetometerCalibration, ThreeAxisCalibration
+from chr_notes.sensors.ellipsoid import fit_ellipsoid
+from chr_notes.sensors.models import MagnetometerCalibration, ThreeAxisCalibration
 
 _POSITIONS = ("+x", "-x", "+y", "-y", "+z", "-z")
 _STILL_LIMIT = 0.02  # rad/s, about 1 deg/s: ten times the noise of a cheap gyro
@@ -162,7 +162,7 @@ def fit_gyro_bias(body_rates: ArrayLike, *, still_limit: float = _STILL_LIMIT) -
     return np.asarray(rates.mean(axis=0))
 
 
-def stillest_stretch(body_rates: ArrayLike, length: int) -> slice:
+def static_interval(body_rates: ArrayLike, length: int) -> slice:
     """Find where a gyro's readings vary least.
 
     Parameters

@@ -14,12 +14,11 @@ from scipy.spatial.transform import Rotation
 import chr_notes
 from chr_notes import fixed_gain_observer, integrate_gyro, observe, tilt_from_accelerometer
 from chr_notes.derivations import estimation as derived
-from chr_notes.simulated_sensors import SensorErrors, spoil
+from chr_notes.sensors.simulated import SensorErrors, add_errors
 from chr_notes.simulation import at_rest, ideal_readings, swing, trajectory
 from chr_notes.symbols import T
-
-from .attitudes import apart, inclinations_apart, turns
-from .sampling import few
+from tests.attitudes import apart, inclinations_apart, turns
+from tests.sampling import few
 
 Floats = NDArray[np.float64]
 seeds = st.integers(0, 2**32 - 1)
@@ -196,8 +195,8 @@ def test_noise_leaves_the_variance_that_is_derived() -> None:
     time = PERIOD * np.arange(400_000)
     still = np.zeros((len(time), 3))
     density, force_density = 0.002, 0.01
-    rates = spoil(still, time, SensorErrors(noise_density=density), seed=1)
-    forces = spoil(still + LEVEL, time, SensorErrors(noise_density=force_density), seed=2)
+    rates = add_errors(still, time, SensorErrors(noise_density=density), seed=1)
+    forces = add_errors(still + LEVEL, time, SensorErrors(noise_density=force_density), seed=2)
     found = fixed_gain_observer(rates, forces, PERIOD, GAIN, (0, 0, 0))[1000:]
     expected = at(
         derived.steady_variance(),

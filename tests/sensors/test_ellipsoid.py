@@ -10,7 +10,7 @@ from numpy.testing import assert_allclose
 from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
-from chr_notes.ellipsoid import fit_ellipsoid
+from chr_notes.sensors.ellipsoid import fit_ellipsoid
 
 Floats = NDArray[np.float64]
 seeds = st.integers(0, 2**32 - 1)

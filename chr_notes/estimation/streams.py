@@ -1,0 +1,130 @@
+"""The fixed-gain observer, a complementary filter, on a stream, sample by sample.
+
+A sample with NaN or infinity, or with a rate of 1e12 rad/s and more, which no gyro reads, is held
+out, and the estimate goes on without it.
+"""
+
+from collections.abc import Iterable, Iterator
+from math import inf, isfinite
+from typing import NamedTuple
+
+from numpy.typing import ArrayLike
+
+from chr_notes._arrays import Floats
+from chr_notes._samples import WILD_RATE, one_sample, period, start
+from chr_notes.estimation.fixed_gain import (
+    Method,
+    angles_in_range,
+    canonical,
+    check_gain,
+    is_in_range,
+    way_of,
+)
+from chr_notes.generated.scalar import estimation as steps
+
+
+def observe_sample(  # noqa: PLR0913 (a state and a sample)
+    euler: ArrayLike,
+    body_rates: ArrayLike,
+    accel: ArrayLike,
+    dt: float,
+    gain: float,
+    *,
+    method: Method = "quaternion",
+) -> Floats:
+    """Take one step of `fixed_gain_observer`.
+
+    Parameters
+    ----------
+    euler
+        Roll, pitch, yaw before the time step, radians, shape (3,).
+    body_rates, accel
+        One sample each, shape (3,). What holds NaN is left out.
+    dt
+        Time step, seconds.
+    gain
+        L, from 0 to 1; it may differ from sample to sample.
+    method
+        As for `fixed_gain_observer`.
+
+    Returns
+    -------
+    ndarray
+        Roll, pitch, yaw after it, radians, shape (3,).
+
+    Raises
+    ------
+    ValueError
+        As `fixed_gain_observer`.
+    """
+    way, share, step = way_of(method), check_gain("gain", gain), period(dt)
+    take = way.quick_sample
+    found = take(euler, body_rates, accel, step, share, None) if take is not None else None
+    # Of several samples, or a start that is no attitude, the rest has to say.
+    if found is not None and found.ndim == 1 and is_in_range(*found.tolist()):
+        return found
+    before = start("euler", euler)
+    rates, force = one_sample("body_rates", body_rates), one_sample("accel", accel)
+    return angles_in_range(way.sample(*before, *rates, *force, step, share))
+
+
+class Estimate(NamedTuple):
+    """What an observer says after a sample.
+
+    Parameters
+    ----------
+    euler
+        Roll, pitch, yaw in radians, shape (3,).
+    held_out
+        How many samples so far had a reading that was left out: one that holds NaN or infinity,
+        or an accelerometer that reads zero.
+    """
+
+    euler: Floats
+    held_out: int
+
+
+def observe(
+    stream: Iterable[tuple[ArrayLike, ArrayLike, float]],
+    gain: float,
+    initial: ArrayLike | None = None,
+    *,
+    method: Method = "quaternion",
+) -> Iterator[Estimate]:
+    """Run the fixed-gain observer, a complementary filter, on a stream, sample by sample.
+
+    Parameters
+    ----------
+    stream
+        Body rates (3,), specific force (3,) and time step of each sample, as they come.
+    gain, initial, method
+        As for `fixed_gain_observer`, which gives the same numbers. Without an initial attitude
+        nothing comes out before the first sample whose accelerometer shows a tilt.
+
+    Yields
+    ------
+    Estimate
+        After each sample. One without rates is predicted to stay as it was.
+
+    Raises
+    ------
+    ValueError
+        As for `fixed_gain_observer`, when the sample comes.
+    """
+    way, share = way_of(method), check_gain("gain", gain)
+    state = None if initial is None else way.begin(*canonical("initial", initial))
+    incomplete = 0
+    for body_rates, accel, dt in stream:
+        rates, force = one_sample("body_rates", body_rates), one_sample("accel", accel)
+        x, y, z = force
+        heard = 0 < abs(x) + abs(y) + abs(z) < inf or (any(force) and all(map(isfinite, force)))
+        p, q, r = rates
+        turned = abs(p) < WILD_RATE and abs(q) < WILD_RATE and abs(r) < WILD_RATE
+        incomplete += not (heard and turned)
+        if state is None:
+            if not heard:
+                continue
+            state = way.begin(*steps.tilt_from_accelerometer(*force), 0.0)
+        else:
+            state = way.advance(*state, *rates, *force, period(dt), share)
+        yield Estimate(way.angles(state), incomplete)

@@ -1,0 +1,1 @@
+"""What sensors read: their models, calibration, and simulated errors."""
