@@ -45,11 +45,13 @@ from chr_notes.sensors.calibration import (
     static_interval,
 )
 from chr_notes.sensors.ellipsoid import Ellipsoid, fit_ellipsoid
+from chr_notes.sensors.logs import read_log
 from chr_notes.sensors.models import (
     MagnetometerCalibration,
     RateGyroCalibration,
     ThreeAxisCalibration,
 )
+from chr_notes.sensors.recording import Recording, Report
 from chr_notes.validation import heading_from_magnetometer, validation_factor
 
 __version__ = "0.1.0"
@@ -64,6 +66,8 @@ __all__ = [
     "Monitor",
     "Monitored",
     "RateGyroCalibration",
+    "Recording",
+    "Report",
     "ThreeAxisCalibration",
     "Watch",
     "accelerometer_at_rest",
@@ -96,6 +100,7 @@ __all__ = [
     "quaternion_from_matrix",
     "quaternion_inverse",
     "quaternion_multiply",
+    "read_log",
     "rejected_samples",
     "rotate_to_body",
     "rotate_to_inertial",
