@@ -24,6 +24,7 @@ ONCE = ("tests/book/", "tests/ledger/")
 # What a test waits for: a program, or a folder beside the project. Then the tests that do.
 PERMITTED = {
     RECORDINGS: (
+        "tests/sensors/test_axes.py::test_recordings_with_permuted_axes_in_degrees",
         "tests/sensors/test_calibration.py::test_a_recorded_session_of_six_positions",
         "tests/sensors/test_calibration.py::test_bias_of_a_recording_at_rest",
         "tests/sensors/test_calibration.py::test_recorded_fields_are_calibrated",

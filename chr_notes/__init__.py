@@ -38,6 +38,7 @@ from chr_notes.quaternions import (
     rotate_to_body,
     rotate_to_inertial,
 )
+from chr_notes.sensors.axes import AxesRelation, relate_axes
 from chr_notes.sensors.calibration import (
     fit_accelerometer,
     fit_gyro_bias,
@@ -58,6 +59,7 @@ __version__ = "0.1.0"
 
 __all__ = [
     "STANDARD_GRAVITY",
+    "AxesRelation",
     "Ellipsoid",
     "Estimate",
     "GimbalLockError",
@@ -102,6 +104,7 @@ __all__ = [
     "quaternion_multiply",
     "read_log",
     "rejected_samples",
+    "relate_axes",
     "rotate_to_body",
     "rotate_to_inertial",
     "static_interval",

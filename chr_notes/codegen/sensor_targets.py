@@ -5,7 +5,7 @@ No formula stands here: each target names the derivation that it comes from.
 
 from chr_notes.codegen import arguments as given
 from chr_notes.codegen.target import Target
-from chr_notes.derivations import calibration, dead_reckoning, estimation
+from chr_notes.derivations import calibration, dead_reckoning, estimation, sensors
 from chr_notes.derivations.forms import dead_reckoning as reckoning_forms
 from chr_notes.derivations.forms import estimation as filter_forms
 from chr_notes.derivations.forms import filters, monitor
@@ -120,6 +120,14 @@ TARGETS = (
             ("hard_iron", given.HARD_IRON),
             ("actual", given.ACTUAL),
         ),
+    ),
+    Target(
+        "vector_rate",
+        "sensors",
+        "Derivatives of the body components of a vector that does not turn, unit/s",
+        (*given.BODY_VECTOR, *given.RATES),
+        sensors.vector_rate,
+        arrays=(("vector", given.BODY_VECTOR), ("body_rates", given.RATES)),
     ),
     Target(
         "tilt_from_accelerometer",

@@ -4,6 +4,9 @@ from functools import cache
 
 from sympy import Expr, I, ImmutableMatrix, Symbol, cancel, exp, solve, symbols
 
+from chr_notes.derivations import hamilton, quaternions
+from chr_notes.symbols import QUATERNION, VECTOR
+
 # Angular frequency of a vibration of the casing, and the natural one of proof mass and spring.
 frequency = Symbol("omega", nonnegative=True)
 natural_frequency = Symbol("omega_0", positive=True)
@@ -60,3 +63,20 @@ def deflection(at: Expr = frequency) -> Expr:
     moving = amplitude * vibration
     newton = moving.diff(t, 2) + natural_frequency**2 * moving + vibration
     return -cancel(solve(cancel(newton / vibration), amplitude)[0]).subs(frequency, at)
+
+
+@cache
+def vector_rate() -> ImmutableMatrix:
+    """Differentiate the body components of a vector that is at rest in the inertial frame.
+
+    They are `v = q* u q` with u constant; what changes is q, by its rates. A unit quaternion's
+    squared norm is 1.
+    """
+    fixed = dict(zip(VECTOR, quaternions.rotate_to_inertial(), strict=True))
+    elements = zip(QUATERNION, quaternions.rates(), strict=True)
+    seen = quaternions.rotate_to_body()
+    change = sum((seen.diff(element) * rate for element, rate in elements), 0 * seen)
+    norm = hamilton.norm_squared(quaternions.ATTITUDE)
+    return ImmutableMatrix(
+        [cancel(part / norm**2) for part in change.subs(fixed, simultaneous=True)]
+    )

@@ -284,3 +284,21 @@ def iron_added(soft_iron: Floats, hard_iron: Floats, actual: Floats, out: Floats
     out[..., 0] = hard_x*n11 + hard_y*n12 + hard_z*n13 + n11*x + n12*y + n13*z
     out[..., 1] = hard_x*n21 + hard_y*n22 + hard_z*n23 + n21*x + n22*y + n23*z
     out[..., 2] = hard_x*n31 + hard_y*n32 + hard_z*n33 + n31*x + n32*y + n33*z
+
+
+def vector_rate(vector: Floats, body_rates: Floats, out: Floats) -> None:
+    """Derivatives of the body components of a vector that does not turn, unit/s (3).
+
+    vector: x, y, z, shape (..., 3)
+    body_rates: p, q, r, shape (..., 3)
+    out: for the result, shape (..., 3)
+    """
+    x = vector[..., 0]
+    y = vector[..., 1]
+    z = vector[..., 2]
+    p = body_rates[..., 0]
+    q = body_rates[..., 1]
+    r = body_rates[..., 2]
+    out[..., 0] = -q*z + r*y
+    out[..., 1] = p*z - r*x
+    out[..., 2] = -p*y + q*x

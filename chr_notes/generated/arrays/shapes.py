@@ -39,6 +39,7 @@ SHAPES: dict[str, tuple[dict[str, tuple[int, ...]], tuple[int, ...]]] = {
     ),
     "iron_removed": ({"soft_iron": (3, 3), "hard_iron": (3,), "field": (3,)}, (3,)),
     "iron_added": ({"soft_iron": (3, 3), "hard_iron": (3,), "actual": (3,)}, (3,)),
+    "vector_rate": ({"vector": (3,), "body_rates": (3,)}, (3,)),
     "tilt_from_accelerometer": ({"accel": (3,)}, (2,)),
     "heading_from_magnetometer": ({"mag": (3,), "tilt": (2,), "reference": (2,)}, ()),
     "validation_factor": ({"mag": (3,), "tilt": (2,), "reference_down": ()}, ()),

@@ -939,6 +939,20 @@ void attitude_iron_added_f(float n11, float n12, float n13, float n21, float n22
     out[2] = hard_x*n31 + hard_y*n32 + hard_z*n33 + n31*x + n32*y + n33*z;
 }
 
+void attitude_vector_rate(double x, double y, double z, double p, double q, double r, double out[3])
+{
+    out[0] = -q*z + r*y;
+    out[1] = p*z - r*x;
+    out[2] = -p*y + q*x;
+}
+
+void attitude_vector_rate_f(float x, float y, float z, float p, float q, float r, float out[3])
+{
+    out[0] = -q*z + r*y;
+    out[1] = p*z - r*x;
+    out[2] = -p*y + q*x;
+}
+
 void attitude_tilt_from_accelerometer(double accel_x, double accel_y, double accel_z, double out[2])
 {
     const double size = fabs(accel_x) + fabs(accel_y) + fabs(accel_z);

@@ -554,6 +554,20 @@ void attitude_iron_added_f(float n11, float n12, float n13, float n21, float n22
     float z, float out[3]);
 
 /*
+ * Derivatives of the body components of a vector that does not turn, unit/s (3).
+ * x: x of a vector in the body frame
+ * y: y of a vector in the body frame
+ * z: z of a vector in the body frame
+ * p: body rate about x, rad/s
+ * q: body rate about y, rad/s
+ * r: body rate about z, rad/s
+ * NaN gives NaN in each result that it enters.
+ */
+void attitude_vector_rate(double x, double y, double z, double p, double q, double r,
+    double out[3]);
+void attitude_vector_rate_f(float x, float y, float z, float p, float q, float r, float out[3]);
+
+/*
  * Roll and pitch of a body at rest, radians (2).
  * accel_x: reading of the accelerometer along x, m/s²
  * accel_y: reading of the accelerometer along y, m/s²

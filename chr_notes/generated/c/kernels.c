@@ -1180,6 +1180,41 @@ EVERY_INSTRUCTION_SET static int64_t iron_added
     return any;
 }
 
+EVERY_INSTRUCTION_SET static int64_t vector_rate
+    (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
+     unsigned char *odd)
+{
+    int64_t any = 0;
+    FOR_EACH_BLOCK(rows) {
+        double vector_in[3][BLOCK];
+        double body_rates_in[3][BLOCK];
+        double results[3][BLOCK];
+        int64_t left[BLOCK], some = 0;
+        LOAD(vector_in, 0, 3)
+        LOAD(body_rates_in, 1, 3)
+        for (ptrdiff_t row = 0; row < padded; row++) {
+            const double x = vector_in[0][row];
+            const double y = vector_in[1][row];
+            const double z = vector_in[2][row];
+            const double p = body_rates_in[0][row];
+            const double q = body_rates_in[1][row];
+            const double r = body_rates_in[2][row];
+            results[0][row] = -q*z + r*y;
+            results[1][row] = p*z - r*x;
+            results[2][row] = -p*y + q*x;
+            left[row] = !(FINITE(x + y + z + p + q + r));
+            some |= left[row];
+        }
+        STORE(results, 3)
+        if (some) {
+            any = 1;
+            for (ptrdiff_t row = 0; row < count; row++)
+                odd[start + row] = left[row] != 0;
+        }
+    }
+    return any;
+}
+
 EVERY_INSTRUCTION_SET static int64_t tilt_from_accelerometer
     (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
      unsigned char *odd)
@@ -2034,6 +2069,7 @@ const Kernel KERNELS[] = {
     {"gyro_corrected", gyro_corrected, 3, 6, {9, 3, 3, 9, 3, 3}},
     {"iron_removed", iron_removed, 3, 3, {9, 3, 3}},
     {"iron_added", iron_added, 3, 3, {9, 3, 3}},
+    {"vector_rate", vector_rate, 3, 2, {3, 3}},
     {"tilt_from_accelerometer", tilt_from_accelerometer, 2, 1, {3}},
     {"heading_from_magnetometer", heading_from_magnetometer, 0, 3, {3, 2, 2}},
     {"validation_factor", validation_factor, 0, 3, {3, 2, 0}},

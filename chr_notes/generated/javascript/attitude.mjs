@@ -933,6 +933,21 @@ export function ironAdded(
 }
 
 /**
+ * Derivatives of the body components of a vector that does not turn, unit/s (3).
+ * NaN gives NaN in each result that it enters.
+ * @param {number} x x of a vector in the body frame
+ * @param {number} y y of a vector in the body frame
+ * @param {number} z z of a vector in the body frame
+ * @param {number} p body rate about x, rad/s
+ * @param {number} q body rate about y, rad/s
+ * @param {number} r body rate about z, rad/s
+ * @returns {[number, number, number]}
+ */
+export function vectorRate(x, y, z, p, q, r) {
+  return [-q*z + r*y, p*z - r*x, -p*y + q*x];
+}
+
+/**
  * Roll and pitch of a body at rest, radians (2).
  * Roll from -pi to pi, pitch from -pi/2 to pi/2.
  * A reading that is zero, or has NaN or infinity, gives NaN.

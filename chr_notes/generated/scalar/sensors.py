@@ -363,3 +363,18 @@ def iron_added(
         hard_x*n21 + hard_y*n22 + hard_z*n23 + n21*x + n22*y + n23*z,
         hard_x*n31 + hard_y*n32 + hard_z*n33 + n31*x + n32*y + n33*z,
     )
+
+
+def vector_rate(
+    x: float, y: float, z: float, p: float, q: float, r: float
+) -> tuple[float, float, float]:
+    """Derivatives of the body components of a vector that does not turn, unit/s (3).
+
+    x: x of a vector in the body frame
+    y: y of a vector in the body frame
+    z: z of a vector in the body frame
+    p: body rate about x, rad/s
+    q: body rate about y, rad/s
+    r: body rate about z, rad/s
+    """
+    return (-q*z + r*y, p*z - r*x, -p*y + q*x)
