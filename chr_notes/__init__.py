@@ -43,7 +43,6 @@ from chr_notes.sensors.calibration import (
     fit_accelerometer,
     fit_gyro_bias,
     fit_magnetometer,
-    static_interval,
 )
 from chr_notes.sensors.ellipsoid import Ellipsoid, fit_ellipsoid
 from chr_notes.sensors.logs import read_log
@@ -53,6 +52,7 @@ from chr_notes.sensors.models import (
     ThreeAxisCalibration,
 )
 from chr_notes.sensors.recording import Recording, Report
+from chr_notes.sensors.still import static_interval, static_intervals
 from chr_notes.validation import heading_from_magnetometer, validation_factor
 
 __version__ = "0.1.0"
@@ -108,6 +108,7 @@ __all__ = [
     "rotate_to_body",
     "rotate_to_inertial",
     "static_interval",
+    "static_intervals",
     "tilt_from_accelerometer",
     "validation_factor",
     "wrap_angle",

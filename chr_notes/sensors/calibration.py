@@ -3,20 +3,17 @@
 The fits are least squares on NumPy's linear algebra. Samples that hold NaN are left out.
 """
 
-from operator import index
-
 import numpy as np
 from numpy.typing import ArrayLike
 
 from chr_notes._arrays import Floats, floats
 from chr_notes._samples import complete, number, whole_samples
-from chr_notes._samples import samples as recording
 from chr_notes.conventions import STANDARD_GRAVITY
 from chr_notes.sensors.ellipsoid import fit_ellipsoid
 from chr_notes.sensors.models import MagnetometerCalibration, ThreeAxisCalibration
+from chr_notes.sensors.still import STILL_LIMIT, without_glitches
 
 _POSITIONS = ("+x", "-x", "+y", "-y", "+z", "-z")
-_STILL_LIMIT = 0.02  # rad/s, about 1 deg/s: ten times the noise of a cheap gyro
 
 
 def fit_magnetometer(samples: ArrayLike) -> MagnetometerCalibration:
@@ -120,13 +117,14 @@ def fit_accelerometer(
     return ThreeAxisCalibration(misalignment, sensitivity, bias)
 
 
-def fit_gyro_bias(body_rates: ArrayLike, *, still_limit: float = _STILL_LIMIT) -> Floats:
+def fit_gyro_bias(body_rates: ArrayLike, *, still_limit: float = STILL_LIMIT) -> Floats:
     """Find what a gyro reads at rest.
 
     Parameters
     ----------
     body_rates
-        Readings of a sensor that lies still, rad/s, shape (N, 3); rows with NaN are left out.
+        Readings of a sensor that lies still, rad/s, shape (N, 3). Rows with NaN are left out, and
+        glitches of one or two rows.
     still_limit
         Largest standard deviation, rad/s, that passes for still.
 
@@ -151,6 +149,9 @@ def fit_gyro_bias(body_rates: ArrayLike, *, still_limit: float = _STILL_LIMIT) -
     if not len(rates):
         msg = "body_rates: expected at least one row without NaN, got none"
         raise ValueError(msg)
+    # A glitch is left out where it would count.
+    away = np.abs(rates - np.median(rates, axis=0)).max(axis=1)
+    rates = rates[~(without_glitches(rates)[1] & (away > still_limit))]
     spread = rates.std(axis=0)
     if not spread.max() <= still_limit:
         msg = (
@@ -160,53 +161,3 @@ def fit_gyro_bias(body_rates: ArrayLike, *, still_limit: float = _STILL_LIMIT) -
         )
         raise ValueError(msg)
     return np.asarray(rates.mean(axis=0))
-
-
-def static_interval(body_rates: ArrayLike, length: int) -> slice:
-    """Find where a gyro's readings vary least.
-
-    Parameters
-    ----------
-    body_rates
-        Readings, rad/s, shape (N, 3); a stretch never holds a row with NaN.
-    length
-        Number of samples in the stretch, at least 2.
-
-    Returns
-    -------
-    slice
-        Of `length` samples, the first such where several vary as little.
-
-    Raises
-    ------
-    ValueError
-        If there are fewer samples, or no stretch of that length is free of NaN.
-    TypeError
-        If the length is no whole number.
-    """
-    rates = recording("body_rates", body_rates)
-    length = index(length)
-    if not 2 <= length <= len(rates):  # noqa: PLR2004 (one sample does not vary)
-        msg = f"length: expected from 2 to the {len(rates)} samples there are, got {length}"
-        raise ValueError(msg)
-    known = complete(rates)
-    if not known.any():
-        msg = f"body_rates: expected {length} samples in a row without NaN, got none"
-        raise ValueError(msg)
-    # Near zero the difference of the two sums below loses nothing.
-    centred = np.where(known[:, np.newaxis], rates - rates[known].mean(axis=0), 0.0)
-    total = _sums(centred, length)
-    variance = (_sums(centred**2, length) - total**2 / length).sum(axis=1)
-    variance[_sums(~known, length) > 0] = np.inf
-    start = int(np.argmin(variance))
-    if not np.isfinite(variance[start]):
-        msg = f"body_rates: expected {length} samples in a row without NaN, got none"
-        raise ValueError(msg)
-    return slice(start, start + length)
-
-
-def _sums(values: ArrayLike, length: int) -> Floats:
-    """Sum over each window along the first axis."""
-    sums = np.cumsum(np.asarray(values, dtype=np.float64), axis=0)
-    sums[length:] -= sums[:-length].copy()
-    return sums[length - 1 :]
