@@ -15,6 +15,7 @@ from sympy import (
     Set,
     acos,
     cos,
+    expand,
     eye,
     pi,
     simplify,
@@ -23,6 +24,7 @@ from sympy import (
     sqrt,
     trigsimp,
 )
+from sympy.simplify.fu import TR8
 
 from chr_notes.symbols import BODY_RATES, EULER, EULER_RATES, phi, psi, theta
 
@@ -178,7 +180,8 @@ def lock_pitches(domain: Set | None = None) -> Set:
     """
     domain = Interval(-pi / 2, pi / 2) if domain is None else domain
     derivatives = ImmutableMatrix(rotation("I", "B").reshape(9, 1).jacobian(EULER))
-    products = ImmutableMatrix(derivatives.T * derivatives).applyfunc(simplify)
+    # Products of sines and cosines are sums of those of other angles, of which most cancel.
+    products = ImmutableMatrix(derivatives.T * derivatives).applyfunc(lambda e: TR8(expand(e)))
     return solveset(simplify(products.det()), theta, domain)
 
 

@@ -37,7 +37,7 @@ def _zeros(relation: Basic) -> list[Basic]:
 def _occurs(case: Case, zero: Basic) -> bool:
     """Whether something may vanish: no divisor that is known never to be zero."""
     values = [evaluate(part.lhs, case.reading, {}) for part in parts(zero)]
-    length = sum(value**2 for value in values)
-    shortened = reduced(length)
-    length = simplify(length) if shortened is None else shortened
-    return not (length.is_nonzero or is_zero(length - 1))
+    whole = values[0] if len(values) == 1 else sum(value**2 for value in values)
+    shortened = reduced(whole)
+    whole = simplify(whole) if shortened is None else shortened
+    return not (whole.is_nonzero or is_zero(whole**2 - 1))

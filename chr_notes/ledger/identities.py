@@ -34,8 +34,12 @@ from sympy import (
 )
 from sympy import reduced as remainder
 from sympy.concrete.expr_with_limits import ExprWithLimits
+from sympy.polys.domains import QQ
+from sympy.polys.orderings import lex
+from sympy.polys.rings import PolyRing
 
 CLEARLY_NOT_ZERO = 1e-15  # against values computed with 30 digits
+MANY_DIGITS = 60  # so that 30 are right even where digits cancel
 
 
 class OnSphere(Symbol):
@@ -68,8 +72,10 @@ def sample(expression: Basic) -> Basic:
     for sphere in _spheres(expression):
         length = sqrt(sum(Rational(n + 2, 3) ** 2 for n in range(len(sphere))))
         point |= {name: Rational(n + 2, 3) / length for n, name in enumerate(sphere)}
-    bound = expression.has(Limit, ExprWithLimits, Subs)
-    there = expression.subs(point) if bound else expression.xreplace(point)
+    if expression.has(Limit, ExprWithLimits, Subs, floor):
+        return expression.subs(point).evalf(30, chop=False)
+    # Decimals are worked out on the way, where fractions would pile up.
+    there = expression.xreplace({name: value.evalf(MANY_DIGITS) for name, value in point.items()})
     return there.evalf(30, chop=False)
 
 
@@ -104,15 +110,21 @@ def _is_zero_on_circles(expression: Expr) -> bool | None:
     but zero.
     """
     circles = _Circles(expression)
-    left_over = circles.reduced(fraction(together(circles.algebraic))[0])
+    left_over = circles.reduced(_fraction(circles.algebraic)[0])
     return None if left_over is None else bool(left_over == 0)
 
 
 def reduced(expression: Expr) -> Expr | None:
     """Shorten a quotient by cos² + sin² = 1, or give nothing if it is not rational in these."""
     circles = _Circles(expression)
-    above, below = map(circles.reduced, fraction(together(circles.algebraic)))
+    above, below = map(circles.reduced, _fraction(circles.algebraic))
     return None if above is None or below is None else cancel(above / below).xreplace(circles.back)
+
+
+def _fraction(expression: Expr) -> tuple[Expr, Expr]:
+    """Take numerator and denominator; where nothing is divided, nothing is brought together."""
+    divided = any(power.exp.is_negative for power in expression.atoms(Pow))
+    return fraction(together(expression)) if divided else (expression, Integer(1))
 
 
 Point = tuple[Expr, Expr]
@@ -146,6 +158,17 @@ class _Circles:
 
     def reduced(self, polynomial: Expr) -> Expr | None:
         """Reduce a polynomial by what is known of the points; nothing if it is none."""
+        # The unknowns come first, so that it is their squares which the relations put away.
+        others = sorted(polynomial.free_symbols - {*self.unknowns}, key=str)
+        polynomials = PolyRing([*self.unknowns, *others], QQ, lex)
+        try:
+            known = polynomials.from_expr(polynomial)
+        except ValueError:
+            return self._reduced_with_roots(polynomial)
+        return known.rem([*map(polynomials.from_expr, self.relations)]).as_expr()
+
+    def _reduced_with_roots(self, polynomial: Expr) -> Expr | None:
+        """Do so where numbers are no fractions, such as roots."""
         polynomial = expand(polynomial)
         if not polynomial.is_polynomial(*polynomial.free_symbols):
             return None

@@ -18,6 +18,7 @@ from chr_notes.ledger.edits import Edit
 from chr_notes.ledger.quaternions_angles import ALSO, YAW
 from chr_notes.ledger.quaternions_angles import SETTLED as ANGLES
 from chr_notes.ledger.quaternions_reading import (
+    ANY_VECTOR,
     NORM,
     READ,
     READ_AXIS,
@@ -85,9 +86,7 @@ SETTLED = (
             Step(
                 "With these, q v q* is the turn for every vector and every unit axis.",
                 Eq(
-                    Product(
-                        TURN_ABOUT_AXIS, Pure(ImmutableMatrix(VECTOR)), Conjugate(TURN_ABOUT_AXIS)
-                    ),
+                    Product(TURN_ABOUT_AXIS, Pure(ANY_VECTOR), Conjugate(TURN_ABOUT_AXIS)),
                     Pure(claims.TURNED),
                 ),
             ),
@@ -139,10 +138,10 @@ SETTLED = (
                 Eq(
                     Product(
                         Reciprocal(printed.Q),
-                        Product(printed.Q, Pure(printed.V_B), Reciprocal(printed.Q)),
+                        Product(printed.Q, Pure(ANY_VECTOR), Reciprocal(printed.Q)),
                         printed.Q,
                     ),
-                    Pure(printed.V_B),
+                    Pure(ANY_VECTOR),
                 ),
             ),
         ),
@@ -185,8 +184,8 @@ SETTLED = (
                 "Multiplied out, q v q* is the printed matrix times v. So the matrix leads where "
                 "the products lead: from the body to the inertial frame.",
                 Eq(
-                    Product(printed.Q, Pure(ImmutableMatrix(VECTOR)), Conjugate(printed.Q)),
-                    Pure(MatMul(MATRIX, ImmutableMatrix(VECTOR))),
+                    Product(printed.Q, Pure(ANY_VECTOR), Conjugate(printed.Q)),
+                    Pure(MatMul(MATRIX, ANY_VECTOR)),
                 ),
             ),
             Step(

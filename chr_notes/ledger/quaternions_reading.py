@@ -85,6 +85,9 @@ NORM = hamilton.norm_squared(derived.ATTITUDE)
 # The attitude quaternion has norm one, says 2.1; its square then stands for 1 wherever it stands.
 UNIT = Condition(Eq(NORM, 1))
 
+# What steps speak of: any vector.
+ANY_VECTOR = MatrixSymbol(r"\mathbf{v}", 3, 1)
+
 _NUMBERS: dict[Basic, Meaning] = {
     printed.REALS: Integer(1),
     printed.IMAGINARY: Integer(1),
@@ -96,7 +99,7 @@ _NAMES: dict[Basic, Meaning] = {
     **defined("quaternions.2.1"),
     printed.Q_1: ImmutableMatrix(FIRST),
     printed.Q_2: ImmutableMatrix(SECOND),
-    printed.V_I: ImmutableMatrix(VECTOR),
+    **dict.fromkeys((printed.V_I, ANY_VECTOR), ImmutableMatrix(VECTOR)),
 }
 # What depends on the direction in which the quaternion leads.
 _ATTITUDE: dict[Basic, Basic] = {

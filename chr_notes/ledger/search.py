@@ -144,11 +144,19 @@ def _solve(equation: Eq, point: dict[Basic, Basic], random: Random) -> bool:
     random.shuffle(names)
     for name in names:
         others = {other: value for other, value in point.items() if other != name}
-        roots = [root for root in solve(difference.subs(others), name) if root.is_real]
+        roots = [root for root in _roots(difference.subs(others), name) if root.is_real]
         if roots:
             point[name] = roots[random.randrange(len(roots))]
             return True
     return False
+
+
+def _roots(left_over: Expr, name: Symbol) -> list[Expr]:
+    """Find where an expression vanishes; a straight line needs no search."""
+    slope = left_over.diff(name)
+    if slope.is_Rational and slope != 0:
+        return [-left_over.subs(name, 0) / slope]
+    return list(solve(left_over, name))
 
 
 def _true(relation: Relational, point: Point) -> bool:
