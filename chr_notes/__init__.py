@@ -13,6 +13,7 @@ from chr_notes.dead_reckoning import (
 )
 from chr_notes.errors import GimbalLockError, GimbalLockWarning
 from chr_notes.estimation.fixed_gain import fixed_gain_observer, rejected_samples
+from chr_notes.estimation.gains import gain_from_time_constant, time_constant_from_gain
 from chr_notes.estimation.gyro import integrate_gyro
 from chr_notes.estimation.monitor import Monitor, Monitored, Watch, monitored_observer
 from chr_notes.estimation.streams import Estimate, observe, observe_sample
@@ -87,6 +88,7 @@ __all__ = [
     "fit_gyro_bias",
     "fit_magnetometer",
     "fixed_gain_observer",
+    "gain_from_time_constant",
     "heading_from_magnetometer",
     "inertial_acceleration",
     "integrate_gyro",
@@ -110,6 +112,7 @@ __all__ = [
     "static_interval",
     "static_intervals",
     "tilt_from_accelerometer",
+    "time_constant_from_gain",
     "validation_factor",
     "wrap_angle",
 ]

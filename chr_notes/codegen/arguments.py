@@ -4,7 +4,7 @@ from sympy import ImmutableMatrix, Symbol
 
 from chr_notes.codegen.target import Argument
 from chr_notes.derivations import calibration, dead_reckoning, estimation, validation
-from chr_notes.derivations.forms import monitor
+from chr_notes.derivations.forms import gains, monitor
 from chr_notes.derivations.forms.dead_reckoning import NEXT as ACCELERATION_AFTER
 from chr_notes.derivations.forms.euler import ANGLE as WRAPPED
 from chr_notes.derivations.quaternions import MATRIX as ELEMENTS
@@ -128,6 +128,7 @@ GAINS = (
     Argument("highest", monitor.HIGHEST, "the gain that is tried first"),
 )
 GAIN = Argument("gain", estimation.L, "weight of the accelerometer, from 0 to 1")
+TIME_CONSTANT = Argument("time_constant", gains.TIME_CONSTANT, "mean age of what is averaged, s")
 
 MISALIGNMENT = matrix("m", calibration.MISALIGNMENT, "the misalignment")
 REALIGNMENT = matrix("n", calibration.REALIGNMENT, "the inverse of the misalignment")

@@ -154,8 +154,10 @@ class JavaScript(Spelling, JavascriptCodePrinter):
 
     _print_One = _print_Zero = _print_NegativeOne = _print_Integer
 
-    def _print_hypot(self, value: Basic) -> str:
-        return f"Math.hypot({', '.join(map(self._print, value.args))})"
+    def _print_of_math(self, value: Basic) -> str:
+        return f"Math.{type(value).__name__}({', '.join(map(self._print, value.args))})"
+
+    _print_hypot = _print_expm1 = _print_log1p = _print_of_math
 
 
 class Python(Spelling, PythonCodePrinter):

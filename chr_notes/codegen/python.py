@@ -19,7 +19,20 @@ from chr_notes.codegen.lowering import Program
 from chr_notes.derivations.computation import Choice, Let
 
 PYTHON = Python()
-_MATH = ("acos", "asin", "atan", "atan2", "cos", "hypot", "sin", "sqrt", "tan")
+_MATH = (
+    "acos",
+    "asin",
+    "atan",
+    "atan2",
+    "cos",
+    "exp",
+    "expm1",
+    "hypot",
+    "log1p",
+    "sin",
+    "sqrt",
+    "tan",
+)
 
 
 def module(programs: tuple[Program, ...]) -> str:

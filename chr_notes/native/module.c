@@ -20,7 +20,7 @@
 #include "../generated/c/kernels.c"
 #include "../generated/c/stamp.h"
 
-enum { LONG = 10000, MOST_ELEMENTS = 9, MOST_AXES = 32, FEW = 256 };
+enum { LONG = 10000, MOST_ELEMENTS = 24, MOST_AXES = 32, FEW = 256 };
 
 /* An argument: where its rows begin, and the axes over which they stand. */
 typedef struct {

@@ -164,6 +164,9 @@ OPERATIONS: dict[str, Callable[..., Number]] = {
     "tan": _periodic(MP.tan),
     "floor": _periodic(MP.floor),
     "Abs": lambda _, parts: abs(parts[0]),
+    "exp": lambda _, parts: MP.exp(parts[0]),
+    "expm1": lambda _, parts: MP.expm1(parts[0]),
+    "log1p": lambda _, parts: MP.log1p(parts[0]),
     "hypot": lambda _, parts: MP.hypot(*parts),
     "atan2": _atan2,
 }

@@ -3,7 +3,7 @@ From the derivations behind the ledger entries estimation.2.5, estimation.2.6, v
 validation.4.
 """
 
-from numpy import arctan2, bool_, float64, nan, sqrt, where
+from numpy import arctan2, bool_, expm1, float64, log1p, nan, sqrt, where
 from numpy.typing import NDArray
 
 Floats = NDArray[float64]
@@ -33,3 +33,26 @@ def tilt_from_accelerometer(accel: Floats, out: Floats) -> None:
     pitch = where(has_direction, arctan2(accel_x, across), nan)
     out[..., 0] = roll
     out[..., 1] = pitch
+
+
+def gain_from_time_constant(time_constant: Floats, dt: Floats, out: Floats) -> None:
+    """Gain that has, at a period, the effect of a time constant.
+
+    time_constant: mean age of what is averaged, s, shape (...)
+    dt: time that passes, s, shape (...)
+    out: for the result, shape (...)
+    """
+    result = where(time_constant > 0.0, -expm1(-dt/time_constant), nan)
+    out[...] = result
+
+
+def time_constant_from_gain(gain: Floats, dt: Floats, out: Floats) -> None:
+    """Time constant that has, at a period, the effect of a gain, s.
+
+    gain: weight of the accelerometer, from 0 to 1, shape (...)
+    dt: time that passes, s, shape (...)
+    out: for the result, shape (...)
+    """
+    logarithm_of_what_is_kept = where((gain > 0.0) & (gain < 1.0), log1p(-gain), nan)
+    result = -dt/logarithm_of_what_is_kept
+    out[...] = result

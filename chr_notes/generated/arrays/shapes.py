@@ -47,6 +47,8 @@ SHAPES: dict[str, tuple[dict[str, tuple[int, ...]], tuple[int, ...]]] = {
     "inertial_acceleration": ({"accel": (3,), "euler": (3,), "gravity": ()}, (3,)),
     "accelerometer_from_acceleration": ({"acceleration": (3,), "euler": (3,), "gravity": ()}, (3,)),
     "drift_from_tilt_error": ({"angle_error": (), "time": (), "gravity": ()}, (3,)),
+    "gain_from_time_constant": ({"time_constant": (), "dt": ()}, ()),
+    "time_constant_from_gain": ({"gain": (), "dt": ()}, ()),
     "gyro_step": ({"euler": (3,), "body_rates": (3,), "dt": ()}, (3,)),
     "gyro_turn": ({"q": (4,), "body_rates": (3,), "dt": ()}, (4,)),
     "observer_turn": ({"q": (4,), "body_rates": (3,), "accel": (3,), "dt": (), "gain": ()}, (4,)),

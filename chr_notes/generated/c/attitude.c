@@ -2294,3 +2294,44 @@ float attitude_position_at_last_velocity_f(float angle_error, float time, float 
     const float sin_angle_error = sinf(angle_error);
     return gravity*sin_angle_error*(time*time);
 }
+
+double attitude_gain_from_time_constant(double time_constant, double dt)
+{
+    double result;
+    if (time_constant > 0.0) {
+        result = -expm1(-dt/time_constant);
+    } else {
+        result = (double)NAN;
+    }
+    return result;
+}
+
+float attitude_gain_from_time_constant_f(float time_constant, float dt)
+{
+    float result;
+    if (time_constant > 0.0f) {
+        result = -expm1f(-dt/time_constant);
+    } else {
+        result = NAN;
+    }
+    return result;
+}
+
+double attitude_time_constant_from_gain(double gain, double dt)
+{
+    double logarithm_of_what_is_kept;
+    if (gain > 0.0 && gain < 1.0) {
+        logarithm_of_what_is_kept = log1p(-gain);
+    } else {
+        logarithm_of_what_is_kept = (double)NAN;
+    }
+    const double result = -dt/logarithm_of_what_is_kept;
+    return result;
+}
+
+float attitude_time_constant_from_gain_f(float gain, float dt)
+{
+    const float logarithm_of_what_is_kept = gain > 0.0f && gain < 1.0f ? log1pf(-gain) : NAN;
+    const float result = -dt/logarithm_of_what_is_kept;
+    return result;
+}

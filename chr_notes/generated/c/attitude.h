@@ -885,6 +885,24 @@ void attitude_drift_from_tilt_error_f(float angle_error, float time, float gravi
 double attitude_position_at_last_velocity(double angle_error, double time, double gravity);
 float attitude_position_at_last_velocity_f(float angle_error, float time, float gravity);
 
+/*
+ * Gain that has, at a period, the effect of a time constant.
+ * time_constant: mean age of what is averaged, s
+ * dt: time that passes, s
+ * NaN gives NaN in each result that it enters.
+ */
+double attitude_gain_from_time_constant(double time_constant, double dt);
+float attitude_gain_from_time_constant_f(float time_constant, float dt);
+
+/*
+ * Time constant that has, at a period, the effect of a gain, s.
+ * gain: weight of the accelerometer, from 0 to 1
+ * dt: time that passes, s
+ * NaN gives NaN in each result that it enters.
+ */
+double attitude_time_constant_from_gain(double gain, double dt);
+float attitude_time_constant_from_gain_f(float gain, float dt);
+
 #ifdef __cplusplus
 }
 #endif

@@ -1545,6 +1545,68 @@ EVERY_INSTRUCTION_SET static int64_t drift_from_tilt_error
     return any;
 }
 
+EVERY_INSTRUCTION_SET static int64_t gain_from_time_constant
+    (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
+     unsigned char *odd)
+{
+    int64_t any = 0;
+    FOR_EACH_BLOCK(rows) {
+        double time_constant_in[1][BLOCK];
+        double dt_in[1][BLOCK];
+        double results[1][BLOCK];
+        int64_t left[BLOCK], some = 0;
+        LOAD(time_constant_in, 0, 1)
+        LOAD(dt_in, 1, 1)
+        for (ptrdiff_t row = 0; row < padded; row++) {
+            const double time_constant = time_constant_in[0][row];
+            const double dt = dt_in[0][row];
+            const double result = time_constant > 0.0 ? -expm1(-dt/time_constant) : (double)NAN;
+            results[0][row] = result;
+            left[row] = !(FINITE(time_constant + dt));
+            some |= left[row];
+        }
+        STORE(results, 1)
+        if (some) {
+            any = 1;
+            for (ptrdiff_t row = 0; row < count; row++)
+                odd[start + row] = left[row] != 0;
+        }
+    }
+    return any;
+}
+
+EVERY_INSTRUCTION_SET static int64_t time_constant_from_gain
+    (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
+     unsigned char *odd)
+{
+    int64_t any = 0;
+    FOR_EACH_BLOCK(rows) {
+        double gain_in[1][BLOCK];
+        double dt_in[1][BLOCK];
+        double results[1][BLOCK];
+        int64_t left[BLOCK], some = 0;
+        LOAD(gain_in, 0, 1)
+        LOAD(dt_in, 1, 1)
+        for (ptrdiff_t row = 0; row < padded; row++) {
+            const double gain = gain_in[0][row];
+            const double dt = dt_in[0][row];
+            const double logarithm_of_what_is_kept = (gain > 0.0) & (gain < 1.0) ? log1p(-gain) :
+                (double)NAN;
+            const double result = -dt/logarithm_of_what_is_kept;
+            results[0][row] = result;
+            left[row] = !(FINITE(gain + dt));
+            some |= left[row];
+        }
+        STORE(results, 1)
+        if (some) {
+            any = 1;
+            for (ptrdiff_t row = 0; row < count; row++)
+                odd[start + row] = left[row] != 0;
+        }
+    }
+    return any;
+}
+
 static int64_t gyro_step
     (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
      unsigned char *odd)
@@ -2077,6 +2139,8 @@ const Kernel KERNELS[] = {
     {"inertial_acceleration", inertial_acceleration, 3, 3, {3, 3, 0}},
     {"accelerometer_from_acceleration", accelerometer_from_acceleration, 3, 3, {3, 3, 0}},
     {"drift_from_tilt_error", drift_from_tilt_error, 3, 3, {0, 0, 0}},
+    {"gain_from_time_constant", gain_from_time_constant, 0, 2, {0, 0}},
+    {"time_constant_from_gain", time_constant_from_gain, 0, 2, {0, 0}},
     {"gyro_step", gyro_step, 3, 3, {3, 3, 0}},
     {"gyro_turn", gyro_turn, 4, 3, {4, 3, 0}},
     {"observer_turn", observer_turn, 4, 5, {4, 3, 3, 0, 0}},

@@ -1094,3 +1094,21 @@ export function driftFromTiltError(
  * @returns {number}
  */
 export function positionAtLastVelocity(angleError: number, time: number, gravity: number): number;
+
+/**
+ * Gain that has, at a period, the effect of a time constant.
+ * NaN gives NaN in each result that it enters.
+ * @param {number} timeConstant mean age of what is averaged, s
+ * @param {number} dt time that passes, s
+ * @returns {number}
+ */
+export function gainFromTimeConstant(timeConstant: number, dt: number): number;
+
+/**
+ * Time constant that has, at a period, the effect of a gain, s.
+ * NaN gives NaN in each result that it enters.
+ * @param {number} gain weight of the accelerometer, from 0 to 1
+ * @param {number} dt time that passes, s
+ * @returns {number}
+ */
+export function timeConstantFromGain(gain: number, dt: number): number;

@@ -1866,3 +1866,33 @@ export function positionAtLastVelocity(angleError, time, gravity) {
   const sinAngleError = Math.sin(angleError);
   return gravity*sinAngleError*(time*time);
 }
+
+/**
+ * Gain that has, at a period, the effect of a time constant.
+ * NaN gives NaN in each result that it enters.
+ * @param {number} timeConstant mean age of what is averaged, s
+ * @param {number} dt time that passes, s
+ * @returns {number}
+ */
+export function gainFromTimeConstant(timeConstant, dt) {
+  let result;
+  if (timeConstant > 0) {
+    result = -Math.expm1(-dt/timeConstant);
+  } else {
+    result = NaN;
+  }
+  return result;
+}
+
+/**
+ * Time constant that has, at a period, the effect of a gain, s.
+ * NaN gives NaN in each result that it enters.
+ * @param {number} gain weight of the accelerometer, from 0 to 1
+ * @param {number} dt time that passes, s
+ * @returns {number}
+ */
+export function timeConstantFromGain(gain, dt) {
+  const logarithmOfWhatIsKept = gain > 0 && gain < 1 ? Math.log1p(-gain) : NaN;
+  const result = -dt/logarithmOfWhatIsKept;
+  return result;
+}

@@ -4,7 +4,7 @@ estimation.3.2, estimation.3.3, estimation.4.1, estimation.4.2, estimation.4.3, 
 validation.3, validation.4.
 """
 
-from math import atan2, cos, hypot, sin, sqrt, tan, nan
+from math import atan2, cos, expm1, hypot, log1p, sin, sqrt, tan, nan
 
 
 def tilt_from_accelerometer(accel_x: float, accel_y: float, accel_z: float) -> tuple[float, float]:
@@ -483,3 +483,27 @@ def euler_observer_step(
         roll_off = 0.0
         pitch_off = 0.0
     return (predicted_roll + roll_off, pitch_off + predicted_pitch, dt*rate_across*sec_pitch + yaw)
+
+
+def gain_from_time_constant(time_constant: float, dt: float) -> float:
+    """Gain that has, at a period, the effect of a time constant.
+
+    time_constant: mean age of what is averaged, s
+    dt: time that passes, s
+    """
+    if time_constant > 0.0:
+        result = -expm1(-dt/time_constant)
+    else:
+        result = nan
+    return result
+
+
+def time_constant_from_gain(gain: float, dt: float) -> float:
+    """Time constant that has, at a period, the effect of a gain, s.
+
+    gain: weight of the accelerometer, from 0 to 1
+    dt: time that passes, s
+    """
+    logarithm_of_what_is_kept = log1p(-gain) if gain > 0.0 and gain < 1.0 else nan
+    result = -dt/logarithm_of_what_is_kept
+    return result
