@@ -11,6 +11,13 @@ from chr_notes.dead_reckoning import (
     drift_from_tilt_error,
     inertial_acceleration,
 )
+from chr_notes.differences import (
+    angle_between_attitudes,
+    angle_between_verticals,
+    continuous_quaternions,
+    inclination_from_quaternion,
+    slerp,
+)
 from chr_notes.errors import GimbalLockError, GimbalLockWarning
 from chr_notes.estimation.fixed_gain import fixed_gain_observer, rejected_samples
 from chr_notes.estimation.gains import gain_from_time_constant, time_constant_from_gain
@@ -26,6 +33,7 @@ from chr_notes.euler import (
     matrix_from_euler,
     wrap_angle,
 )
+from chr_notes.frames import change_angles, change_axes, change_quaternion
 from chr_notes.quaternions import (
     axis_angle_from_quaternion,
     euler_from_quaternion,
@@ -75,8 +83,14 @@ __all__ = [
     "Watch",
     "accelerometer_at_rest",
     "accelerometer_from_acceleration",
+    "angle_between_attitudes",
+    "angle_between_verticals",
     "axis_angle_from_quaternion",
     "body_rates_from_euler_rates",
+    "change_angles",
+    "change_axes",
+    "change_quaternion",
+    "continuous_quaternions",
     "dead_reckon",
     "drift_from_tilt_error",
     "euler_from_matrix",
@@ -90,6 +104,7 @@ __all__ = [
     "fixed_gain_observer",
     "gain_from_time_constant",
     "heading_from_magnetometer",
+    "inclination_from_quaternion",
     "inertial_acceleration",
     "integrate_gyro",
     "kernels_in_use",
@@ -109,6 +124,7 @@ __all__ = [
     "relate_axes",
     "rotate_to_body",
     "rotate_to_inertial",
+    "slerp",
     "static_interval",
     "static_intervals",
     "tilt_from_accelerometer",

@@ -23,3 +23,8 @@ def inclinations_apart(first: Any, second: Any) -> NDArray[np.float64]:  # noqa:
     """Angles between the directions down of attitudes."""
     one, other = (chr_notes.matrix_from_euler(each)[..., 2] for each in (first, second))
     return np.arctan2(np.linalg.norm(np.cross(one, other), axis=-1), np.sum(one * other, axis=-1))
+
+
+def of_quaternion(q: NDArray[np.float64]) -> Rotation:
+    """Rotations by SciPy from quaternions with the scalar first, of any norm."""
+    return Rotation.from_quat(q, scalar_first=True)

@@ -37,6 +37,7 @@ FUNCTIONS: dict[str, tuple[Callable[..., Any], tuple[Any, ...]]] = {
     "quaternion_multiply": (chr_notes.quaternion_multiply, (P, Q)),
     "quaternion_conjugate": (chr_notes.quaternion_conjugate, (Q,)),
     "quaternion_inverse": (chr_notes.quaternion_inverse, (Q,)),
+    "inclination_from_quaternion": (chr_notes.inclination_from_quaternion, (Q,)),
     "rotate_to_inertial": (chr_notes.rotate_to_inertial, (Q, RATES)),
     "rotate_to_body": (chr_notes.rotate_to_body, (Q, RATES)),
     "tilt_from_accelerometer": (chr_notes.tilt_from_accelerometer, (RATES,)),

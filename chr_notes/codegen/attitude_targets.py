@@ -139,6 +139,14 @@ TARGETS = (
         arrays=(("q", given.QUATERNION_ARGUMENTS),),
     ),
     Target(
+        "inclination_from_quaternion",
+        "quaternions",
+        "Angle in [0, pi] between the body's z-axis and the vertical, radians",
+        given.QUATERNION_ARGUMENTS,
+        forms.inclination,
+        arrays=(("q", given.QUATERNION_ARGUMENTS),),
+    ),
+    Target(
         "quaternion_multiply",
         "quaternions",
         "Product of two quaternions",

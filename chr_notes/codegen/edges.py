@@ -50,6 +50,7 @@ RANGES = {
         Range("the axis", (0, 1, 2), "-1", "1"),
         Range("the angle", (3,), "0", "pi"),
     ),
+    "inclination_from_quaternion": (Range("the angle", (0,), "0", "pi"),),
     "tilt_from_accelerometer": _TILT,
     "observer_step": _ANGLES,
     "heading_from_magnetometer": (Range("yaw", (0,), "-pi", "pi"),),

@@ -209,6 +209,18 @@ def axis_angle_from_quaternion() -> tuple[ImmutableMatrix, Expr]:
 
 
 @cache
+def inclination() -> Expr:
+    """Angle between the body's z-axis and the vertical, by the tangent of its half.
+
+    Its cosine is the last element of the matrix. As a sine or cosine the angle would be lost where
+    it is small; `tan² = (1 - cos) / (1 + cos)` of the half keeps it.
+    """
+    cosine = matrix_from_quaternion()[2, 2]
+    norm = norm_squared(ATTITUDE)
+    return 2 * atan2(sqrt(expand((norm - cosine) / 2)), sqrt(expand((norm + cosine) / 2)))
+
+
+@cache
 def turn_of_one_step() -> ImmutableMatrix:
     """Quaternion of the turn that constant body rates p, q, r make in the time T, exactly."""
     rates = Matrix(BODY_RATES)

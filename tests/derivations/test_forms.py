@@ -174,6 +174,10 @@ def test_inverse_and_rotations_of_vectors() -> None:
         assert same(form.inlined(), ImmutableMatrix(derived / NORM))
 
 
+def test_inclination() -> None:
+    assert same(forms.inclination().inlined(), quaternions.inclination())
+
+
 def test_constant_rates_with_and_without_a_turn() -> None:
     derived = quaternions.constant_rate_step()
     assert same(forms.constant_rate_step().inlined(0), derived.replace(*_SINC))

@@ -229,3 +229,10 @@ def test_other_peoples_numbers() -> None:
             )
             seen += 1
     assert seen >= 3
+
+
+def test_cosine_of_the_inclination_is_the_last_element_of_the_matrix() -> None:
+    # cos(2 x) of the tangent's sides.
+    sine, cosine = derived.inclination().args[1].args
+    found = (cosine**2 - sine**2) / (cosine**2 + sine**2)
+    assert expand(found * (sine**2 + cosine**2) - derived.matrix_from_quaternion()[2, 2]) == 0

@@ -188,6 +188,19 @@ def axis_angle_from_quaternion() -> Computation:
 
 
 @cache
+def inclination() -> Computation:
+    """Angle between the body's z-axis and the vertical, for a quaternion of any norm but zero."""
+    across, along = symbols("across along", real=True)
+    sine, cosine = quaternions.inclination().args[1].args
+    steps = (Let(across, sine), Let(along, cosine))
+    return Computation(
+        (*steps, Let(NORM_SQUARED, across**2 + along**2)),
+        2 * atan2(across, along),
+        guard=NORM_SQUARED,
+    )
+
+
+@cache
 def quaternion_inverse() -> Computation:
     """Inverse of a quaternion of any norm but zero."""
     norm = _norm()

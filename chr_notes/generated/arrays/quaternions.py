@@ -219,6 +219,23 @@ def axis_angle_from_quaternion(q: Floats, out: Floats) -> None:
     out[..., 3] = 2.0*arctan2(length, abs(a))
 
 
+def inclination_from_quaternion(q: Floats, out: Floats) -> None:
+    """Angle in [0, pi] between the body's z-axis and the vertical, radians.
+
+    q: a, b, c, d, shape (..., 4)
+    out: for the result, shape (...)
+
+    Right as long as the norm squared neither overflows nor vanishes.
+    """
+    a = q[..., 0]
+    b = q[..., 1]
+    c = q[..., 2]
+    d = q[..., 3]
+    across = sqrt(b*b + c*c)
+    along = sqrt(a*a + d*d)
+    out[...] = 2.0*arctan2(across, along)
+
+
 def quaternion_multiply(p: Floats, q: Floats, out: Floats) -> None:
     """Product of two quaternions (4).
 

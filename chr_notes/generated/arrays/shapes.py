@@ -15,6 +15,7 @@ SHAPES: dict[str, tuple[dict[str, tuple[int, ...]], tuple[int, ...]]] = {
     "euler_from_quaternion": ({"q": (4,)}, (3,)),
     "quaternion_from_axis_angle": ({"axis": (3,), "angle": ()}, (4,)),
     "axis_angle_from_quaternion": ({"q": (4,)}, (4,)),
+    "inclination_from_quaternion": ({"q": (4,)}, ()),
     "quaternion_multiply": ({"p": (4,), "q": (4,)}, (4,)),
     "quaternion_conjugate": ({"q": (4,)}, (4,)),
     "quaternion_inverse": ({"q": (4,)}, (4,)),

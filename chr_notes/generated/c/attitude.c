@@ -619,6 +619,20 @@ void attitude_axis_angle_from_quaternion_f(float a, float b, float c, float d, f
     out[3] = 2.0f*atan2f(length, fabsf(a));
 }
 
+double attitude_inclination_from_quaternion(double a, double b, double c, double d)
+{
+    const double across = sqrt(b*b + c*c);
+    const double along = sqrt(a*a + d*d);
+    return 2.0*atan2(across, along);
+}
+
+float attitude_inclination_from_quaternion_f(float a, float b, float c, float d)
+{
+    const float across = sqrtf(b*b + c*c);
+    const float along = sqrtf(a*a + d*d);
+    return 2.0f*atan2f(across, along);
+}
+
 void attitude_quaternion_multiply(double a1, double b1, double c1, double d1, double a2, double b2,
     double c2, double d2, double out[4])
 {

@@ -223,6 +223,19 @@ void attitude_axis_angle_from_quaternion(double a, double b, double c, double d,
 void attitude_axis_angle_from_quaternion_f(float a, float b, float c, float d, float out[4]);
 
 /*
+ * Angle in [0, pi] between the body's z-axis and the vertical, radians.
+ * a: scalar part of the attitude quaternion
+ * b: factor of i of the attitude quaternion
+ * c: factor of j of the attitude quaternion
+ * d: factor of k of the attitude quaternion
+ * The angle from 0 to pi.
+ * NaN gives NaN in each result that it enters.
+ * Right as long as the norm squared neither overflows nor vanishes.
+ */
+double attitude_inclination_from_quaternion(double a, double b, double c, double d);
+float attitude_inclination_from_quaternion_f(float a, float b, float c, float d);
+
+/*
  * Product of two quaternions (4).
  * a1: scalar part of the first factor
  * b1: factor of i of the first factor

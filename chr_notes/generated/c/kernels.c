@@ -611,6 +611,38 @@ EVERY_INSTRUCTION_SET static int64_t axis_angle_from_quaternion
     return any;
 }
 
+EVERY_INSTRUCTION_SET static int64_t inclination_from_quaternion
+    (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
+     unsigned char *odd)
+{
+    int64_t any = 0;
+    FOR_EACH_BLOCK(rows) {
+        double q_in[4][BLOCK];
+        double results[1][BLOCK];
+        int64_t left[BLOCK], some = 0;
+        LOAD(q_in, 0, 4)
+        for (ptrdiff_t row = 0; row < padded; row++) {
+            const double a = q_in[0][row];
+            const double b = q_in[1][row];
+            const double c = q_in[2][row];
+            const double d = q_in[3][row];
+            const double across = sqrt(b*b + c*c);
+            const double along = sqrt(a*a + d*d);
+            const double norm_squared = across*across + along*along;
+            results[0][row] = 2.0*column_atan2(across, along);
+            left[row] = !(FINITE(a + b + c + d) & IN_RANGE(norm_squared));
+            some |= left[row];
+        }
+        STORE(results, 1)
+        if (some) {
+            any = 1;
+            for (ptrdiff_t row = 0; row < count; row++)
+                odd[start + row] = left[row] != 0;
+        }
+    }
+    return any;
+}
+
 EVERY_INSTRUCTION_SET static int64_t quaternion_multiply
     (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
      unsigned char *odd)
@@ -2119,6 +2151,7 @@ const Kernel KERNELS[] = {
     {"euler_from_quaternion", euler_from_quaternion, 3, 1, {4}},
     {"quaternion_from_axis_angle", quaternion_from_axis_angle, 4, 2, {3, 0}},
     {"axis_angle_from_quaternion", axis_angle_from_quaternion, 4, 1, {4}},
+    {"inclination_from_quaternion", inclination_from_quaternion, 0, 1, {4}},
     {"quaternion_multiply", quaternion_multiply, 4, 2, {4, 4}},
     {"quaternion_conjugate", quaternion_conjugate, 4, 1, {4}},
     {"quaternion_inverse", quaternion_inverse, 4, 1, {4}},

@@ -251,6 +251,19 @@ export function axisAngleFromQuaternion(
 ): [number, number, number, number];
 
 /**
+ * Angle in [0, pi] between the body's z-axis and the vertical, radians.
+ * The angle from 0 to pi.
+ * NaN gives NaN in each result that it enters.
+ * Right as long as the norm squared neither overflows nor vanishes.
+ * @param {number} a scalar part of the attitude quaternion
+ * @param {number} b factor of i of the attitude quaternion
+ * @param {number} c factor of j of the attitude quaternion
+ * @param {number} d factor of k of the attitude quaternion
+ * @returns {number}
+ */
+export function inclinationFromQuaternion(a: number, b: number, c: number, d: number): number;
+
+/**
  * Product of two quaternions (4).
  * NaN gives NaN in each result that it enters.
  * Ledger: quaternions.3.2.

@@ -439,6 +439,23 @@ export function axisAngleFromQuaternion(a, b, c, d) {
 }
 
 /**
+ * Angle in [0, pi] between the body's z-axis and the vertical, radians.
+ * The angle from 0 to pi.
+ * NaN gives NaN in each result that it enters.
+ * Right as long as the norm squared neither overflows nor vanishes.
+ * @param {number} a scalar part of the attitude quaternion
+ * @param {number} b factor of i of the attitude quaternion
+ * @param {number} c factor of j of the attitude quaternion
+ * @param {number} d factor of k of the attitude quaternion
+ * @returns {number}
+ */
+export function inclinationFromQuaternion(a, b, c, d) {
+  const across = Math.sqrt(b*b + c*c);
+  const along = Math.sqrt(a*a + d*d);
+  return 2*Math.atan2(across, along);
+}
+
+/**
  * Product of two quaternions (4).
  * NaN gives NaN in each result that it enters.
  * Ledger: quaternions.3.2.

@@ -226,6 +226,21 @@ def axis_angle_from_quaternion(
     return (x, y, z, 2.0*atan2(length, abs(a)))
 
 
+def inclination_from_quaternion(a: float, b: float, c: float, d: float) -> float:
+    """Angle in [0, pi] between the body's z-axis and the vertical, radians.
+
+    a: scalar part of the attitude quaternion
+    b: factor of i of the attitude quaternion
+    c: factor of j of the attitude quaternion
+    d: factor of k of the attitude quaternion
+
+    Right as long as the norm squared neither overflows nor vanishes.
+    """
+    across = sqrt(b*b + c*c)
+    along = sqrt(a*a + d*d)
+    return 2.0*atan2(across, along)
+
+
 def quaternion_multiply(
     a1: float, b1: float, c1: float, d1: float, a2: float, b2: float, c2: float, d2: float
 ) -> tuple[float, float, float, float]:
