@@ -85,6 +85,7 @@ def _columns(program: Program) -> list[str]:
         "                odd[start + row] = left[row] != 0;",
         "        }",
         "    }",
+        "    FINISH",
         "    return any;",
         "}",
     ]

@@ -9,7 +9,8 @@
 
 #include "elementary.h"
 
-enum { BLOCK = 64, TOGETHER = 8, MOST_ARRAYS = 12 };
+/* Few enough rows that a processor loads a block while it computes another. */
+enum { BLOCK = 16, TOGETHER = 8, MANY = 1 << 20, MOST_ARRAYS = 12 };
 
 /* The fastest instruction set is chosen at run time, where compiler and system can. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__gnu_linux__) \
@@ -42,25 +43,91 @@ typedef struct {
         && (count = (rows) - start < BLOCK ? (rows) - start : BLOCK, \
             padded = (count + TOGETHER - 1) / TOGETHER * TOGETHER, 1); start += BLOCK)
 
-#define LOAD(columns, array, width) \
-    if (step[array] == 0) { \
-        for (int element = 0; element < (width); element++) \
-            for (ptrdiff_t row = 0; row < padded; row++) \
-                (columns)[element][row] = in[array][element]; \
-    } else { \
-        const double *const first = in[array] + start * (width); \
-        for (ptrdiff_t row = 0; row < count; row++) \
-            for (int element = 0; element < (width); element++) \
-                (columns)[element][row] = first[row * (width) + element]; \
-        for (int element = 0; element < (width); element++) \
-            for (ptrdiff_t row = count; row < padded; row++) \
-                (columns)[element][row] = first[element]; \
-    }
+#if defined(__clang__) || __GNUC__ >= 12
+#define TILE 4
+#define PICK __builtin_shufflevector
+typedef double Four __attribute__((vector_size(32), aligned(8)));
 
+/* Write four rows of four numbers as columns. */
+INLINE void tile(double *to, ptrdiff_t across, const double *from, ptrdiff_t down)
+{
+    const Four a = *(const Four *)from, b = *(const Four *)(from + down);
+    const Four c = *(const Four *)(from + 2 * down), d = *(const Four *)(from + 3 * down);
+    const Four p = PICK(a, b, 0, 4, 2, 6), q = PICK(a, b, 1, 5, 3, 7);
+    const Four r = PICK(c, d, 0, 4, 2, 6), s = PICK(c, d, 1, 5, 3, 7);
+    *(Four *)to = PICK(p, r, 0, 1, 4, 5);
+    *(Four *)(to + across) = PICK(q, s, 0, 1, 4, 5);
+    *(Four *)(to + 2 * across) = PICK(p, r, 2, 3, 6, 7);
+    *(Four *)(to + 3 * across) = PICK(q, s, 2, 3, 6, 7);
+}
+#else
+#define TILE BLOCK /* none */
+#define tile(to, across, from, down)
+#endif
+
+/* Fetch early what comes some blocks later: a processor does not look as far ahead. */
+#if defined(__GNUC__)
+#define FETCH(address) __builtin_prefetch(address)
+#else
+#define FETCH(address)
+#endif
+
+INLINE void load(double (*columns)[BLOCK], int width, const double *first, ptrdiff_t count)
+{
+    const ptrdiff_t rows = width < TILE ? 0 : count / TILE * TILE;
+    const int tiled = width / TILE * TILE;
+    for (int number = 0; number < BLOCK * width; number += 8)
+        FETCH(first + 8 * BLOCK * width + number);
+    for (ptrdiff_t row = 0; row < rows; row += TILE)
+        for (int element = 0; element < tiled; element += TILE)
+            tile(columns[element] + row, BLOCK, first + row * width + element, width);
+    for (int element = tiled; element < width; element++)
+        for (ptrdiff_t row = 0; row < rows; row++)
+            columns[element][row] = first[row * width + element];
+    for (ptrdiff_t row = rows; row < count; row++)
+        for (int element = 0; element < width; element++)
+            columns[element][row] = first[row * width + element];
+}
+
+INLINE void store(double *first, double (*columns)[BLOCK], int width, ptrdiff_t count)
+{
+    const ptrdiff_t rows = width < TILE ? 0 : count / TILE * TILE;
+    const int tiled = width / TILE * TILE;
+    for (ptrdiff_t row = 0; row < rows; row += TILE) {
+        for (int element = 0; element < tiled; element += TILE)
+            tile(first + row * width + element, width, columns[element] + row, BLOCK);
+        for (int element = tiled; element < width; element++)
+            for (ptrdiff_t each = row; each < row + TILE; each++)
+                first[each * width + element] = columns[element][each];
+    }
+    for (ptrdiff_t row = rows; row < count; row++)
+        for (int element = 0; element < width; element++)
+            first[row * width + element] = columns[element][row];
+}
+
+#define LOAD(columns, array, width) \
+    if (step[array]) load(columns, width, in[array] + start * (width), count); \
+    for (int element = 0; element < (width); element++) \
+        for (ptrdiff_t row = step[array] ? count : 0; row < padded; row++) \
+            (columns)[element][row] = in[array][element];
+
+/* A result that no cache holds goes to memory without being read from there before. */
+#if defined(__SSE2__)
+#include <emmintrin.h>
 #define STORE(columns, width) \
-    for (ptrdiff_t row = 0; row < count; row++) \
-        for (int element = 0; element < (width); element++) \
-            out[(start + row) * (width) + element] = (columns)[element][row];
+    if (rows * (width) > MANY && count == BLOCK && (uintptr_t)out % 16 == 0) { \
+        double lines[BLOCK * (width)]; \
+        store(lines, columns, width, BLOCK); \
+        for (int number = 0; number < BLOCK * (width); number += 2) \
+            _mm_stream_pd(out + start * (width) + number, _mm_loadu_pd(lines + number)); \
+    } else { \
+        store(out + start * (width), columns, width, count); \
+    }
+#define FINISH _mm_sfence();
+#else
+#define STORE(columns, width) store(out + start * (width), columns, width, count);
+#define FINISH
+#endif
 
 /* Whether the numbers whose sum this is are numbers, and neither infinite nor nearly so. */
 #define FINITE(sum) ((sum) - (sum) == 0.0)

@@ -56,6 +56,7 @@ EVERY_INSTRUCTION_SET static int64_t matrix_from_euler
                 odd[start + row] = left[row] != 0;
         }
     }
+    FINISH
     return any;
 }
 
@@ -111,6 +112,7 @@ EVERY_INSTRUCTION_SET static int64_t euler_from_matrix
                 odd[start + row] = left[row] != 0;
         }
     }
+    FINISH
     return any;
 }
 
@@ -156,6 +158,7 @@ EVERY_INSTRUCTION_SET static int64_t rotation_defect
                 odd[start + row] = left[row] != 0;
         }
     }
+    FINISH
     return any;
 }
 
@@ -199,6 +202,7 @@ EVERY_INSTRUCTION_SET static int64_t euler_rates_matrix
                 odd[start + row] = left[row] != 0;
         }
     }
+    FINISH
     return any;
 }
 
@@ -241,6 +245,7 @@ EVERY_INSTRUCTION_SET static int64_t euler_rates_from_body_rates
                 odd[start + row] = left[row] != 0;
         }
     }
+    FINISH
     return any;
 }
 
@@ -281,6 +286,7 @@ EVERY_INSTRUCTION_SET static int64_t body_rates_from_euler_rates
                 odd[start + row] = left[row] != 0;
         }
     }
+    FINISH
     return any;
 }
 
@@ -310,6 +316,7 @@ EVERY_INSTRUCTION_SET static int64_t wrap_angle
                 odd[start + row] = left[row] != 0;
         }
     }
+    FINISH
     return any;
 }
 
@@ -366,6 +373,7 @@ EVERY_INSTRUCTION_SET static int64_t matrix_from_quaternion
                 odd[start + row] = left[row] != 0;
         }
     }
+    FINISH
     return any;
 }
 
@@ -427,6 +435,7 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_from_matrix
                 odd[start + row] = left[row] != 0;
         }
     }
+    FINISH
     return any;
 }
 
@@ -478,6 +487,7 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_from_euler
                 odd[start + row] = left[row] != 0;
         }
     }
+    FINISH
     return any;
 }
 
@@ -525,6 +535,7 @@ EVERY_INSTRUCTION_SET static int64_t euler_from_quaternion
                 odd[start + row] = left[row] != 0;
         }
     }
+    FINISH
     return any;
 }
 
@@ -565,6 +576,7 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_from_axis_angle
                 odd[start + row] = left[row] != 0;
         }
     }
+    FINISH
     return any;
 }
 
@@ -608,6 +620,7 @@ EVERY_INSTRUCTION_SET static int64_t axis_angle_from_quaternion
                 odd[start + row] = left[row] != 0;
         }
     }
+    FINISH
     return any;
 }
 
@@ -640,6 +653,7 @@ EVERY_INSTRUCTION_SET static int64_t inclination_from_quaternion
                 odd[start + row] = left[row] != 0;
         }
     }
+    FINISH
     return any;
 }
 
@@ -678,6 +692,7 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_multiply
                 odd[start + row] = left[row] != 0;
         }
     }
+    FINISH
     return any;
 }
 
@@ -710,6 +725,7 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_conjugate
                 odd[start + row] = left[row] != 0;
         }
     }
+    FINISH
     return any;
 }
 
@@ -744,6 +760,7 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_inverse
                 odd[start + row] = left[row] != 0;
         }
     }
+    FINISH
     return any;
 }
 
@@ -785,6 +802,7 @@ EVERY_INSTRUCTION_SET static int64_t rotate_to_inertial
                 odd[start + row] = left[row] != 0;
         }
     }
+    FINISH
     return any;
 }
 
@@ -826,6 +844,7 @@ EVERY_INSTRUCTION_SET static int64_t rotate_to_body
                 odd[start + row] = left[row] != 0;
         }
     }
+    FINISH
     return any;
 }
 
@@ -864,6 +883,7 @@ EVERY_INSTRUCTION_SET static int64_t accelerometer_at_rest
                 odd[start + row] = left[row] != 0;
         }
     }
+    FINISH
     return any;
 }
 
@@ -919,6 +939,7 @@ EVERY_INSTRUCTION_SET static int64_t sensor_measures
                 odd[start + row] = left[row] != 0;
         }
     }
+    FINISH
     return any;
 }
 
@@ -971,6 +992,7 @@ EVERY_INSTRUCTION_SET static int64_t sensor_corrected
                 odd[start + row] = left[row] != 0;
         }
     }
+    FINISH
     return any;
 }
 
@@ -1043,6 +1065,7 @@ EVERY_INSTRUCTION_SET static int64_t gyro_measures
                 odd[start + row] = left[row] != 0;
         }
     }
+    FINISH
     return any;
 }
 
@@ -1115,6 +1138,7 @@ EVERY_INSTRUCTION_SET static int64_t gyro_corrected
                 odd[start + row] = left[row] != 0;
         }
     }
+    FINISH
     return any;
 }
 
@@ -1162,6 +1186,7 @@ EVERY_INSTRUCTION_SET static int64_t iron_removed
                 odd[start + row] = left[row] != 0;
         }
     }
+    FINISH
     return any;
 }
 
@@ -1209,6 +1234,7 @@ EVERY_INSTRUCTION_SET static int64_t iron_added
                 odd[start + row] = left[row] != 0;
         }
     }
+    FINISH
     return any;
 }
 
@@ -1244,6 +1270,7 @@ EVERY_INSTRUCTION_SET static int64_t vector_rate
                 odd[start + row] = left[row] != 0;
         }
     }
+    FINISH
     return any;
 }
 
@@ -1282,6 +1309,7 @@ EVERY_INSTRUCTION_SET static int64_t tilt_from_accelerometer
                 odd[start + row] = left[row] != 0;
         }
     }
+    FINISH
     return any;
 }
 
@@ -1331,6 +1359,7 @@ EVERY_INSTRUCTION_SET static int64_t heading_from_magnetometer
                 odd[start + row] = left[row] != 0;
         }
     }
+    FINISH
     return any;
 }
 
@@ -1382,6 +1411,7 @@ EVERY_INSTRUCTION_SET static int64_t validation_factor
                 odd[start + row] = left[row] != 0;
         }
     }
+    FINISH
     return any;
 }
 
@@ -1422,6 +1452,7 @@ EVERY_INSTRUCTION_SET static int64_t monitor_gain
                 odd[start + row] = left[row] != 0;
         }
     }
+    FINISH
     return any;
 }
 
@@ -1478,6 +1509,7 @@ EVERY_INSTRUCTION_SET static int64_t inertial_acceleration
                 odd[start + row] = left[row] != 0;
         }
     }
+    FINISH
     return any;
 }
 
@@ -1537,6 +1569,7 @@ EVERY_INSTRUCTION_SET static int64_t accelerometer_from_acceleration
                 odd[start + row] = left[row] != 0;
         }
     }
+    FINISH
     return any;
 }
 
@@ -1574,6 +1607,7 @@ EVERY_INSTRUCTION_SET static int64_t drift_from_tilt_error
                 odd[start + row] = left[row] != 0;
         }
     }
+    FINISH
     return any;
 }
 
@@ -1604,6 +1638,7 @@ EVERY_INSTRUCTION_SET static int64_t gain_from_time_constant
                 odd[start + row] = left[row] != 0;
         }
     }
+    FINISH
     return any;
 }
 
@@ -1636,6 +1671,7 @@ EVERY_INSTRUCTION_SET static int64_t time_constant_from_gain
                 odd[start + row] = left[row] != 0;
         }
     }
+    FINISH
     return any;
 }
 
