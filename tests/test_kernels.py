@@ -7,8 +7,11 @@ from collections.abc import Callable, Iterator
 from math import cos, isclose, nan, pi, sin
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
+from numpy.testing import assert_array_equal
 
+import chr_notes
 from chr_notes import _kernels
 from chr_notes._kernels import _load
 from chr_notes.generated.scalar import estimation, quaternions
@@ -141,6 +144,18 @@ def test_kernels_take_numbers_as_the_generated_functions_do() -> None:
 def test_kernels_refuse_what_are_not_their_numbers(wrong: tuple[object, ...]) -> None:
     with pytest.raises(TypeError):
         _kernels.of_numbers(quaternions.quaternion_from_euler)(*wrong)
+
+
+@pytest.mark.kernels
+def test_a_result_past_the_cache_is_that_of_its_rows() -> None:
+    rows = 2**20 // 9 + 13  # no whole number of blocks
+    euler = np.random.default_rng(0).uniform(-3, 3, (rows, 3))
+    matrices = np.empty(9 * rows + 1)
+    for start in (0, 1):  # one of the two is not where vectors begin
+        large = matrices[start:][: 9 * rows].reshape(rows, 3, 3)
+        chr_notes.matrix_from_euler(euler, out=large)
+        for place in (slice(40), slice(5000, 6000), slice(rows - 40, rows)):
+            assert_array_equal(large[place], chr_notes.matrix_from_euler(euler[place]))
 
 
 def test_without_kernels_the_generated_function_takes_the_numbers(
