@@ -31,6 +31,10 @@ PERMITTED = {
         "tests/test_dead_reckoning.py::test_a_recorded_walk_ends_metres_off",
         "tests/sensors/test_ellipsoid.py::test_a_recording_that_covers_too_little_is_refused",
         "tests/sensors/test_ellipsoid.py::test_recorded_fields_have_one_norm",
+        "tests/sensors/test_still.py::test_a_recording_moves_where_it_was_marked",
+        "tests/sensors/test_still.py::test_the_six_positions_of_a_session_are_found",
+        "tests/sensors/test_recorded_logs.py::test_each_recording_is_read",
+        "tests/sensors/test_recorded_logs.py::test_faults_planted_in_recordings",
         "tests/estimation/test_fixed_gain.py::test_inclination_on_a_recording_with_optical_truth",
     ),
     # The documents themselves: what the project keeps of them is compared where they are.
