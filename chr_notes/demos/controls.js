@@ -8,32 +8,43 @@
  *   legend    [{ colour, dash, width, symbol, text }]: the lines that need explaining
  *   controls  one slider each, see `slider` in parts.js
  *   outputs   one readout each, see `readout` in parts.js
- *   start     the state, { control name: number }, that Reset returns to
+ *   python    the name of its class, for "Copy as Python"
+ *   start     the state, { control name: number }, where none is given
+ *   viewpoint (state) => { heading, elevation } in degrees: from where the picture of a state that
+ *             a page opens with is seen. A picture that has one can be turned by hand.
  *   story     [{ says, state, seconds }]: what Play shows, see story.js
  *   readouts  (state) => { output name: text, see `readout` in parts.js }
  *   summary   (state) => the sentence to be announced once the reader stops moving a slider
  *   describe  (state) => the picture in words, for those who do not see it
- *   draw      (context, { width, height }, state, colours)
+ *   draw      (context, { width, height }, state, colours, viewpoint)
  */
-import { legend, node, readout, slider } from "./parts.js";
+import { copying } from "./copying.js";
+import { sight, turnByHand, turned } from "./looking.js";
+import { legend, node, readout, reserved, slider } from "./parts.js";
 import { glide, player } from "./story.js";
 
 const ANNOUNCE_AFTER = 600; // milliseconds without a change
 const RESET = 0.45; // seconds from a state back to the start
 
 /**
- * Build the demo in `element`. `onChange(state)` is called for each change by the reader.
+ * Build the demo in `element`. `opening` is the state that Reset returns to; `now` is another to
+ * begin with, such as one from the address. `onChange(state)` is called for each change by the
+ * reader, and `linkTo(state)` gives the address of a state, where there is one.
  * Returns `update(state)`, for changes from elsewhere, and `destroy()`.
  */
-function mountDemo(element, definition, initial, onChange = () => {}) {
-  const state = { ...definition.start, ...initial };
+function mountDemo(element, definition, opening, { now = {}, onChange = () => {}, linkTo } = {}) {
+  const home = { ...definition.start, ...opening };
+  const state = { ...home, ...within(definition.controls, now) };
   const cleanup = new AbortController();
   const parts = build(definition, touched);
   const { root, canvas, live, sliders, outputs, said, play, reset } = parts;
+  const seenFrom = definition.viewpoint;
+  let viewpoint = seenFrom?.(state);
 
   let frame = 0;
   let timer = 0;
   let rest = () => {};
+  let inSight = () => true;
 
   function paint() {
     frame = 0;
@@ -44,11 +55,12 @@ function mountDemo(element, definition, initial, onChange = () => {}) {
     canvas.height = Math.round(height * ratio);
     const context = canvas.getContext("2d");
     context.scale(ratio, ratio);
-    definition.draw(context, { width, height }, state, coloursOf(root));
+    definition.draw(context, { width, height }, state, coloursOf(root), viewpoint);
   }
 
+  /** Draw with the next frame, unless nobody can see it: then once it comes into sight. */
   function redraw() {
-    frame ||= requestAnimationFrame(paint);
+    if (inSight()) frame ||= requestAnimationFrame(paint);
   }
 
   function show() {
@@ -101,8 +113,24 @@ function mountDemo(element, definition, initial, onChange = () => {}) {
   reset.addEventListener("click", () => {
     rest();
     tour.rewind();
-    rest = glide({ ...state }, definition.start, RESET, { between, changed });
+    rest = glide({ ...state }, home, RESET, { between, changed });
+    look(seenFrom?.(home));
   });
+  for (const button of copying(definition, linkTo, () => state, live))
+    parts.buttons.append(button);
+
+  function look(from) {
+    if (!from) return;
+    viewpoint = from;
+    redraw();
+  }
+
+  if (seenFrom)
+    turnByHand(canvas, {
+      turn: (part) => look(turned(viewpoint, part)),
+      putBack: () => look(seenFrom(home)),
+    });
+  inSight = sight(canvas, (visible) => (visible ? redraw() : tour.stop()), cleanup.signal);
   watch(root, canvas, redraw, cleanup.signal);
   element.replaceChildren(root);
   show();
@@ -126,9 +154,18 @@ function mountDemo(element, definition, initial, onChange = () => {}) {
 
 /** The function that mounts one kind of demo, with the state that it starts from. */
 export const mountOf = (definition) => {
-  const mount = (element, state, onChange) => mountDemo(element, definition, state, onChange);
+  const mount = (element, state, given) => mountDemo(element, definition, state, given);
   return Object.assign(mount, { start: definition.start });
 };
+
+/** What of a state from outside is a number of a control, within its slider's range. */
+function within(controls, given) {
+  const inRange = controls.flatMap(({ name, min, max, toValue = Number }) => {
+    const value = given[name] === "" ? NaN : Number(given[name]); // Number("") is 0
+    return value >= toValue(min) && value <= toValue(max) ? [[name, value]] : [];
+  });
+  return Object.fromEntries(inRange);
+}
 
 /** The elements of a demo. */
 function build(definition, touched) {
@@ -138,25 +175,35 @@ function build(definition, touched) {
   const live = node("p", { class: "chr-live", "aria-live": "polite" });
   const said = node("p", { class: "chr-said" });
   const sliders = definition.controls.map((control) => slider(control, touched));
-  const outputs = definition.outputs.map(readout);
+  const outputs = definition.outputs.map((output) => readout(output, definition.readouts));
   const play = node("button", { type: "button", name: "play" });
   const reset = node("button", { type: "button", name: "reset" }, "Reset");
   const hint = node("p", { class: "chr-hint" }, node("b", {}, "Try first."), ` ${definition.hint}`);
-  const stage = node("div", { class: "chr-stage" }, canvas, ...legend(definition.legend ?? []));
+  const stage = node("div", { class: "chr-stage" }, canvas);
+  const buttons = node("div", { class: "chr-buttons" }, play, reset);
   const panel = node(
     "div",
-    { class: "chr-panel" },
+    { class: "chr-panel chr-controls" },
     ...sliders.map((each) => each.element),
-    node("div", { class: "chr-buttons" }, play, reset),
-    said,
-    node("div", { class: "chr-readouts" }, ...outputs.map((each) => each.element)),
+    buttons,
+    reserved(said, definition.story.map(({ says }) => says)),
   );
+  const part = (name, wide) =>
+    node("div", { class: name }, ...outputs.filter((each) => each.wide === wide).map((each) => each.element));
   const root = node(
     "div",
     // JupyterLab listens for shortcuts before the page does; this attribute tells it not to.
     { class: "chr-demo", role: "group", "aria-label": definition.title, "data-lm-suppress-shortcuts": "true" },
     hint,
-    node("div", { class: "chr-body" }, stage, panel),
+    node(
+      "div",
+      { class: "chr-body" },
+      stage,
+      panel,
+      part("chr-sentence", true),
+      ...legend(definition.legend ?? []),
+      part("chr-panel chr-readouts", false),
+    ),
     live,
   );
   // Keys that move a slider are ours; with Ctrl or another such key they belong to the page.
@@ -164,7 +211,7 @@ function build(definition, touched) {
     root.addEventListener(type, (event) => {
       if (!event.ctrlKey && !event.metaKey && !event.altKey) event.stopPropagation();
     });
-  return { root, canvas, live, said, sliders, outputs, play, reset };
+  return { root, canvas, live, said, sliders, outputs, play, reset, buttons };
 }
 
 /** States on the way from one to another, in equal steps of the sliders' positions. */

@@ -155,6 +155,7 @@ const SECONDS = {
 };
 
 const definition = {
+  python: "DriftDemo",
   title: "Drift of dead reckoning",
   hint: "Take the time from 10 seconds to an hour. Which error grows faster? Then make the angle ten times smaller.",
   aspect: 1.35,
@@ -164,11 +165,11 @@ const definition = {
     { name: "time", label: "Time", symbol: ["t"], min: 0, max: STEPS, step: 1, words: duration, ...SECONDS },
   ],
   outputs: [
+    { name: "meaning", label: "What it means", wide: true, longestAt: [{ angle_error: 4.6, time: 2597 }] },
     { name: "acceleration_error", label: "Acceleration error", unit: { short: "m/s²", long: "metres per second squared" } },
     { name: "velocity_error", label: "Velocity error", unit: { short: "m/s", long: "metres per second" } },
     { name: "position_error", label: "Position error", unit: METRES },
     { name: "printed_position_error", label: "Position without ½", unit: METRES },
-    { name: "meaning", label: "What it means", wide: true },
     { name: "row", table: true },
   ],
   story: [

@@ -19,7 +19,8 @@ import { formatted, rounded } from "./parts.js";
 import { widget } from "./widget.js";
 
 const DEGREE = Math.PI / 180;
-const VIEW = matrixFromEuler(0, -22 * DEGREE, 32 * DEGREE);
+// Seen from beside the plane of the yaw and the roll axis, so that the angle between the two is seen.
+const [BESIDE, ABOVE] = [62, -22]; // degrees
 const [NORTH, EAST, DOWN] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 const FLOOR = 1.4; // below the centre
 const [YAW_ARROW, PITCH_ARROW, ROLL_ARROW] = [1.42, 1.2, 1.17]; // distances from the centre
@@ -164,8 +165,9 @@ function letters(context, { project }, colours, width) {
   );
 }
 
-function draw(context, size, state, colours) {
-  const view = camera(VIEW, 6, size, { wide: 3.3, high: 3.55, shift: -0.04 });
+function draw(context, size, state, colours, { heading, elevation }) {
+  const seen = matrixFromEuler(0, elevation * DEGREE, heading * DEGREE);
+  const view = camera(seen, 6, size, { wide: 3.3, high: 3.8, shift: -0.14 });
   const { eye, project } = view;
   const colour = (name) => parsed(colours(name));
   const frame = frames(state);
@@ -228,8 +230,12 @@ function arrows(frame, colour, eye, locked) {
   ];
 }
 
+const LOCK = { yaw: 0, pitch: 90, roll: 0 };
+
 const definition = {
   title: "Gimbal lock",
+  python: "GimbalLockDemo",
+  viewpoint: ({ yaw }) => ({ heading: yaw + BESIDE, elevation: ABOVE }),
   hint: "Bring pitch to 90°, then move yaw and roll, one after the other. What does each do to the aircraft?",
   aspect: 1.08,
   start: { yaw: 0, pitch: 0, roll: 0 },
@@ -239,9 +245,9 @@ const definition = {
     { name: "roll", label: "Roll", symbol: ["φ"], axis: "x", min: -180, max: 180 },
   ].map((control) => ({ ...control, step: 1, unit: { short: "°", long: "degrees" } })),
   outputs: [
+    { name: "rings", label: "The rings", wide: true, longestAt: [LOCK] },
     { name: "determinant", label: "Determinant of D" },
     { name: "condition", label: "Condition number" },
-    { name: "rings", label: "The rings", wide: true },
     { name: "matrix", label: "Matrix R", grid: true },
     { name: "quaternion", label: "Quaternion", grid: true },
   ],

@@ -1,13 +1,51 @@
-/** The script of the book's pages: a demo in every element with a `data-demo`. */
+/**
+ * The script of the book's pages: a demo in every element with a `data-demo`. The state of one
+ * stands in the address, `#tilt?roll=20&pitch=5`, so that it can be sent, and outlives a reload.
+ */
 import { mount as drift } from "./drift.js";
 import { mount as gimbalLock } from "./gimbal_lock.js";
 import { mount as tilt } from "./tilt.js";
 
 const DEMOS = { drift, "gimbal-lock": gimbalLock, tilt };
+const WAIT = 250; // milliseconds without a change before the address follows
+
+const hashOf = (name, state) =>
+  `#${name}?${Object.entries(state).map(([key, value]) => `${key}=${Number(value.toPrecision(6))}`).join("&")}`;
+
+/** Which demo the address names, and with which state. */
+function addressed() {
+  const [name, query = ""] = location.hash.slice(1).split("?");
+  return { name, state: Object.fromEntries(new URLSearchParams(query)) };
+}
+
+function mountOne(element, address) {
+  const name = element.dataset.demo;
+  if (!(name in DEMOS)) throw new Error(`no demo is called ${name}`);
+  const meant = address.name === name;
+  let timer = 0;
+  DEMOS[name](element, JSON.parse(element.dataset.state), {
+    now: meant ? address.state : {},
+    linkTo: (state) => location.href.split("#")[0] + hashOf(name, state),
+    onChange(state) {
+      clearTimeout(timer);
+      timer = setTimeout(() => history.replaceState(history.state, "", hashOf(name, state)), WAIT);
+    },
+  });
+  return meant;
+}
 
 function mountAll() {
+  const address = addressed();
   for (const element of document.querySelectorAll("[data-demo]"))
-    DEMOS[element.dataset.demo](element, JSON.parse(element.dataset.state));
+    try {
+      if (mountOne(element, address)) {
+        element.scrollIntoView();
+        address.name = ""; // the first one of the name is meant
+      }
+    } catch (error) {
+      // What stood there for readers without scripts stays, and the other demos start.
+      element.dataset.failed = String(error);
+    }
 }
 
 if (document.readyState === "loading") document.addEventListener("DOMContentLoaded", mountAll);

@@ -61,16 +61,27 @@ export function slider(control, touched) {
 }
 
 /**
- * A readout of the output { name, label, unit: { short, long }, wide, grid, table }: a number and
- * its unit, a sentence (`wide`), numbers in rows and columns (`grid`), or a table, whose text is
- * an array of rows with the headings first. A text may be { text, note }: the note stands beside
- * it and says what is to be thought of the number.
+ * An element whose text changes, in a place that is large enough for the longest of `texts`: what
+ * stands below does not move.
  */
-export function readout(output) {
-  return output.table ? tableOf(output) : textOf(output);
+export function reserved(element, texts) {
+  const longest = texts.reduce((long, text) => (text.length > long.length ? text : long), "");
+  const ghost = node("span", { class: "chr-ghost", "aria-hidden": "true" }, longest);
+  return node("div", { class: "chr-reserved" }, element, ghost);
 }
 
-function textOf({ name, label, unit, wide, grid }) {
+/**
+ * A readout of the output { name, label, unit: { short, long }, wide, grid, table, longestAt }: a
+ * number and its unit, a sentence (`wide`), numbers in rows and columns (`grid`), or a table, whose text is
+ * an array of rows with the headings first. A text may be { text, note }: the note stands beside
+ * it and says what is to be thought of the number. A sentence is as long as anywhere at one of the
+ * states `longestAt`.
+ */
+export function readout(output, readouts) {
+  return { wide: Boolean(output.wide), ...(output.table ? tableOf(output) : textOf(output, readouts)) };
+}
+
+function textOf({ name, label, unit, wide, grid, longestAt }, readouts) {
   // An output is a live region by itself; the demo has one of its own that waits for a pause.
   const output = node("output", {
     name, "aria-live": "off", "aria-label": unit ? `${label}, ${unit.long}` : label,
@@ -83,7 +94,9 @@ function textOf({ name, label, unit, wide, grid }) {
     "div",
     { class: `chr-readout${kind}` },
     node("span", { class: "chr-name" }, label),
-    node("div", {}, output, units, aside),
+    longestAt
+      ? reserved(output, longestAt.map((state) => readouts(state)[name]))
+      : node("div", {}, output, units, aside),
   );
   return {
     element,

@@ -83,7 +83,11 @@ const DEGREES = { short: "°", long: "degrees" };
 const METRES = { short: " m/s²", long: "metres per second squared" };
 const still = { roll: 0, pitch: 0, forward_acceleration: 0, lateral_acceleration: 0, vibration: 0 };
 
+const FALLING = { ...still, roll: 90, lateral_acceleration: 9.80665 };
+const PUSHED = { roll: -150, pitch: 10, forward_acceleration: -9.9, lateral_acceleration: -9.9, vibration: 5 };
+
 const definition = {
+  python: "TiltDemo",
   title: "Tilt from an accelerometer",
   hint: "Move the forward acceleration. Which of the two angles goes wrong? Then try the lateral one, and the vibration.",
   aspect: 1.12,
@@ -97,13 +101,13 @@ const definition = {
     { name: "vibration", label: "Vibration, RMS", symbol: [], min: 0, max: 5, step: 0.1, unit: METRES },
   ],
   outputs: [
+    { name: "meaning", label: "What it means", wide: true, longestAt: [FALLING, PUSHED, { ...PUSHED, roll: 30, pitch: 90 }] },
     { name: "roll_estimate", label: "Roll estimate", unit: DEGREES },
     { name: "pitch_estimate", label: "Pitch estimate", unit: DEGREES },
     { name: "roll_error", label: "Roll error", unit: DEGREES },
     { name: "pitch_error", label: "Pitch error", unit: DEGREES },
     { name: "roll_scatter", label: "Roll scatter", unit: DEGREES },
     { name: "pitch_scatter", label: "Pitch scatter", unit: DEGREES },
-    { name: "meaning", label: "What it means", wide: true },
   ],
   story: [
     { state: still, says: "At rest and level, the accelerometer feels one thing: what holds it up against gravity. The vertical that it believes in is the real one." },

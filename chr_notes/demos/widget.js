@@ -41,7 +41,7 @@ export const widget = (mount) => ({
       own = false;
       model.save_changes();
     }, SYNC_EVERY);
-    const demo = mount(el, state(), sync.push);
+    const demo = mount(el, state(), { onChange: sync.push });
     const follow = () => own || demo.update(state());
     names.forEach((name) => model.on(`change:${name}`, follow));
     return () => {

@@ -38,16 +38,19 @@ def test_tab_reaches_each_control_and_shows_where_it_is(
     for theme in ("light", "dark"):
         page = visit(page_of(demo(), theme=theme))
         reached = []
-        for _ in range(len(demo.controls) + 2):
+        picture_first = [None] if demo is GimbalLockDemo else []  # which can be turned
+        buttons = ["play", "reset", "link", "python"]
+        for _ in range(len([*picture_first, *demo.controls, *buttons])):
             page.keyboard.press("Tab")
             name, style, width, colour = page.evaluate(
                 "() => { const each = document.activeElement, style = getComputedStyle(each);"
-                " return [each.name, style.outlineStyle, style.outlineWidth, style.outlineColor]; }"
+                " const { outlineStyle, outlineWidth, outlineColor } = style;"
+                " return [each.name ?? null, outlineStyle, outlineWidth, outlineColor]; }"
             )
             reached.append(name)
             assert (style, width) == ("solid", "3px")
             assert contrast(channels(colour), of_palette("raised", theme)) >= 3
-        assert reached == [*demo.controls, "play", "reset"]
+        assert reached == [*picture_first, *demo.controls, *buttons]
 
 
 @each_demo
@@ -129,7 +132,7 @@ def test_everything_has_a_name(visit: Visit, page_of: PageOf, demo: type[Demo]) 
         expect(page.get_by_role("button", name=name)).to_have_count(1)
     # A number with a unit beside it has the unit in its name.
     for readout in page.locator(".chr-readout").all():
-        if str(readout.locator(".chr-unit").text_content()) != "":
+        if "".join(readout.locator(".chr-unit").all_text_contents()) != "":
             label = str(readout.locator("output").get_attribute("aria-label"))
             assert label.endswith((", degrees", ", metres", ", metres per second", " squared"))
 

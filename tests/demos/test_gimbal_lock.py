@@ -2,6 +2,7 @@
 
 import math
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -9,7 +10,7 @@ from playwright.sync_api import expect
 
 import chr_notes
 from chr_notes.demos import GimbalLockDemo
-from chr_notes.demos.base import formatted
+from chr_notes.demos.base import SOURCES, formatted
 
 from .parts import SET_AND_READ, PageOf, Visit, drawn, output, picture, slider
 
@@ -122,4 +123,40 @@ def test_matrix_and_quaternion_keep_apart(visit: Visit, page_of: PageOf, width: 
     quaternion = output(page, "quaternion").bounding_box()
     assert matrix is not None
     assert quaternion is not None
-    assert matrix["x"] + matrix["width"] + 8 <= quaternion["x"]
+    beside = matrix["x"] + matrix["width"] + 8 <= quaternion["x"]
+    below = matrix["y"] + matrix["height"] + 8 <= quaternion["y"]
+    assert beside or below
+
+
+def on_screen(state: dict[str, float]) -> tuple[float, float]:
+    """True angle between the axes of yaw and roll, and the one seen on the screen, degrees."""
+    source = (SOURCES / "gimbal_lock.js").read_text(encoding="utf-8")
+    beside, above = map(float, re.findall(r"\[BESIDE, ABOVE\] = \[(\S+), (\S+)\]", source)[0])
+    assert "viewpoint: ({ yaw }) => ({ heading: yaw + BESIDE, elevation: ABOVE })" in source
+    angles = np.radians([state["roll"], state["pitch"], state["yaw"]])
+    yaw_axis, roll_axis = np.array([0.0, 0.0, -1.42]), 1.17 * chr_notes.matrix_from_euler(angles)[0]
+    view = chr_notes.matrix_from_euler(np.radians([0.0, above, state["yaw"] + beside]))
+    seen = [(view @ axis)[1:] / (6 + (view @ axis)[0]) for axis in (yaw_axis, roll_axis)]
+    apart = [abs(np.arctan2(*seen[0][::-1]) - np.arctan2(*seen[1][::-1]))]
+    true = np.arccos(yaw_axis @ roll_axis / 1.42 / 1.17)
+    return float(np.degrees(true)), float(np.degrees(apart[0]))
+
+
+def opening_states() -> list[dict[str, float]]:
+    """What the chapters open the demo with."""
+    chapters = Path(__file__).resolve().parents[2] / "notebooks"
+    calls = [
+        call
+        for chapter in sorted(chapters.glob("*.ipynb"))
+        for call in re.findall(r'"GimbalLockDemo\((.*?)\)"', chapter.read_text(encoding="utf-8"))
+    ]
+    numbers = [dict(re.findall(r"(\w+)=([-\d.]+)", call)) for call in calls]
+    return [{"roll": 0.0, "yaw": 0.0} | {k: float(v) for k, v in n.items()} for n in numbers]
+
+
+def test_the_angle_between_yaw_and_roll_is_seen_as_it_is_where_the_book_opens() -> None:
+    states = opening_states()
+    assert len(states) >= 2
+    for state in states:
+        true, seen = on_screen(state)
+        assert seen == pytest.approx(true, abs=8), state

@@ -6,7 +6,7 @@ from playwright.sync_api import expect
 
 from chr_notes.demos.base import Demo
 
-from .parts import PageOf, Visit, each_demo, hold, let_pass, picture, state_of
+from .parts import PageOf, Visit, each_demo, hold, let_pass, picture, slider, state_of
 
 
 @each_demo
@@ -86,11 +86,17 @@ def test_a_wish_for_less_motion_is_heard_at_once(
 
 
 @each_demo
-def test_reset_returns_to_the_start(visit: Visit, page_of: PageOf, demo: type[Demo]) -> None:
-    state = {name: demo.class_traits()[name].max for name in demo.controls}
-    page = visit(page_of(demo(**state)))
+def test_reset_returns_to_the_state_of_the_page(
+    visit: Visit, page_of: PageOf, demo: type[Demo]
+) -> None:
+    opening = demo(**{name: demo.class_traits()[name].max for name in demo.controls}).state()
+    page = visit(page_of(demo(**opening)))
+    for name in demo.controls:
+        slider(page, name).focus()
+        page.keyboard.press("Home")
+    assert state_of(page) != opening
     page.get_by_role("button", name="Reset").click()
     page.wait_for_function(
         "(start) => document.querySelector('.chr-demo').dataset.state === start",
-        arg=json.dumps(demo().state(), separators=(",", ":")).replace(".0", ""),
+        arg=json.dumps(opening, separators=(",", ":")).replace(".0", ""),
     )

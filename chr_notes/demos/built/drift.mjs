@@ -102,10 +102,15 @@ function slider(control, touched) {
     }
   };
 }
-function readout(output) {
-  return output.table ? tableOf(output) : textOf(output);
+function reserved(element, texts) {
+  const longest = texts.reduce((long, text) => text.length > long.length ? text : long, "");
+  const ghost = node("span", { class: "chr-ghost", "aria-hidden": "true" }, longest);
+  return node("div", { class: "chr-reserved" }, element, ghost);
 }
-function textOf({ name, label: label2, unit, wide, grid }) {
+function readout(output, readouts2) {
+  return { wide: Boolean(output.wide), ...output.table ? tableOf(output) : textOf(output, readouts2) };
+}
+function textOf({ name, label: label2, unit, wide, grid, longestAt }, readouts2) {
   const output = node("output", {
     name,
     "aria-live": "off",
@@ -119,7 +124,7 @@ function textOf({ name, label: label2, unit, wide, grid }) {
     "div",
     { class: `chr-readout${kind}` },
     node("span", { class: "chr-name" }, label2),
-    node("div", {}, output, units, aside)
+    longestAt ? reserved(output, longestAt.map((state) => readouts2(state)[name])) : node("div", {}, output, units, aside)
   );
   return {
     element,
@@ -162,6 +167,84 @@ function sample({ colour, dash = [], width = 2.5, mark: mark2 }) {
   svg.append(part("line", { x1: 1, y1: 6, x2: 29, y2: 6, style, "stroke-dasharray": dash.join(" ") }));
   if (mark2) svg.append(part("path", { d: mark2, style: `fill: var(--chr-${colour})` }));
   return svg;
+}
+
+// copying.js
+var THANKS = 1500;
+function copying({ python, controls }, linkTo, current, live) {
+  const call = (state) => `${python}(${controls.map(({ name }) => `${name}=${Number(state[name].toPrecision(15))}`).join(", ")})`;
+  const ways = [
+    ...linkTo ? [["link", "Copy link", linkTo]] : [],
+    ["python", "Copy as Python", call]
+  ];
+  return ways.map(([name, words2, text]) => {
+    const button = node("button", { type: "button", name }, words2);
+    button.addEventListener("click", async () => {
+      const done = await copied(text(current()));
+      button.textContent = done ? "Copied" : "Not copied";
+      live.textContent = button.textContent;
+      setTimeout(() => button.textContent = words2, THANKS);
+    });
+    return button;
+  });
+}
+async function copied(text) {
+  try {
+    await navigator.clipboard.writeText(text);
+    return true;
+  } catch {
+    const area = node("textarea", { class: "chr-live", "aria-hidden": "true" }, text);
+    document.body.append(area);
+    area.select();
+    const done = document.execCommand("copy");
+    area.remove();
+    return done;
+  }
+}
+
+// looking.js
+var [BY_POINTER, BY_KEY] = [0.4, 5];
+var [LOWEST, HIGHEST] = [-85, 15];
+var KEYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+function sight(element, changed, signal) {
+  let visible = true;
+  const observer = new IntersectionObserver((entries) => {
+    visible = entries.at(-1).isIntersecting;
+    changed(visible);
+  });
+  observer.observe(element);
+  signal.addEventListener("abort", () => observer.disconnect());
+  return () => visible;
+}
+var turned = ({ heading, elevation }, [right, up]) => ({
+  heading: (heading - right) % 360,
+  elevation: Math.min(HIGHEST, Math.max(LOWEST, elevation - up))
+});
+function turnByHand(canvas, { turn, putBack }) {
+  let last = null;
+  canvas.tabIndex = 0;
+  canvas.setAttribute("aria-description", "Arrow keys turn the picture, Home puts it back.");
+  canvas.classList.add("chr-turns");
+  canvas.addEventListener("pointerdown", (event) => {
+    last = [event.clientX, event.clientY];
+    canvas.setPointerCapture(event.pointerId);
+  });
+  canvas.addEventListener("pointermove", (event) => {
+    if (last === null) return;
+    const now = [event.clientX, event.clientY];
+    turn([BY_POINTER * (now[0] - last[0]), BY_POINTER * (now[1] - last[1])]);
+    last = now;
+  });
+  for (const end of ["pointerup", "pointercancel"])
+    canvas.addEventListener(end, () => last = null);
+  canvas.addEventListener("dblclick", putBack);
+  canvas.addEventListener("keydown", (event) => {
+    const way = KEYS[event.key];
+    if (!way && event.key !== "Home") return;
+    event.preventDefault();
+    if (way) turn(way.map((part) => BY_KEY * part));
+    else putBack();
+  });
 }
 
 // story.js
@@ -237,16 +320,20 @@ function player(story, { current, between, changed, say, name, signal }) {
 // controls.js
 var ANNOUNCE_AFTER = 600;
 var RESET = 0.45;
-function mountDemo(element, definition2, initial, onChange = () => {
-}) {
-  const state = { ...definition2.start, ...initial };
+function mountDemo(element, definition2, opening, { now = {}, onChange = () => {
+}, linkTo } = {}) {
+  const home = { ...definition2.start, ...opening };
+  const state = { ...home, ...within(definition2.controls, now) };
   const cleanup = new AbortController();
   const parts = build(definition2, touched);
   const { root, canvas, live, sliders, outputs, said, play, reset } = parts;
+  const seenFrom = definition2.viewpoint;
+  let viewpoint = seenFrom?.(state);
   let frame = 0;
   let timer = 0;
   let rest = () => {
   };
+  let inSight = () => true;
   function paint() {
     frame = 0;
     const ratio = devicePixelRatio || 1;
@@ -256,10 +343,10 @@ function mountDemo(element, definition2, initial, onChange = () => {
     canvas.height = Math.round(height * ratio);
     const context = canvas.getContext("2d");
     context.scale(ratio, ratio);
-    definition2.draw(context, { width, height }, state, coloursOf(root));
+    definition2.draw(context, { width, height }, state, coloursOf(root), viewpoint);
   }
   function redraw() {
-    frame ||= requestAnimationFrame(paint);
+    if (inSight()) frame ||= requestAnimationFrame(paint);
   }
   function show() {
     const texts = definition2.readouts(state);
@@ -304,8 +391,22 @@ function mountDemo(element, definition2, initial, onChange = () => {
   reset.addEventListener("click", () => {
     rest();
     tour.rewind();
-    rest = glide({ ...state }, definition2.start, RESET, { between, changed });
+    rest = glide({ ...state }, home, RESET, { between, changed });
+    look(seenFrom?.(home));
   });
+  for (const button of copying(definition2, linkTo, () => state, live))
+    parts.buttons.append(button);
+  function look(from) {
+    if (!from) return;
+    viewpoint = from;
+    redraw();
+  }
+  if (seenFrom)
+    turnByHand(canvas, {
+      turn: (part) => look(turned(viewpoint, part)),
+      putBack: () => look(seenFrom(home))
+    });
+  inSight = sight(canvas, (visible) => visible ? redraw() : tour.stop(), cleanup.signal);
   watch(root, canvas, redraw, cleanup.signal);
   element.replaceChildren(root);
   show();
@@ -326,9 +427,16 @@ function mountDemo(element, definition2, initial, onChange = () => {
   };
 }
 var mountOf = (definition2) => {
-  const mount2 = (element, state, onChange) => mountDemo(element, definition2, state, onChange);
+  const mount2 = (element, state, given) => mountDemo(element, definition2, state, given);
   return Object.assign(mount2, { start: definition2.start });
 };
+function within(controls, given) {
+  const inRange = controls.flatMap(({ name, min, max, toValue = Number }) => {
+    const value = given[name] === "" ? NaN : Number(given[name]);
+    return value >= toValue(min) && value <= toValue(max) ? [[name, value]] : [];
+  });
+  return Object.fromEntries(inRange);
+}
 function build(definition2, touched) {
   const canvas = node("canvas", {
     role: "img",
@@ -337,32 +445,41 @@ function build(definition2, touched) {
   const live = node("p", { class: "chr-live", "aria-live": "polite" });
   const said = node("p", { class: "chr-said" });
   const sliders = definition2.controls.map((control) => slider(control, touched));
-  const outputs = definition2.outputs.map(readout);
+  const outputs = definition2.outputs.map((output) => readout(output, definition2.readouts));
   const play = node("button", { type: "button", name: "play" });
   const reset = node("button", { type: "button", name: "reset" }, "Reset");
   const hint = node("p", { class: "chr-hint" }, node("b", {}, "Try first."), ` ${definition2.hint}`);
-  const stage = node("div", { class: "chr-stage" }, canvas, ...legend(definition2.legend ?? []));
+  const stage = node("div", { class: "chr-stage" }, canvas);
+  const buttons = node("div", { class: "chr-buttons" }, play, reset);
   const panel = node(
     "div",
-    { class: "chr-panel" },
+    { class: "chr-panel chr-controls" },
     ...sliders.map((each) => each.element),
-    node("div", { class: "chr-buttons" }, play, reset),
-    said,
-    node("div", { class: "chr-readouts" }, ...outputs.map((each) => each.element))
+    buttons,
+    reserved(said, definition2.story.map(({ says }) => says))
   );
+  const part = (name, wide) => node("div", { class: name }, ...outputs.filter((each) => each.wide === wide).map((each) => each.element));
   const root = node(
     "div",
     // JupyterLab listens for shortcuts before the page does; this attribute tells it not to.
     { class: "chr-demo", role: "group", "aria-label": definition2.title, "data-lm-suppress-shortcuts": "true" },
     hint,
-    node("div", { class: "chr-body" }, stage, panel),
+    node(
+      "div",
+      { class: "chr-body" },
+      stage,
+      panel,
+      part("chr-sentence", true),
+      ...legend(definition2.legend ?? []),
+      part("chr-panel chr-readouts", false)
+    ),
     live
   );
   for (const type of ["keydown", "keyup", "keypress"])
     root.addEventListener(type, (event) => {
       if (!event.ctrlKey && !event.metaKey && !event.altKey) event.stopPropagation();
     });
-  return { root, canvas, live, said, sliders, outputs, play, reset };
+  return { root, canvas, live, said, sliders, outputs, play, reset, buttons };
 }
 var betweenOf = (controls) => (from, to, t) => Object.fromEntries(
   controls.map(({ name, toPosition = Number, toValue = Number }) => {
@@ -451,7 +568,7 @@ var widget = (mount2) => ({
       own = false;
       model.save_changes();
     }, SYNC_EVERY);
-    const demo = mount2(el, state(), sync.push);
+    const demo = mount2(el, state(), { onChange: sync.push });
     const follow = () => own || demo.update(state());
     names.forEach((name) => model.on(`change:${name}`, follow));
     return () => {
@@ -586,6 +703,7 @@ var SECONDS = {
   toValue: (position) => Number((FIRST * (LAST / FIRST) ** (position / STEPS)).toPrecision(2))
 };
 var definition = {
+  python: "DriftDemo",
   title: "Drift of dead reckoning",
   hint: "Take the time from 10 seconds to an hour. Which error grows faster? Then make the angle ten times smaller.",
   aspect: 1.35,
@@ -595,11 +713,11 @@ var definition = {
     { name: "time", label: "Time", symbol: ["t"], min: 0, max: STEPS, step: 1, words: duration, ...SECONDS }
   ],
   outputs: [
+    { name: "meaning", label: "What it means", wide: true, longestAt: [{ angle_error: 4.6, time: 2597 }] },
     { name: "acceleration_error", label: "Acceleration error", unit: { short: "m/s²", long: "metres per second squared" } },
     { name: "velocity_error", label: "Velocity error", unit: { short: "m/s", long: "metres per second" } },
     { name: "position_error", label: "Position error", unit: METRES },
     { name: "printed_position_error", label: "Position without ½", unit: METRES },
-    { name: "meaning", label: "What it means", wide: true },
     { name: "row", table: true }
   ],
   story: [

@@ -263,10 +263,15 @@
       }
     };
   }
-  function readout(output) {
-    return output.table ? tableOf(output) : textOf(output);
+  function reserved(element, texts) {
+    const longest = texts.reduce((long, text) => text.length > long.length ? text : long, "");
+    const ghost = node("span", { class: "chr-ghost", "aria-hidden": "true" }, longest);
+    return node("div", { class: "chr-reserved" }, element, ghost);
   }
-  function textOf({ name, label: label2, unit: unit2, wide, grid }) {
+  function readout(output, readouts4) {
+    return { wide: Boolean(output.wide), ...output.table ? tableOf(output) : textOf(output, readouts4) };
+  }
+  function textOf({ name, label: label2, unit: unit2, wide, grid, longestAt }, readouts4) {
     const output = node("output", {
       name,
       "aria-live": "off",
@@ -280,7 +285,7 @@
       "div",
       { class: `chr-readout${kind}` },
       node("span", { class: "chr-name" }, label2),
-      node("div", {}, output, units, aside)
+      longestAt ? reserved(output, longestAt.map((state) => readouts4(state)[name])) : node("div", {}, output, units, aside)
     );
     return {
       element,
@@ -323,6 +328,84 @@
     svg.append(part("line", { x1: 1, y1: 6, x2: 29, y2: 6, style, "stroke-dasharray": dash.join(" ") }));
     if (mark2) svg.append(part("path", { d: mark2, style: `fill: var(--chr-${colour})` }));
     return svg;
+  }
+
+  // copying.js
+  var THANKS = 1500;
+  function copying({ python, controls }, linkTo, current, live) {
+    const call = (state) => `${python}(${controls.map(({ name }) => `${name}=${Number(state[name].toPrecision(15))}`).join(", ")})`;
+    const ways = [
+      ...linkTo ? [["link", "Copy link", linkTo]] : [],
+      ["python", "Copy as Python", call]
+    ];
+    return ways.map(([name, words2, text]) => {
+      const button = node("button", { type: "button", name }, words2);
+      button.addEventListener("click", async () => {
+        const done = await copied(text(current()));
+        button.textContent = done ? "Copied" : "Not copied";
+        live.textContent = button.textContent;
+        setTimeout(() => button.textContent = words2, THANKS);
+      });
+      return button;
+    });
+  }
+  async function copied(text) {
+    try {
+      await navigator.clipboard.writeText(text);
+      return true;
+    } catch {
+      const area = node("textarea", { class: "chr-live", "aria-hidden": "true" }, text);
+      document.body.append(area);
+      area.select();
+      const done = document.execCommand("copy");
+      area.remove();
+      return done;
+    }
+  }
+
+  // looking.js
+  var [BY_POINTER, BY_KEY] = [0.4, 5];
+  var [LOWEST, HIGHEST] = [-85, 15];
+  var KEYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+  function sight(element, changed, signal) {
+    let visible = true;
+    const observer = new IntersectionObserver((entries) => {
+      visible = entries.at(-1).isIntersecting;
+      changed(visible);
+    });
+    observer.observe(element);
+    signal.addEventListener("abort", () => observer.disconnect());
+    return () => visible;
+  }
+  var turned = ({ heading, elevation }, [right, up]) => ({
+    heading: (heading - right) % 360,
+    elevation: Math.min(HIGHEST, Math.max(LOWEST, elevation - up))
+  });
+  function turnByHand(canvas, { turn: turn2, putBack }) {
+    let last = null;
+    canvas.tabIndex = 0;
+    canvas.setAttribute("aria-description", "Arrow keys turn the picture, Home puts it back.");
+    canvas.classList.add("chr-turns");
+    canvas.addEventListener("pointerdown", (event) => {
+      last = [event.clientX, event.clientY];
+      canvas.setPointerCapture(event.pointerId);
+    });
+    canvas.addEventListener("pointermove", (event) => {
+      if (last === null) return;
+      const now = [event.clientX, event.clientY];
+      turn2([BY_POINTER * (now[0] - last[0]), BY_POINTER * (now[1] - last[1])]);
+      last = now;
+    });
+    for (const end of ["pointerup", "pointercancel"])
+      canvas.addEventListener(end, () => last = null);
+    canvas.addEventListener("dblclick", putBack);
+    canvas.addEventListener("keydown", (event) => {
+      const way = KEYS[event.key];
+      if (!way && event.key !== "Home") return;
+      event.preventDefault();
+      if (way) turn2(way.map((part) => BY_KEY * part));
+      else putBack();
+    });
   }
 
   // story.js
@@ -398,16 +481,20 @@
   // controls.js
   var ANNOUNCE_AFTER = 600;
   var RESET = 0.45;
-  function mountDemo(element, definition4, initial, onChange = () => {
-  }) {
-    const state = { ...definition4.start, ...initial };
+  function mountDemo(element, definition4, opening, { now = {}, onChange = () => {
+  }, linkTo } = {}) {
+    const home = { ...definition4.start, ...opening };
+    const state = { ...home, ...within(definition4.controls, now) };
     const cleanup = new AbortController();
     const parts = build(definition4, touched);
     const { root, canvas, live, sliders, outputs, said, play, reset } = parts;
+    const seenFrom = definition4.viewpoint;
+    let viewpoint = seenFrom?.(state);
     let frame = 0;
     let timer = 0;
     let rest = () => {
     };
+    let inSight = () => true;
     function paint2() {
       frame = 0;
       const ratio = devicePixelRatio || 1;
@@ -417,10 +504,10 @@
       canvas.height = Math.round(height * ratio);
       const context = canvas.getContext("2d");
       context.scale(ratio, ratio);
-      definition4.draw(context, { width, height }, state, coloursOf(root));
+      definition4.draw(context, { width, height }, state, coloursOf(root), viewpoint);
     }
     function redraw() {
-      frame ||= requestAnimationFrame(paint2);
+      if (inSight()) frame ||= requestAnimationFrame(paint2);
     }
     function show() {
       const texts = definition4.readouts(state);
@@ -465,8 +552,22 @@
     reset.addEventListener("click", () => {
       rest();
       tour.rewind();
-      rest = glide({ ...state }, definition4.start, RESET, { between: between2, changed });
+      rest = glide({ ...state }, home, RESET, { between: between2, changed });
+      look(seenFrom?.(home));
     });
+    for (const button of copying(definition4, linkTo, () => state, live))
+      parts.buttons.append(button);
+    function look(from) {
+      if (!from) return;
+      viewpoint = from;
+      redraw();
+    }
+    if (seenFrom)
+      turnByHand(canvas, {
+        turn: (part) => look(turned(viewpoint, part)),
+        putBack: () => look(seenFrom(home))
+      });
+    inSight = sight(canvas, (visible) => visible ? redraw() : tour.stop(), cleanup.signal);
     watch(root, canvas, redraw, cleanup.signal);
     element.replaceChildren(root);
     show();
@@ -487,9 +588,16 @@
     };
   }
   var mountOf = (definition4) => {
-    const mount4 = (element, state, onChange) => mountDemo(element, definition4, state, onChange);
+    const mount4 = (element, state, given) => mountDemo(element, definition4, state, given);
     return Object.assign(mount4, { start: definition4.start });
   };
+  function within(controls, given) {
+    const inRange = controls.flatMap(({ name, min, max, toValue = Number }) => {
+      const value = given[name] === "" ? NaN : Number(given[name]);
+      return value >= toValue(min) && value <= toValue(max) ? [[name, value]] : [];
+    });
+    return Object.fromEntries(inRange);
+  }
   function build(definition4, touched) {
     const canvas = node("canvas", {
       role: "img",
@@ -498,32 +606,41 @@
     const live = node("p", { class: "chr-live", "aria-live": "polite" });
     const said = node("p", { class: "chr-said" });
     const sliders = definition4.controls.map((control) => slider(control, touched));
-    const outputs = definition4.outputs.map(readout);
+    const outputs = definition4.outputs.map((output) => readout(output, definition4.readouts));
     const play = node("button", { type: "button", name: "play" });
     const reset = node("button", { type: "button", name: "reset" }, "Reset");
     const hint = node("p", { class: "chr-hint" }, node("b", {}, "Try first."), ` ${definition4.hint}`);
-    const stage = node("div", { class: "chr-stage" }, canvas, ...legend(definition4.legend ?? []));
+    const stage = node("div", { class: "chr-stage" }, canvas);
+    const buttons = node("div", { class: "chr-buttons" }, play, reset);
     const panel = node(
       "div",
-      { class: "chr-panel" },
+      { class: "chr-panel chr-controls" },
       ...sliders.map((each) => each.element),
-      node("div", { class: "chr-buttons" }, play, reset),
-      said,
-      node("div", { class: "chr-readouts" }, ...outputs.map((each) => each.element))
+      buttons,
+      reserved(said, definition4.story.map(({ says }) => says))
     );
+    const part = (name, wide) => node("div", { class: name }, ...outputs.filter((each) => each.wide === wide).map((each) => each.element));
     const root = node(
       "div",
       // JupyterLab listens for shortcuts before the page does; this attribute tells it not to.
       { class: "chr-demo", role: "group", "aria-label": definition4.title, "data-lm-suppress-shortcuts": "true" },
       hint,
-      node("div", { class: "chr-body" }, stage, panel),
+      node(
+        "div",
+        { class: "chr-body" },
+        stage,
+        panel,
+        part("chr-sentence", true),
+        ...legend(definition4.legend ?? []),
+        part("chr-panel chr-readouts", false)
+      ),
       live
     );
     for (const type of ["keydown", "keyup", "keypress"])
       root.addEventListener(type, (event) => {
         if (!event.ctrlKey && !event.metaKey && !event.altKey) event.stopPropagation();
       });
-    return { root, canvas, live, said, sliders, outputs, play, reset };
+    return { root, canvas, live, said, sliders, outputs, play, reset, buttons };
   }
   var betweenOf = (controls) => (from, to, t) => Object.fromEntries(
     controls.map(({ name, toPosition = Number, toValue = Number }) => {
@@ -654,7 +771,7 @@
     if (polygons.length === 0) return null;
     const [first, ...rest] = polygons;
     const cut = first.plane;
-    const within = [first];
+    const within2 = [first];
     const front = [];
     const behind = [];
     for (const polygon of rest) {
@@ -664,9 +781,9 @@
       if (above && below) {
         front.push({ ...polygon, points: clipped(polygon.points, heights, 1) });
         behind.push({ ...polygon, points: clipped(polygon.points, heights, -1) });
-      } else (above ? front : below ? behind : within).push(polygon);
+      } else (above ? front : below ? behind : within2).push(polygon);
     }
-    return { cut, within, front: partition(front), behind: partition(behind) };
+    return { cut, within: within2, front: partition(front), behind: partition(behind) };
   }
   function clipped(points, heights, side) {
     return points.flatMap((point, i) => {
@@ -764,7 +881,7 @@
         own = false;
         model.save_changes();
       }, SYNC_EVERY);
-      const demo = mount4(el, state(), sync.push);
+      const demo = mount4(el, state(), { onChange: sync.push });
       const follow = () => own || demo.update(state());
       names.forEach((name) => model.on(`change:${name}`, follow));
       return () => {
@@ -899,6 +1016,7 @@
     toValue: (position) => Number((FIRST * (LAST / FIRST) ** (position / STEPS)).toPrecision(2))
   };
   var definition = {
+    python: "DriftDemo",
     title: "Drift of dead reckoning",
     hint: "Take the time from 10 seconds to an hour. Which error grows faster? Then make the angle ten times smaller.",
     aspect: 1.35,
@@ -908,11 +1026,11 @@
       { name: "time", label: "Time", symbol: ["t"], min: 0, max: STEPS, step: 1, words: duration, ...SECONDS }
     ],
     outputs: [
+      { name: "meaning", label: "What it means", wide: true, longestAt: [{ angle_error: 4.6, time: 2597 }] },
       { name: "acceleration_error", label: "Acceleration error", unit: { short: "m/s²", long: "metres per second squared" } },
       { name: "velocity_error", label: "Velocity error", unit: { short: "m/s", long: "metres per second" } },
       { name: "position_error", label: "Position error", unit: METRES },
       { name: "printed_position_error", label: "Position without ½", unit: METRES },
-      { name: "meaning", label: "What it means", wide: true },
       { name: "row", table: true }
     ],
     story: [
@@ -968,7 +1086,7 @@
 
   // gimbal_lock.js
   var DEGREE2 = Math.PI / 180;
-  var VIEW = matrixFromEuler(0, -22 * DEGREE2, 32 * DEGREE2);
+  var [BESIDE, ABOVE] = [62, -22];
   var [NORTH, EAST, DOWN] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
   var FLOOR = 1.4;
   var [YAW_ARROW, PITCH_ARROW, ROLL_ARROW] = [1.42, 1.2, 1.17];
@@ -1082,8 +1200,9 @@
       })
     );
   }
-  function draw2(context, size, state, colours) {
-    const view = camera(VIEW, 6, size, { wide: 3.3, high: 3.55, shift: -0.04 });
+  function draw2(context, size, state, colours, { heading, elevation }) {
+    const seen = matrixFromEuler(0, elevation * DEGREE2, heading * DEGREE2);
+    const view = camera(seen, 6, size, { wide: 3.3, high: 3.8, shift: -0.14 });
     const { eye, project } = view;
     const colour = (name) => parsed(colours(name));
     const frame = frames(state);
@@ -1141,8 +1260,11 @@
       ...locked ? lost : []
     ];
   }
+  var LOCK = { yaw: 0, pitch: 90, roll: 0 };
   var definition2 = {
     title: "Gimbal lock",
+    python: "GimbalLockDemo",
+    viewpoint: ({ yaw }) => ({ heading: yaw + BESIDE, elevation: ABOVE }),
     hint: "Bring pitch to 90°, then move yaw and roll, one after the other. What does each do to the aircraft?",
     aspect: 1.08,
     start: { yaw: 0, pitch: 0, roll: 0 },
@@ -1152,9 +1274,9 @@
       { name: "roll", label: "Roll", symbol: ["φ"], axis: "x", min: -180, max: 180 }
     ].map((control) => ({ ...control, step: 1, unit: { short: "°", long: "degrees" } })),
     outputs: [
+      { name: "rings", label: "The rings", wide: true, longestAt: [LOCK] },
       { name: "determinant", label: "Determinant of D" },
       { name: "condition", label: "Condition number" },
-      { name: "rings", label: "The rings", wide: true },
       { name: "matrix", label: "Matrix R", grid: true },
       { name: "quaternion", label: "Quaternion", grid: true }
     ],
@@ -1508,7 +1630,10 @@
   var DEGREES = { short: "°", long: "degrees" };
   var METRES2 = { short: " m/s²", long: "metres per second squared" };
   var still2 = { roll: 0, pitch: 0, forward_acceleration: 0, lateral_acceleration: 0, vibration: 0 };
+  var FALLING = { ...still2, roll: 90, lateral_acceleration: 9.80665 };
+  var PUSHED = { roll: -150, pitch: 10, forward_acceleration: -9.9, lateral_acceleration: -9.9, vibration: 5 };
   var definition3 = {
+    python: "TiltDemo",
     title: "Tilt from an accelerometer",
     hint: "Move the forward acceleration. Which of the two angles goes wrong? Then try the lateral one, and the vibration.",
     aspect: 1.12,
@@ -1522,13 +1647,13 @@
       { name: "vibration", label: "Vibration, RMS", symbol: [], min: 0, max: 5, step: 0.1, unit: METRES2 }
     ],
     outputs: [
+      { name: "meaning", label: "What it means", wide: true, longestAt: [FALLING, PUSHED, { ...PUSHED, roll: 30, pitch: 90 }] },
       { name: "roll_estimate", label: "Roll estimate", unit: DEGREES },
       { name: "pitch_estimate", label: "Pitch estimate", unit: DEGREES },
       { name: "roll_error", label: "Roll error", unit: DEGREES },
       { name: "pitch_error", label: "Pitch error", unit: DEGREES },
       { name: "roll_scatter", label: "Roll scatter", unit: DEGREES },
-      { name: "pitch_scatter", label: "Pitch scatter", unit: DEGREES },
-      { name: "meaning", label: "What it means", wide: true }
+      { name: "pitch_scatter", label: "Pitch scatter", unit: DEGREES }
     ],
     story: [
       { state: still2, says: "At rest and level, the accelerometer feels one thing: what holds it up against gravity. The vertical that it believes in is the real one." },
@@ -1548,9 +1673,38 @@
 
   // pages.js
   var DEMOS = { drift: mount, "gimbal-lock": mount2, tilt: mount3 };
+  var WAIT2 = 250;
+  var hashOf = (name, state) => `#${name}?${Object.entries(state).map(([key, value]) => `${key}=${Number(value.toPrecision(6))}`).join("&")}`;
+  function addressed() {
+    const [name, query = ""] = location.hash.slice(1).split("?");
+    return { name, state: Object.fromEntries(new URLSearchParams(query)) };
+  }
+  function mountOne(element, address) {
+    const name = element.dataset.demo;
+    if (!(name in DEMOS)) throw new Error(`no demo is called ${name}`);
+    const meant = address.name === name;
+    let timer = 0;
+    DEMOS[name](element, JSON.parse(element.dataset.state), {
+      now: meant ? address.state : {},
+      linkTo: (state) => location.href.split("#")[0] + hashOf(name, state),
+      onChange(state) {
+        clearTimeout(timer);
+        timer = setTimeout(() => history.replaceState(history.state, "", hashOf(name, state)), WAIT2);
+      }
+    });
+    return meant;
+  }
   function mountAll() {
+    const address = addressed();
     for (const element of document.querySelectorAll("[data-demo]"))
-      DEMOS[element.dataset.demo](element, JSON.parse(element.dataset.state));
+      try {
+        if (mountOne(element, address)) {
+          element.scrollIntoView();
+          address.name = "";
+        }
+      } catch (error) {
+        element.dataset.failed = String(error);
+      }
   }
   if (document.readyState === "loading") document.addEventListener("DOMContentLoaded", mountAll);
   else mountAll();

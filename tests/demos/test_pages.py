@@ -1,0 +1,185 @@
+"""Demos on a page of the book: each by itself, with a state in the address, idle out of sight."""
+
+import re
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import expect
+
+from chr_notes.demos import DriftDemo, GimbalLockDemo, TiltDemo
+from chr_notes.demos.base import Demo
+
+from .parts import (
+    DEMOS,
+    PageOf,
+    Visit,
+    each_demo,
+    hold,
+    let_pass,
+    output,
+    picture,
+    slider,
+    state_of,
+)
+
+
+def test_a_demo_that_fails_leaves_the_others_alone(visit: Visit, page_of: PageOf) -> None:
+    address = page_of(GimbalLockDemo(), TiltDemo(), DriftDemo())
+    path = Path(address.removeprefix("file://"))
+    text = path.read_text(encoding="utf-8").replace('data-demo="gimbal-lock"', 'data-demo="none"')
+    path.write_text(text.replace("&quot;vibration&quot;: 0.0", "nonsense"), encoding="utf-8")
+    page = visit(address)
+    expect(page.locator(".chr-demo")).to_have_count(1)
+    # What stood there for readers without scripts still stands there.
+    expect(page.locator("[data-failed]")).to_have_count(2)
+    expect(page.get_by_text("An aircraft in three rings: yaw 0°")).to_have_count(1)
+
+
+@each_demo
+def test_the_address_follows_the_state_and_a_reload_keeps_it(
+    visit: Visit, page_of: PageOf, demo: type[Demo]
+) -> None:
+    page = visit(page_of(demo(), demo()))
+    assert "#" not in page.url
+    name = demo.controls[0]
+    slider(page, name).first.focus()
+    page.keyboard.press("ArrowRight")
+    page.wait_for_function("location.hash !== ''")
+    state = state_of(page)
+    assert page.url.partition("#")[2].startswith(f"{demo.element}?{name}=")
+    page.reload()
+    assert state_of(page) == pytest.approx(state, rel=1e-5)
+    # The second one of that name stays as the page has it, and Reset leads back to the page's.
+    others = page.locator(".chr-demo").nth(1).get_attribute("data-state")
+    page.get_by_role("button", name="Reset").first.click()
+    page.wait_for_function(
+        "(state) => document.querySelector('.chr-demo').dataset.state === state", arg=others
+    )
+
+
+@pytest.mark.parametrize(
+    "query", ["roll=900", "roll=nonsense", "roll=", "other=3", "roll=1e999", "%", ""]
+)
+def test_an_address_that_means_nothing_changes_nothing(
+    visit: Visit, page_of: PageOf, query: str
+) -> None:
+    page = visit(page_of(TiltDemo(roll=10)) + f"#tilt?{query}")
+    assert state_of(page) == TiltDemo(roll=10).state()
+
+
+@each_demo
+def test_a_state_can_be_copied_as_address_and_as_python(
+    visit: Visit, page_of: PageOf, demo: type[Demo]
+) -> None:
+    page = visit(page_of(demo()))
+    page.evaluate(
+        "() => { window.copied = []; Object.defineProperty(navigator, 'clipboard',"
+        " { value: { writeText: async (text) => { window.copied.push(text); } } }); }"
+    )
+    slider(page, demo.controls[0]).focus()
+    page.keyboard.press("ArrowRight")
+    for name in ("Copy link", "Copy as Python"):
+        page.get_by_role("button", name=name).click()
+        expect(page.get_by_role("button", name="Copied").first).to_be_visible()
+    link, python = page.evaluate("copied")
+    assert f"#{demo.element}?" in link
+    made = eval(python, {each.__name__: each for each in DEMOS})  # noqa: S307 (our own text)
+    assert made.state() == state_of(page)
+    page.goto("about:blank")
+    page.goto(link)
+    assert state_of(page) == pytest.approx(made.state(), rel=1e-5)
+
+
+def test_nothing_is_drawn_or_played_out_of_sight(visit: Visit, page_of: PageOf) -> None:
+    page = visit(page_of(GimbalLockDemo()), width=700)
+    hold(page)
+    page.get_by_role("button", name="Play").click()
+    let_pass(page, 600)
+    page.evaluate("document.body.style.paddingBottom = '5000px'; scrollTo(0, 4500)")
+    expect(page.get_by_role("button", name=re.compile("Go on|Play"))).to_have_count(1)
+    state = state_of(page)
+    let_pass(page, 20_000, frame=2_000)
+    assert state_of(page) == state
+
+
+@each_demo
+def test_nothing_moves_when_a_text_grows(visit: Visit, page_of: PageOf, demo: type[Demo]) -> None:
+    page = visit(page_of(demo()), width=500, reduced_motion="reduce")
+    places = (
+        "() => [...document.querySelectorAll('.chr-demo :is(canvas, input, output)')]"
+        ".map((each) => each.getBoundingClientRect().top + scrollY)"
+    )
+    before = page.evaluate(places)
+    for control in demo.controls:
+        for key in ("End", "Home"):
+            slider(page, control).focus()
+            page.keyboard.press(key)
+            assert page.evaluate(places) == pytest.approx(before, abs=0.5), (control, key)
+    page.get_by_role("button", name="Show me, step by step").click()
+    assert page.evaluate(places) == pytest.approx(before, abs=0.5)
+
+
+CUT_OFF = """(width) => [...document.querySelectorAll(".chr-demo *")].filter((part) => {
+  if (part.closest(".chr-live") || part.tagName === "OPTION") return false;
+  const box = part.getBoundingClientRect();
+  return box.width > 0 && (box.right > width + 0.5 || part.scrollWidth > part.clientWidth + 1
+    && getComputedStyle(part).display !== "inline" && part.tagName !== "INPUT");
+}).map((part) => `${part.className} ${part.textContent}`)"""
+
+
+def test_nothing_is_cut_off_at_any_width(visit: Visit, page_of: PageOf) -> None:
+    extremes = [
+        GimbalLockDemo(yaw=-180, pitch=89.9, roll=-180),
+        TiltDemo(roll=-179, pitch=-89, forward_acceleration=-10, lateral_acceleration=-9.9),
+        DriftDemo(angle_error=4.6, time=3599),
+    ]
+    page = visit(page_of(*extremes))
+    for width in (*range(320, 400, 10), *range(640, 730, 2), *range(985, 1000), 1200, 1920):
+        page.set_viewport_size({"width": width, "height": 900})
+        assert page.evaluate(CUT_OFF, width) == [], width
+
+
+@each_demo
+def test_on_a_phone_picture_and_each_slider_are_seen_together(
+    visit: Visit, page_of: PageOf, demo: type[Demo]
+) -> None:
+    page = visit(page_of(demo()), width=390)
+    page.set_viewport_size({"width": 390, "height": 844})
+    for name in demo.controls:
+        slider(page, name).scroll_into_view_if_needed()
+        canvas = page.locator("canvas").bounding_box()
+        box = slider(page, name).bounding_box()
+        assert canvas is not None
+        assert box is not None
+        assert canvas["y"] >= -1
+        assert canvas["y"] + canvas["height"] <= box["y"]
+        assert box["y"] + box["height"] <= 844
+
+
+# ── turning the picture ────────────────────────────────────────────────────────────────────────
+
+
+def test_the_picture_turns_by_hand_and_by_keys_and_back(visit: Visit, page_of: PageOf) -> None:
+    page = visit(page_of(GimbalLockDemo(yaw=30, pitch=60)))
+    canvas = page.locator("canvas")
+    first = picture(page)
+    box = canvas.bounding_box()
+    assert box is not None
+    page.mouse.move(box["x"] + 100, box["y"] + 100)
+    page.mouse.down()
+    page.mouse.move(box["x"] + 160, box["y"] + 120)
+    page.mouse.up()
+    dragged = picture(page)
+    assert dragged != first
+    page.mouse.move(box["x"] + 260, box["y"] + 220)
+    assert picture(page) == dragged, "it turns without a button down"
+    canvas.dblclick()
+    assert picture(page) == first
+    canvas.focus()
+    page.keyboard.press("ArrowLeft")
+    page.keyboard.press("ArrowUp")
+    assert picture(page) != first
+    page.keyboard.press("Home")
+    assert picture(page) == first
+    assert state_of(page) == GimbalLockDemo(yaw=30, pitch=60).state()
+    expect(output(page, "determinant")).to_have_text("2")
