@@ -18,7 +18,7 @@ from chr_notes.differences import (
     inclination_from_quaternion,
     slerp,
 )
-from chr_notes.errors import GimbalLockError, GimbalLockWarning
+from chr_notes.errors import CalibrationWarning, GimbalLockError, GimbalLockWarning
 from chr_notes.estimation.fixed_gain import fixed_gain_observer, rejected_samples
 from chr_notes.estimation.gains import gain_from_time_constant, time_constant_from_gain
 from chr_notes.estimation.gyro import integrate_gyro
@@ -51,10 +51,10 @@ from chr_notes.sensors.axes import AxesRelation, relate_axes
 from chr_notes.sensors.calibration import (
     fit_accelerometer,
     fit_gyro_bias,
-    fit_magnetometer,
 )
 from chr_notes.sensors.ellipsoid import Ellipsoid, fit_ellipsoid
 from chr_notes.sensors.logs import read_log
+from chr_notes.sensors.magnetometer import fit_hard_iron, fit_magnetometer
 from chr_notes.sensors.models import (
     MagnetometerCalibration,
     RateGyroCalibration,
@@ -69,6 +69,7 @@ __version__ = "0.1.0"
 __all__ = [
     "STANDARD_GRAVITY",
     "AxesRelation",
+    "CalibrationWarning",
     "Ellipsoid",
     "Estimate",
     "GimbalLockError",
@@ -100,6 +101,7 @@ __all__ = [
     "fit_accelerometer",
     "fit_ellipsoid",
     "fit_gyro_bias",
+    "fit_hard_iron",
     "fit_magnetometer",
     "fixed_gain_observer",
     "gain_from_time_constant",

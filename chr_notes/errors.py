@@ -5,6 +5,10 @@ class GimbalLockWarning(UserWarning):
     """Some attitudes are at gimbal lock: roll was set to 0 and yaw carries the rest."""
 
 
+class CalibrationWarning(UserWarning):
+    """Readings are not what they should be, and something was left out or taken for granted."""
+
+
 class GimbalLockError(ValueError):
     """Some attitudes are at gimbal lock, and the caller asked for an error.
 

@@ -138,6 +138,13 @@ G_SENSITIVITY = matrix("c", calibration.COUPLING, "the g-sensitivity")
 SOFT_IRON = matrix("d", calibration.SOFT_IRON, "the soft-iron matrix")
 DISTORTION = matrix("n", calibration.REALIGNMENT, "the inverse of the soft-iron matrix")
 HARD_IRON = axes("hard_{}", calibration.HARD_IRON, "hard-iron bias along {}")
+TO_SPHERE = tuple(
+    Argument(f"a_{name}", symbol, f"element {name} of the symmetric matrix to the unit sphere")
+    for name, symbol in zip(
+        ("xx", "xy", "xz", "yy", "yz", "zz"), calibration.TO_SPHERE, strict=True
+    )
+)
+CENTRE = axes("centre_{}", calibration.CENTRE, "centre of the readings along {}")
 ACTUAL = axes("{}", VECTOR, "what is there along {}")
 READING = axes("{}", VECTOR, "what the sensor reads along {}")
 
@@ -160,3 +167,12 @@ TILT_ERROR = Argument(
     "angle_error", dead_reckoning.tilt_error, "angle between true and estimated vertical, radians"
 )
 TIME = Argument("time", dead_reckoning.t, "time that passes, s")
+ERRORS = (
+    TILT_ERROR,
+    Argument("accel_bias", dead_reckoning.accel_bias, "bias of the accelerometer, m/s²"),
+    Argument("gyro_bias", dead_reckoning.gyro_bias, "bias of the gyro about a level axis, rad/s"),
+    Argument("scale_error", dead_reckoning.scale_error, "relative error of the sensitivity"),
+    Argument("acceleration", dead_reckoning.moving, "acceleration of the body, m/s²"),
+    Argument("accel_noise", dead_reckoning.accel_noise, "noise density, m/s²/√Hz"),
+    Argument("gyro_noise", dead_reckoning.gyro_noise, "noise density, rad/s/√Hz"),
+)

@@ -130,6 +130,18 @@ TARGETS = (
         arrays=(("vector", given.BODY_VECTOR), ("body_rates", given.RATES)),
     ),
     Target(
+        "norm_misfit",
+        "sensors",
+        "Length of a reading brought to the unit sphere, less 1, and its slopes by the unknowns",
+        (*given.TO_SPHERE, *given.CENTRE, *given.READING),
+        calibration.norm_misfit,
+        arrays=(
+            ("to_sphere", given.TO_SPHERE),
+            ("centre", given.CENTRE),
+            ("reading", given.READING),
+        ),
+    ),
+    Target(
         "tilt_from_accelerometer",
         "estimation",
         "Roll and pitch of a body at rest, radians",
@@ -334,6 +346,14 @@ TARGETS = (
             ("time", (given.TIME,)),
             ("gravity", (given.GRAVITY,)),
         ),
+    ),
+    Target(
+        "position_errors",
+        "dead_reckoning",
+        "Errors of position (m) by tilt, biases, motion, and variances (m²) by noise",
+        (*given.ERRORS, given.TIME, given.GRAVITY),
+        reckoning_forms.position_errors,
+        arrays=tuple((each.name, (each,)) for each in (*given.ERRORS, given.TIME, given.GRAVITY)),
     ),
     Target(
         "position_at_last_velocity",

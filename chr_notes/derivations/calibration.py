@@ -93,3 +93,37 @@ def readings_mean() -> ImmutableMatrix:
     return ImmutableMatrix(
         around.applyfunc(lambda part: part.integrate((height, -1, 1))) / (4 * pi)
     )
+
+
+# What brings readings back to a vector of length one: a symmetric matrix, and where they centre.
+TO_SPHERE = symbols("A_xx A_xy A_xz A_yy A_yz A_zz", real=True)
+CENTRE = symbols("c_x c_y c_z", real=True)
+
+
+def norm_misfit() -> ImmutableMatrix:
+    """Length of a reading (x, y, z) brought to the unit sphere, less 1, and its slopes.
+
+    A rotation does not change lengths, so the matrix may be taken as symmetric. The slopes are
+    those by `TO_SPHERE` and `CENTRE`, in their order: what least squares needs.
+
+    Returns
+    -------
+    ImmutableMatrix
+        10 by 1.
+    """
+    xx, xy, xz, yy, yz, zz = TO_SPHERE
+    matrix = ImmutableMatrix([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+    inside = matrix * (INPUT - ImmutableMatrix(CENTRE))
+    length = sqrt(inside.dot(inside))
+    # A length changes by the part of the vector's change that lies along it.
+    slopes = (inside.diff(each).dot(inside / length) for each in (*TO_SPHERE, *CENTRE))
+    return ImmutableMatrix([length - 1, *slopes])
+
+
+def turned_reading() -> ImmutableMatrix:
+    """Integrate what a gyro without bias reads over a turn about a fixed axis.
+
+    The rate at any time is the axis times a speed, and the speeds add up to the angle: so the
+    integral is what the sensor reads of the vector (x, y, z), axis times angle.
+    """
+    return measured().subs(dict.fromkeys(BIAS, 0))

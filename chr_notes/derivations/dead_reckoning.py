@@ -18,6 +18,7 @@ from sympy import (
     factor,
     integrate,
     sin,
+    solve,
     sqrt,
     summation,
     symbols,
@@ -173,3 +174,62 @@ def position_at_last_velocity() -> Expr:
     That is twice the position of `drift`, in which the velocity grows from zero.
     """
     return drift()[1] * t
+
+
+# Constant errors: bias of the accelerometer, bias of the gyro, relative error of the sensitivity of
+# the accelerometer; the acceleration along the ground that it is an error of.
+accel_bias, gyro_bias, scale_error = symbols("b_a b_g k", real=True)
+moving = Symbol("a_m", real=True)
+# Spectral densities of white noise of the accelerometer and of the gyro.
+accel_noise, gyro_noise = symbols("n_a n_g", positive=True)
+
+
+@cache
+def position_errors() -> ImmutableMatrix:
+    """Errors of position after a time t, from each constant error alone, along the ground.
+
+    A tilt error, a bias and a wrong sensitivity each make a constant error of acceleration. A gyro
+    bias makes a tilt error that grows with time, taken as small.
+
+    Returns
+    -------
+    ImmutableMatrix
+        From the tilt error, the accelerometer's bias, the gyro's bias, and the motion.
+    """
+    tilt, bias, motion = (
+        constant_acceleration()[1].subs(a, error)
+        for error in (drift()[0], accel_bias, scale_error * moving)
+    )
+    growing = drift()[0].diff(tilt_error).subs(tilt_error, 0) * gyro_bias * _inner
+    velocity = integrate(growing, (_inner, 0, _outer))
+    return ImmutableMatrix([tilt, bias, integrate(velocity, (_outer, 0, t)), motion])
+
+
+@cache
+def position_variances() -> ImmutableMatrix:
+    """Find the variances of position after a time t from white noise.
+
+    Each instant's noise is independent of all others, and what it adds to the position at t grows
+    with the time that is left: linearly for the accelerometer, and for the gyro, which turns the
+    vertical, with its square. The squares add up.
+
+    Returns
+    -------
+    ImmutableMatrix
+        From the accelerometer's noise and from the gyro's.
+    """
+    left = t - _inner
+    weights = (accel_noise, left), (gyro_noise, g * integrate(_outer, (_outer, 0, left)))
+    return ImmutableMatrix(
+        [density**2 * integrate(expand(weight**2), (_inner, 0, t)) for density, weight in weights]
+    )
+
+
+def acceleration_error_between_rests() -> Expr:
+    """Constant error of acceleration that explains a velocity `v_N` where there was rest.
+
+    The body rested a time t before too, and without the error its velocity would be zero now.
+    """
+    error = Dummy("error")
+    left_over = VELOCITY[0] - constant_acceleration()[0].subs(a, error)
+    return solve(left_over, error)[0]

@@ -9,46 +9,10 @@ from numpy.typing import ArrayLike
 from chr_notes._arrays import Floats, floats
 from chr_notes._samples import complete, number, whole_samples
 from chr_notes.conventions import STANDARD_GRAVITY
-from chr_notes.sensors.ellipsoid import fit_ellipsoid
-from chr_notes.sensors.models import MagnetometerCalibration, ThreeAxisCalibration
+from chr_notes.sensors.models import ThreeAxisCalibration
 from chr_notes.sensors.still import STILL_LIMIT, without_glitches
 
 _POSITIONS = ("+x", "-x", "+y", "-y", "+z", "-z")
-
-
-def fit_magnetometer(samples: ArrayLike) -> MagnetometerCalibration:
-    """Find the soft and hard iron from readings taken while the sensor was turned about.
-
-    Undisturbed readings lie on a sphere about zero; iron makes it an ellipsoid about another
-    centre. The calibration takes that ellipsoid back to a sphere whose radius is the geometric
-    mean of the semi-axes. A rotation of the sphere cannot be seen in such data, so the soft-iron
-    matrix comes out symmetric.
-    `fit_ellipsoid` gives the same ellipsoid and says how far to trust it.
-
-    Parameters
-    ----------
-    samples
-        Readings of the magnetometer in any unit, shape (N, 3), at least 10 without NaN.
-
-    Returns
-    -------
-    MagnetometerCalibration
-        In the unit of the samples.
-
-    Raises
-    ------
-    ValueError
-        If the samples are fewer than 10, all equal, in one plane, or cover too little of the
-        sphere for an ellipsoid to be found.
-
-    Notes
-    -----
-    Ledger: sensors.4.2, sensors.4.c.
-    """
-    ellipsoid = fit_ellipsoid(samples)
-    return MagnetometerCalibration(
-        soft_iron=ellipsoid.to_sphere, hard_iron=ellipsoid.to_sphere @ ellipsoid.centre
-    )
 
 
 def fit_accelerometer(

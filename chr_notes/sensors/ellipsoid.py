@@ -5,22 +5,35 @@ squares ellipsoid specific fitting, 2004), then a few Gauss-Newton steps on what
 end: that every point, brought to the sphere, has the same norm.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from chr_notes._arrays import Floats
-from chr_notes._samples import whole_samples
+from chr_notes._samples import complete
+from chr_notes._samples import samples as recording
+from chr_notes.sensors.coverage import (
+    count_directions,
+    evenly_spread,
+    named,
+    sphere_centre,
+    thinned,
+    widest_gap,
+)
+from chr_notes.sensors.norms import deviation, far_off, norms_less_one, refined, resistant
 
 _UNKNOWNS = 9
 _FEWEST = _UNKNOWNS + 1  # with one to spare, the residuals say something of the quality
 _FLATTEST = 1e-3  # thickness of the cloud over its extent; a sensor's axes never differ by so much
 _WIDEST_GAP = np.radians(100.0)  # a hemisphere leaves a gap of 90°
 _LARGEST_ERROR = 0.1  # of the norm, where it is worst
-_STEPS = 30
-_CONVERGED = 1e-9
-_TRIANGLE = np.triu_indices(3)
+_MOST_OUTLIERS = 0.25  # of the rows
+_ALL_AROUND = np.radians(60.0)  # a gap that no far point can pretend to close
+_NOISY = 0.05  # deviation of the norm that outliers may explain
+_FARTHEST = 20.0  # from the middle, over the usual distance; on a sphere hardly above 2
+_MANY = 40  # points, of which few can be told from the others by an ellipsoid
+_SUBSET = 12  # points, few enough to be free of outliers, enough for an ellipsoid
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,6 +57,9 @@ class Ellipsoid:
     standard_error
         Of the corrected norm, relative, in the direction where it is worst; it takes the residuals
         of the samples as independent of each other.
+    outliers
+        Rows of the samples that were left out, because they lie more than 2 % of the norm and
+        more than 5 standard deviations off.
     """
 
     centre: Floats
@@ -52,10 +68,11 @@ class Ellipsoid:
     spread: float
     gap: float
     standard_error: float
+    outliers: NDArray[np.intp] = field(default_factory=lambda: np.empty(0, dtype=np.intp))
 
 
 def fit_ellipsoid(samples: ArrayLike) -> Ellipsoid:
-    """Fit an ellipsoid to points.
+    """Fit an ellipsoid to points, up to a quarter of which may be outliers.
 
     Parameters
     ----------
@@ -69,33 +86,55 @@ def fit_ellipsoid(samples: ArrayLike) -> Ellipsoid:
     Raises
     ------
     ValueError
-        If the samples are fewer than 10, all equal, in one plane, or cover too little of the
-        sphere for an ellipsoid to be found.
+        If the samples are fewer than 10, come from fewer than 9 directions, lie in one plane, or
+        cover too little of the sphere for an ellipsoid to be found: it says where the largest gap
+        is. If more than a quarter of the rows lie far off.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> field = np.random.default_rng(0).normal(size=(500, 3))
+    >>> field *= 50 / np.linalg.norm(field, axis=1, keepdims=True)
+    >>> field[7] = -4096  # what an overflow looks like
+    >>> found = fit_ellipsoid(field + [10, 20, 30])
+    >>> found.centre.round(6).tolist(), round(found.radius, 6), found.outliers.tolist()
+    ([10.0, 20.0, 30.0], 50.0, [7])
     """
-    points = whole_samples("samples", samples)
+    array = recording("samples", samples)
+    rows = np.flatnonzero(complete(array))
+    points = array[rows]
     if len(points) < _FEWEST:
         msg = (
             f"samples: expected at least {_FEWEST} rows without NaN, one more than an ellipsoid "
             f"has unknowns, got {len(points)}"
         )
         raise ValueError(msg)
-    middle = points.mean(axis=0)
-    extents = np.linalg.svd(points - middle, compute_uv=False)
-    extent = float(extents[0]) / np.sqrt(len(points))
-    if extent <= 1e-12 * np.linalg.norm(middle):
-        msg = f"samples: expected readings from many directions, got {len(points)} equal rows"
-        raise ValueError(msg)
-    if extents[2] < _FLATTEST * extents[0]:
+    off = _outliers(points)
+    if off.mean() > _MOST_OUTLIERS:
+        first = points[np.argmax(off)]
         msg = (
-            "samples: expected readings all around, got points in one plane "
-            f"(thickness {extents[2] / extents[0]:.1e} of the extent)"
+            f"samples: {off.sum()} of {len(points)} rows lie far off any one ellipsoid, more than "
+            f"a quarter; the first is row {rows[np.argmax(off)]}: {first.tolist()}"
         )
         raise ValueError(msg)
+    points = points[~off]
+    middle = points.mean(axis=0)
+    extent = _extent(points, middle)
     scaled = (points - middle) / extent
     start = _direct_fit(scaled)
-    fitted = None if start is None else _refine(scaled, *start)
+    fitted = None if start is None else refined(scaled, *start)
     if fitted is None:
-        msg = "samples cover too little of the sphere: no ellipsoid comes out of them"
+        centre = sphere_centre(scaled)
+        if widest_gap(_outward(scaled, centre, np.eye(3)))[0] < _ALL_AROUND:
+            msg = (
+                "samples: expected readings on one ellipsoid, got readings from all around of "
+                "which more than a quarter lie off; is there iron that moves, or an other column?"
+            )
+            raise ValueError(msg)
+        msg = (
+            "samples cover too little of the sphere: no ellipsoid comes out of them; "
+            f"{_what_is_missing(scaled, centre, np.eye(3))}"
+        )
         raise ValueError(msg)
     ellipsoid = _judge(scaled, *fitted)
     if ellipsoid.gap > _WIDEST_GAP or ellipsoid.standard_error > _LARGEST_ERROR:
@@ -103,17 +142,87 @@ def fit_ellipsoid(samples: ArrayLike) -> Ellipsoid:
             "samples cover too little of the sphere: they leave a gap of "
             f"{np.degrees(ellipsoid.gap):.0f}° around one direction (at most "
             f"{np.degrees(_WIDEST_GAP):.0f}° allowed), and the norm is known to "
-            f"{ellipsoid.standard_error:.1%} where it is worst (at most {_LARGEST_ERROR:.0%})"
+            f"{ellipsoid.standard_error:.1%} where it is worst (at most {_LARGEST_ERROR:.0%}); "
+            f"{_what_is_missing(scaled, fitted[1], fitted[0])}"
         )
         raise ValueError(msg)
-    return Ellipsoid(
+    return replace(
+        ellipsoid,
         centre=ellipsoid.centre * extent + middle,
-        to_sphere=ellipsoid.to_sphere,
         radius=ellipsoid.radius * extent,
-        spread=ellipsoid.spread,
-        gap=ellipsoid.gap,
-        standard_error=ellipsoid.standard_error,
+        outliers=rows[off],
     )
+
+
+def _extent(points: Floats, middle: Floats) -> float:
+    """Size of a cloud; refuse one that has too few directions, or no thickness."""
+    extents = np.linalg.svd(points - middle, full_matrices=False)
+    extent = float(extents.S[0] / np.sqrt(len(points)))
+    if extent <= 1e-12 * np.linalg.norm(middle):
+        msg = f"samples: expected readings from many directions, got {len(points)} equal rows"
+        raise ValueError(msg)
+    if extents.S[2] < _FLATTEST * extents.S[0]:
+        msg = (
+            "samples: expected readings all around, got points in one plane "
+            f"(thickness {extents.S[2] / extents.S[0]:.1e} of the extent); turn the sensor so "
+            f"that the field comes from {named(extents.Vh[2])} and from {named(-extents.Vh[2])} "
+            "too, or fit_hard_iron where it cannot be turned over"
+        )
+        raise ValueError(msg)
+    directions = count_directions(points, _UNKNOWNS)
+    if directions < _UNKNOWNS:
+        msg = (
+            f"samples: expected readings from at least {_UNKNOWNS} directions, as many as an "
+            f"ellipsoid has unknowns, got {directions}, each read many times ({len(points)} rows)"
+        )
+        raise ValueError(msg)
+    return extent
+
+
+def _what_is_missing(points: Floats, centre: Floats, matrix: Floats) -> str:
+    """Say where the largest gap is, and what to do about it."""
+    gap, direction = widest_gap(_outward(points, centre, matrix))
+    return (
+        f"no reading comes from within {np.degrees(gap):.0f}° of {named(direction)} of the sensor: "
+        "turn that side along the field too, or fit_hard_iron where it cannot be turned over"
+    )
+
+
+def _outliers(points: Floats) -> NDArray[np.bool_]:
+    """Say which points are off the ellipsoid on which most others lie."""
+    cells = thinned(points)
+    middle = np.median(cells, axis=0)
+    extent = float(np.median(np.linalg.norm(cells - middle, axis=1)))
+    if not extent > 0:
+        return np.zeros(len(points), dtype=np.bool_)
+    scaled, thin = (points - middle) / extent, (cells - middle) / extent
+    far = np.asarray(np.linalg.norm(scaled, axis=1) > _FARTHEST)
+    thin = thin[np.linalg.norm(thin, axis=1) <= _FARTHEST]
+    if len(thin) < _MANY:
+        return far
+    fitted = _direct_fit(thin)
+    if fitted is not None and _all_agree(thin, scaled[~far], *fitted):
+        return far
+    fitted = resistant(thin, _direct_fit, _SUBSET)
+    for _ in range(2):  # what agrees with three quarters belongs to them
+        if fitted is None:
+            return far
+        usual = _misfit(thin, *fitted)
+        off = far_off(_misfit(scaled, *fitted), usual)
+        fitted = _direct_fit(thin[~far_off(usual, usual)])
+    return off
+
+
+def _all_agree(thin: Floats, points: Floats, matrix: Floats, centre: Floats) -> bool:
+    """Say whether an ellipsoid is one that all points lie all around."""
+    usual = _misfit(thin, matrix, centre)
+    if deviation(usual) > _NOISY or far_off(_misfit(points, matrix, centre), usual).any():
+        return False
+    return bool(widest_gap(_outward(thin, centre, matrix))[0] < _ALL_AROUND)
+
+
+def _misfit(points: Floats, matrix: Floats, centre: Floats) -> Floats:
+    return np.asarray(np.linalg.norm((points - centre) @ matrix, axis=1) - 1)
 
 
 def _direct_fit(points: Floats) -> tuple[Floats, Floats] | None:
@@ -149,42 +258,18 @@ def _direct_fit(points: Floats) -> tuple[Floats, Floats] | None:
     return vectors * np.sqrt(values) @ vectors.T, centre
 
 
-def _refine(points: Floats, matrix: Floats, centre: Floats) -> tuple[Floats, Floats] | None:
-    """Make the norms of the corrected points as equal as they get; None where that diverges."""
-    for _ in range(_STEPS):
-        residual, slopes = _norms_less_one(points, matrix, centre)
-        size = np.linalg.norm(slopes, axis=0)
-        step = np.linalg.lstsq(slopes / size, -residual, rcond=None)[0] / size
-        matrix = matrix.copy()
-        matrix[_TRIANGLE] += step[:6]
-        matrix.T[_TRIANGLE] = matrix[_TRIANGLE]
-        centre = centre + step[6:]
-        if not np.linalg.eigvalsh(matrix)[0] > 0:
-            return None
-        if np.abs(step).max() < _CONVERGED:
-            return matrix, centre
-    return None
-
-
-def _norms_less_one(points: Floats, matrix: Floats, centre: Floats) -> tuple[Floats, Floats]:
-    """Norms of the corrected points less 1, and their derivatives by the nine unknowns."""
-    left = points - centre
-    corrected = left @ matrix
-    norms = np.linalg.norm(corrected, axis=1)
-    outward = corrected / norms[:, np.newaxis]
-    row, column = _TRIANGLE
-    by_matrix = outward[:, row] * left[:, column] + outward[:, column] * left[:, row]
-    by_matrix[:, row == column] /= 2  # an element of the diagonal stands once in the matrix
-    return norms - 1, np.concatenate([by_matrix, -outward @ matrix], axis=1)
+def _outward(points: Floats, centre: Floats, matrix: Floats) -> Floats:
+    """Directions of points on the sphere that an ellipsoid is brought to."""
+    corrected: Floats = (points - centre) @ matrix
+    length = np.linalg.norm(corrected, axis=1, keepdims=True)
+    corrected /= np.where(length > 0, length, 1.0)
+    return corrected
 
 
 def _judge(points: Floats, matrix: Floats, centre: Floats) -> Ellipsoid:
-    residual, slopes = _norms_less_one(points, matrix, centre)
-    corrected = (points - centre) @ matrix
-    outward = corrected / np.linalg.norm(corrected, axis=1, keepdims=True)
-    sphere = _directions(500)
-    nearest = np.array([np.max(outward @ direction) for direction in sphere])
-    _, on_sphere = _norms_less_one(centre + sphere @ np.linalg.inv(matrix), matrix, centre)
+    residual, slopes = norms_less_one(points, matrix, centre)
+    around = centre + evenly_spread(500) @ np.linalg.inv(matrix)
+    _, on_sphere = norms_less_one(around, matrix, centre)
     variance = residual @ residual / (len(points) - _UNKNOWNS)
     # With slopes = Q R the covariance of the unknowns is the variance times (Rᵀ R)⁻¹.
     triangle = np.linalg.qr(slopes).R
@@ -195,14 +280,6 @@ def _judge(points: Floats, matrix: Floats, centre: Floats) -> Ellipsoid:
         to_sphere=radius * matrix,
         radius=radius,
         spread=float(np.std(residual) / np.mean(residual + 1)),
-        gap=float(np.arccos(np.clip(nearest.min(), -1, 1))),
+        gap=widest_gap(_outward(points, centre, matrix))[0],
         standard_error=float(np.sqrt(variance) * errors.max()),
     )
-
-
-def _directions(count: int) -> Floats:
-    """Spread directions evenly over the sphere, along a spiral by the golden angle."""
-    height = 1 - (2 * np.arange(count) + 1) / count
-    turn = np.pi * (3 - np.sqrt(5)) * np.arange(count)
-    radius = np.sqrt(1 - height**2)
-    return np.stack([radius * np.cos(turn), radius * np.sin(turn), height], axis=1)

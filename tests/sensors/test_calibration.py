@@ -11,12 +11,10 @@ from numpy.testing import assert_allclose
 from numpy.typing import NDArray
 
 from chr_notes import (
-    MagnetometerCalibration,
     RateGyroCalibration,
     ThreeAxisCalibration,
     fit_accelerometer,
     fit_gyro_bias,
-    fit_magnetometer,
     static_interval,
 )
 
@@ -27,40 +25,6 @@ UPRIGHT = np.stack([np.eye(3), -np.eye(3)], axis=1).reshape(6, 3)  # x up, x dow
 
 def recorded(recordings: Path, file: str) -> Floats:
     return np.loadtxt(recordings / file, delimiter=",", skiprows=1)
-
-
-@given(seeds)
-def test_iron_is_found_up_to_a_rotation(seed: int) -> None:
-    generator = np.random.default_rng(seed)
-    soft_iron = np.eye(3) + generator.uniform(-0.2, 0.2, (3, 3))
-    iron = MagnetometerCalibration(soft_iron, generator.uniform(-50, 50, 3))
-    field = generator.normal(size=(200, 3))
-    field *= 50 / np.linalg.norm(field, axis=1, keepdims=True)
-    found = fit_magnetometer(iron.measure(field))
-    norms = np.linalg.norm(found.correct(iron.measure(field)), axis=1)
-    assert_allclose(norms, norms[0], rtol=1e-8)
-    assert_allclose(found.soft_iron, found.soft_iron.T, atol=1e-12)
-    assert_allclose(np.linalg.det(found.soft_iron), 1)
-    # What the iron left, undone by what was found, is a rotation and a scale.
-    rest = soft_iron @ np.linalg.inv(found.soft_iron)
-    assert_allclose(rest @ rest.T, np.cbrt(np.linalg.det(rest)) ** 2 * np.eye(3), atol=1e-7)
-
-
-@pytest.mark.parametrize(
-    ("file", "columns", "largest"),
-    [("bazhin_mag_cloud.csv", [0, 1, 2], 0.022), ("ckexplorer_acc_mag_log.csv", [3, 4, 5], 0.014)],
-)
-def test_recorded_fields_are_calibrated(
-    recordings: Path, file: str, columns: list[int], largest: float
-) -> None:
-    samples = recorded(recordings, file)[:, columns]
-    norms = np.linalg.norm(fit_magnetometer(samples).correct(samples), axis=1)
-    assert np.std(norms) / np.mean(norms) <= largest
-
-
-def test_a_cloud_that_is_no_ellipsoid_is_refused() -> None:
-    with pytest.raises(ValueError, match="samples: expected at least 10 rows"):
-        fit_magnetometer(np.eye(3))
 
 
 @given(seeds, st.floats(1.0, 20.0))

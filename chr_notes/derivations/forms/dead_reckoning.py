@@ -49,3 +49,10 @@ def held_step() -> Computation:
         (Let(known, And(*numbers)), Choice(held, ((known, values), otherwise(*none)))),
         ImmutableMatrix([*velocity, *position]),
     )
+
+
+def position_errors() -> ImmutableMatrix:
+    """Errors of position from each constant error, then variances from each noise."""
+    return ImmutableMatrix(
+        [*dead_reckoning.position_errors(), *dead_reckoning.position_variances()]
+    )

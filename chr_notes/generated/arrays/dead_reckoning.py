@@ -112,3 +112,39 @@ def drift_from_tilt_error(angle_error: Floats, time: Floats, gravity: Floats, ou
     out[..., 0] = gravity_sin_angle_error
     out[..., 1] = gravity_sin_angle_error*time
     out[..., 2] = 0.5*gravity_sin_angle_error*(time*time)
+
+
+def position_errors(
+    angle_error: Floats,
+    accel_bias: Floats,
+    gyro_bias: Floats,
+    scale_error: Floats,
+    acceleration: Floats,
+    accel_noise: Floats,
+    gyro_noise: Floats,
+    time: Floats,
+    gravity: Floats,
+    out: Floats,
+) -> None:
+    """Errors of position (m) by tilt, biases, motion, and variances (m²) by noise (6).
+
+    angle_error: angle between true and estimated vertical, radians, shape (...)
+    accel_bias: bias of the accelerometer, m/s², shape (...)
+    gyro_bias: bias of the gyro about a level axis, rad/s, shape (...)
+    scale_error: relative error of the sensitivity, shape (...)
+    acceleration: acceleration of the body, m/s², shape (...)
+    accel_noise: noise density, m/s²/√Hz, shape (...)
+    gyro_noise: noise density, rad/s/√Hz, shape (...)
+    time: time that passes, s, shape (...)
+    gravity: magnitude of gravity, m/s², shape (...)
+    out: for the result, shape (..., 6)
+    """
+    sin_angle_error = sin(angle_error)
+    half_time_squared = 0.5*(time*time)
+    common_2 = time*time*time
+    out[..., 0] = gravity*half_time_squared*sin_angle_error
+    out[..., 1] = accel_bias*half_time_squared
+    out[..., 2] = 0.16666666666666666*common_2*gravity*gyro_bias
+    out[..., 3] = acceleration*half_time_squared*scale_error
+    out[..., 4] = 0.3333333333333333*common_2*(accel_noise*accel_noise)
+    out[..., 5] = 0.05*(gravity*gravity)*(gyro_noise*gyro_noise)*(time*time*time*time*time)

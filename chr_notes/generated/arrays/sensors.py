@@ -3,7 +3,7 @@ From the derivations behind the ledger entries estimation.2.4, sensors.2.2, sens
 sensors.2.4, sensors.2.5, sensors.2.c, sensors.2.e, sensors.3.2, sensors.4.1, sensors.4.2.
 """
 
-from numpy import bool_, cos, float64, sin
+from numpy import bool_, cos, float64, sin, sqrt
 from numpy.typing import NDArray
 
 Floats = NDArray[float64]
@@ -302,3 +302,58 @@ def vector_rate(vector: Floats, body_rates: Floats, out: Floats) -> None:
     out[..., 0] = -q*z + r*y
     out[..., 1] = p*z - r*x
     out[..., 2] = -p*y + q*x
+
+
+def norm_misfit(to_sphere: Floats, centre: Floats, reading: Floats, out: Floats) -> None:
+    """Length of a reading brought to the unit sphere, less 1, and its slopes by the unknowns (10).
+
+    to_sphere: a_xx, a_xy, a_xz, a_yy, a_yz, a_zz, shape (..., 6)
+    centre: centre_x, centre_y, centre_z, shape (..., 3)
+    reading: x, y, z, shape (..., 3)
+    out: for the result, shape (..., 10)
+    """
+    a_xx = to_sphere[..., 0]
+    a_xy = to_sphere[..., 1]
+    a_xz = to_sphere[..., 2]
+    a_yy = to_sphere[..., 3]
+    a_yz = to_sphere[..., 4]
+    a_zz = to_sphere[..., 5]
+    centre_x = centre[..., 0]
+    centre_y = centre[..., 1]
+    centre_z = centre[..., 2]
+    x = reading[..., 0]
+    y = reading[..., 1]
+    z = reading[..., 2]
+    common_0 = -centre_x + x
+    common_1 = -centre_y + y
+    common_2 = -centre_z + z
+    common_3 = a_xx*common_0 + a_xy*common_1 + a_xz*common_2
+    common_4 = a_xy*common_0 + a_yy*common_1 + a_yz*common_2
+    common_5 = a_xz*common_0 + a_yz*common_1 + a_zz*common_2
+    common_6 = sqrt(common_3*common_3 + common_4*common_4 + common_5*common_5)
+    inverse_common_6 = 1.0/common_6
+    common_0_inverse_common_6 = common_0*inverse_common_6
+    common_3_inverse_common_6 = common_3*inverse_common_6
+    common_1_inverse_common_6 = common_1*inverse_common_6
+    common_2_inverse_common_6 = common_2*inverse_common_6
+    common_4_inverse_common_6 = common_4*inverse_common_6
+    common_5_inverse_common_6 = common_5*inverse_common_6
+    out[..., 0] = common_6 - 1.0
+    out[..., 1] = common_0_inverse_common_6*common_3
+    out[..., 2] = common_0_inverse_common_6*common_4 + common_1*common_3_inverse_common_6
+    out[..., 3] = common_0_inverse_common_6*common_5 + common_2*common_3_inverse_common_6
+    out[..., 4] = common_1_inverse_common_6*common_4
+    out[..., 5] = common_1_inverse_common_6*common_5 + common_2_inverse_common_6*common_4
+    out[..., 6] = common_2_inverse_common_6*common_5
+    out[..., 7] = (
+        -a_xx*common_3_inverse_common_6 - a_xy*common_4_inverse_common_6 -
+            a_xz*common_5_inverse_common_6
+    )
+    out[..., 8] = (
+        -a_xy*common_3_inverse_common_6 - a_yy*common_4_inverse_common_6 -
+            a_yz*common_5_inverse_common_6
+    )
+    out[..., 9] = (
+        -a_xz*common_3_inverse_common_6 - a_yz*common_4_inverse_common_6 -
+            a_zz*common_5_inverse_common_6
+    )

@@ -41,6 +41,7 @@ SHAPES: dict[str, tuple[dict[str, tuple[int, ...]], tuple[int, ...]]] = {
     "iron_removed": ({"soft_iron": (3, 3), "hard_iron": (3,), "field": (3,)}, (3,)),
     "iron_added": ({"soft_iron": (3, 3), "hard_iron": (3,), "actual": (3,)}, (3,)),
     "vector_rate": ({"vector": (3,), "body_rates": (3,)}, (3,)),
+    "norm_misfit": ({"to_sphere": (6,), "centre": (3,), "reading": (3,)}, (10,)),
     "tilt_from_accelerometer": ({"accel": (3,)}, (2,)),
     "heading_from_magnetometer": ({"mag": (3,), "tilt": (2,), "reference": (2,)}, ()),
     "validation_factor": ({"mag": (3,), "tilt": (2,), "reference_down": ()}, ()),
@@ -48,6 +49,11 @@ SHAPES: dict[str, tuple[dict[str, tuple[int, ...]], tuple[int, ...]]] = {
     "inertial_acceleration": ({"accel": (3,), "euler": (3,), "gravity": ()}, (3,)),
     "accelerometer_from_acceleration": ({"acceleration": (3,), "euler": (3,), "gravity": ()}, (3,)),
     "drift_from_tilt_error": ({"angle_error": (), "time": (), "gravity": ()}, (3,)),
+    "position_errors": (
+        {"angle_error": (), "accel_bias": (), "gyro_bias": (), "scale_error": (), "acceleration":
+            (), "accel_noise": (), "gyro_noise": (), "time": (), "gravity": ()},
+        (6,),
+    ),
     "gain_from_time_constant": ({"time_constant": (), "dt": ()}, ()),
     "time_constant_from_gain": ({"gain": (), "dt": ()}, ()),
     "gyro_step": ({"euler": (3,), "body_rates": (3,), "dt": ()}, (3,)),

@@ -967,6 +967,71 @@ void attitude_vector_rate_f(float x, float y, float z, float p, float q, float r
     out[2] = -p*y + q*x;
 }
 
+void attitude_norm_misfit(double a_xx, double a_xy, double a_xz, double a_yy, double a_yz,
+    double a_zz, double centre_x, double centre_y, double centre_z, double x, double y, double z,
+    double out[10])
+{
+    const double common_0 = -centre_x + x;
+    const double common_1 = -centre_y + y;
+    const double common_2 = -centre_z + z;
+    const double common_3 = a_xx*common_0 + a_xy*common_1 + a_xz*common_2;
+    const double common_4 = a_xy*common_0 + a_yy*common_1 + a_yz*common_2;
+    const double common_5 = a_xz*common_0 + a_yz*common_1 + a_zz*common_2;
+    const double common_6 = sqrt(common_3*common_3 + common_4*common_4 + common_5*common_5);
+    const double inverse_common_6 = 1.0/common_6;
+    const double common_0_inverse_common_6 = common_0*inverse_common_6;
+    const double common_3_inverse_common_6 = common_3*inverse_common_6;
+    const double common_1_inverse_common_6 = common_1*inverse_common_6;
+    const double common_2_inverse_common_6 = common_2*inverse_common_6;
+    const double common_4_inverse_common_6 = common_4*inverse_common_6;
+    const double common_5_inverse_common_6 = common_5*inverse_common_6;
+    out[0] = common_6 - 1.0;
+    out[1] = common_0_inverse_common_6*common_3;
+    out[2] = common_0_inverse_common_6*common_4 + common_1*common_3_inverse_common_6;
+    out[3] = common_0_inverse_common_6*common_5 + common_2*common_3_inverse_common_6;
+    out[4] = common_1_inverse_common_6*common_4;
+    out[5] = common_1_inverse_common_6*common_5 + common_2_inverse_common_6*common_4;
+    out[6] = common_2_inverse_common_6*common_5;
+    out[7] = -a_xx*common_3_inverse_common_6 - a_xy*common_4_inverse_common_6 -
+        a_xz*common_5_inverse_common_6;
+    out[8] = -a_xy*common_3_inverse_common_6 - a_yy*common_4_inverse_common_6 -
+        a_yz*common_5_inverse_common_6;
+    out[9] = -a_xz*common_3_inverse_common_6 - a_yz*common_4_inverse_common_6 -
+        a_zz*common_5_inverse_common_6;
+}
+
+void attitude_norm_misfit_f(float a_xx, float a_xy, float a_xz, float a_yy, float a_yz, float a_zz,
+    float centre_x, float centre_y, float centre_z, float x, float y, float z, float out[10])
+{
+    const float common_0 = -centre_x + x;
+    const float common_1 = -centre_y + y;
+    const float common_2 = -centre_z + z;
+    const float common_3 = a_xx*common_0 + a_xy*common_1 + a_xz*common_2;
+    const float common_4 = a_xy*common_0 + a_yy*common_1 + a_yz*common_2;
+    const float common_5 = a_xz*common_0 + a_yz*common_1 + a_zz*common_2;
+    const float common_6 = sqrtf(common_3*common_3 + common_4*common_4 + common_5*common_5);
+    const float inverse_common_6 = 1.0f/common_6;
+    const float common_0_inverse_common_6 = common_0*inverse_common_6;
+    const float common_3_inverse_common_6 = common_3*inverse_common_6;
+    const float common_1_inverse_common_6 = common_1*inverse_common_6;
+    const float common_2_inverse_common_6 = common_2*inverse_common_6;
+    const float common_4_inverse_common_6 = common_4*inverse_common_6;
+    const float common_5_inverse_common_6 = common_5*inverse_common_6;
+    out[0] = common_6 - 1.0f;
+    out[1] = common_0_inverse_common_6*common_3;
+    out[2] = common_0_inverse_common_6*common_4 + common_1*common_3_inverse_common_6;
+    out[3] = common_0_inverse_common_6*common_5 + common_2*common_3_inverse_common_6;
+    out[4] = common_1_inverse_common_6*common_4;
+    out[5] = common_1_inverse_common_6*common_5 + common_2_inverse_common_6*common_4;
+    out[6] = common_2_inverse_common_6*common_5;
+    out[7] = -a_xx*common_3_inverse_common_6 - a_xy*common_4_inverse_common_6 -
+        a_xz*common_5_inverse_common_6;
+    out[8] = -a_xy*common_3_inverse_common_6 - a_yy*common_4_inverse_common_6 -
+        a_yz*common_5_inverse_common_6;
+    out[9] = -a_xz*common_3_inverse_common_6 - a_yz*common_4_inverse_common_6 -
+        a_zz*common_5_inverse_common_6;
+}
+
 void attitude_tilt_from_accelerometer(double accel_x, double accel_y, double accel_z, double out[2])
 {
     const double size = fabs(accel_x) + fabs(accel_y) + fabs(accel_z);
@@ -2295,6 +2360,36 @@ void attitude_drift_from_tilt_error_f(float angle_error, float time, float gravi
     out[0] = gravity_sin_angle_error;
     out[1] = gravity_sin_angle_error*time;
     out[2] = 0.5f*gravity_sin_angle_error*(time*time);
+}
+
+void attitude_position_errors(double angle_error, double accel_bias, double gyro_bias,
+    double scale_error, double acceleration, double accel_noise, double gyro_noise, double time,
+    double gravity, double out[6])
+{
+    const double sin_angle_error = sin(angle_error);
+    const double half_time_squared = 0.5*(time*time);
+    const double common_2 = time*time*time;
+    out[0] = gravity*half_time_squared*sin_angle_error;
+    out[1] = accel_bias*half_time_squared;
+    out[2] = 0.16666666666666666*common_2*gravity*gyro_bias;
+    out[3] = acceleration*half_time_squared*scale_error;
+    out[4] = 0.3333333333333333*common_2*(accel_noise*accel_noise);
+    out[5] = 0.05*(gravity*gravity)*(gyro_noise*gyro_noise)*(time*time*time*time*time);
+}
+
+void attitude_position_errors_f(float angle_error, float accel_bias, float gyro_bias,
+    float scale_error, float acceleration, float accel_noise, float gyro_noise, float time,
+    float gravity, float out[6])
+{
+    const float sin_angle_error = sinf(angle_error);
+    const float half_time_squared = 0.5f*(time*time);
+    const float common_2 = time*time*time;
+    out[0] = gravity*half_time_squared*sin_angle_error;
+    out[1] = accel_bias*half_time_squared;
+    out[2] = 0.16666666666666666f*common_2*gravity*gyro_bias;
+    out[3] = acceleration*half_time_squared*scale_error;
+    out[4] = 0.3333333333333333f*common_2*(accel_noise*accel_noise);
+    out[5] = 0.05f*(gravity*gravity)*(gyro_noise*gyro_noise)*(time*time*time*time*time);
 }
 
 double attitude_position_at_last_velocity(double angle_error, double time, double gravity)

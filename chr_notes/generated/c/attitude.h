@@ -581,6 +581,28 @@ void attitude_vector_rate(double x, double y, double z, double p, double q, doub
 void attitude_vector_rate_f(float x, float y, float z, float p, float q, float r, float out[3]);
 
 /*
+ * Length of a reading brought to the unit sphere, less 1, and its slopes by the unknowns (10).
+ * a_xx: element xx of the symmetric matrix to the unit sphere
+ * a_xy: element xy of the symmetric matrix to the unit sphere
+ * a_xz: element xz of the symmetric matrix to the unit sphere
+ * a_yy: element yy of the symmetric matrix to the unit sphere
+ * a_yz: element yz of the symmetric matrix to the unit sphere
+ * a_zz: element zz of the symmetric matrix to the unit sphere
+ * centre_x: centre of the readings along x
+ * centre_y: centre of the readings along y
+ * centre_z: centre of the readings along z
+ * x: what the sensor reads along x
+ * y: what the sensor reads along y
+ * z: what the sensor reads along z
+ * NaN gives NaN in each result that it enters.
+ */
+void attitude_norm_misfit(double a_xx, double a_xy, double a_xz, double a_yy, double a_yz,
+    double a_zz, double centre_x, double centre_y, double centre_z, double x, double y, double z,
+    double out[10]);
+void attitude_norm_misfit_f(float a_xx, float a_xy, float a_xz, float a_yy, float a_yz, float a_zz,
+    float centre_x, float centre_y, float centre_z, float x, float y, float z, float out[10]);
+
+/*
  * Roll and pitch of a body at rest, radians (2).
  * accel_x: reading of the accelerometer along x, m/s²
  * accel_y: reading of the accelerometer along y, m/s²
@@ -887,6 +909,26 @@ void attitude_dead_reckoning_step_f(float velocity_north, float velocity_east, f
  */
 void attitude_drift_from_tilt_error(double angle_error, double time, double gravity, double out[3]);
 void attitude_drift_from_tilt_error_f(float angle_error, float time, float gravity, float out[3]);
+
+/*
+ * Errors of position (m) by tilt, biases, motion, and variances (m²) by noise (6).
+ * angle_error: angle between true and estimated vertical, radians
+ * accel_bias: bias of the accelerometer, m/s²
+ * gyro_bias: bias of the gyro about a level axis, rad/s
+ * scale_error: relative error of the sensitivity
+ * acceleration: acceleration of the body, m/s²
+ * accel_noise: noise density, m/s²/√Hz
+ * gyro_noise: noise density, rad/s/√Hz
+ * time: time that passes, s
+ * gravity: magnitude of gravity, m/s²
+ * NaN gives NaN in each result that it enters.
+ */
+void attitude_position_errors(double angle_error, double accel_bias, double gyro_bias,
+    double scale_error, double acceleration, double accel_noise, double gyro_noise, double time,
+    double gravity, double out[6]);
+void attitude_position_errors_f(float angle_error, float accel_bias, float gyro_bias,
+    float scale_error, float acceleration, float accel_noise, float gyro_noise, float time,
+    float gravity, float out[6]);
 
 /*
  * Error of position (m), had its last error of velocity been there all along.

@@ -1274,6 +1274,78 @@ EVERY_INSTRUCTION_SET static int64_t vector_rate
     return any;
 }
 
+EVERY_INSTRUCTION_SET static int64_t norm_misfit
+    (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
+     unsigned char *odd)
+{
+    int64_t any = 0;
+    FOR_EACH_BLOCK(rows) {
+        double to_sphere_in[6][BLOCK];
+        double centre_in[3][BLOCK];
+        double reading_in[3][BLOCK];
+        double results[10][BLOCK];
+        int64_t left[BLOCK], some = 0;
+        LOAD(to_sphere_in, 0, 6)
+        LOAD(centre_in, 1, 3)
+        LOAD(reading_in, 2, 3)
+        for (ptrdiff_t row = 0; row < padded; row++) {
+            const double a_xx = to_sphere_in[0][row];
+            const double a_xy = to_sphere_in[1][row];
+            const double a_xz = to_sphere_in[2][row];
+            const double a_yy = to_sphere_in[3][row];
+            const double a_yz = to_sphere_in[4][row];
+            const double a_zz = to_sphere_in[5][row];
+            const double centre_x = centre_in[0][row];
+            const double centre_y = centre_in[1][row];
+            const double centre_z = centre_in[2][row];
+            const double x = reading_in[0][row];
+            const double y = reading_in[1][row];
+            const double z = reading_in[2][row];
+            const double common_0 = -centre_x + x;
+            const double common_1 = -centre_y + y;
+            const double common_2 = -centre_z + z;
+            const double common_3 = a_xx*common_0 + a_xy*common_1 + a_xz*common_2;
+            const double common_4 = a_xy*common_0 + a_yy*common_1 + a_yz*common_2;
+            const double common_5 = a_xz*common_0 + a_yz*common_1 + a_zz*common_2;
+            const double common_6 = sqrt(common_3*common_3 + common_4*common_4 + common_5*common_5);
+            const double inverse_common_6 = 1.0/common_6;
+            const double common_0_inverse_common_6 = common_0*inverse_common_6;
+            const double common_3_inverse_common_6 = common_3*inverse_common_6;
+            const double common_1_inverse_common_6 = common_1*inverse_common_6;
+            const double common_2_inverse_common_6 = common_2*inverse_common_6;
+            const double common_4_inverse_common_6 = common_4*inverse_common_6;
+            const double common_5_inverse_common_6 = common_5*inverse_common_6;
+            results[0][row] = common_6 - 1.0;
+            results[1][row] = common_0_inverse_common_6*common_3;
+            results[2][row] = common_0_inverse_common_6*common_4 +
+                common_1*common_3_inverse_common_6;
+            results[3][row] = common_0_inverse_common_6*common_5 +
+                common_2*common_3_inverse_common_6;
+            results[4][row] = common_1_inverse_common_6*common_4;
+            results[5][row] = common_1_inverse_common_6*common_5 +
+                common_2_inverse_common_6*common_4;
+            results[6][row] = common_2_inverse_common_6*common_5;
+            results[7][row] = -a_xx*common_3_inverse_common_6 - a_xy*common_4_inverse_common_6 -
+                a_xz*common_5_inverse_common_6;
+            results[8][row] = -a_xy*common_3_inverse_common_6 - a_yy*common_4_inverse_common_6 -
+                a_yz*common_5_inverse_common_6;
+            results[9][row] = -a_xz*common_3_inverse_common_6 - a_yz*common_4_inverse_common_6 -
+                a_zz*common_5_inverse_common_6;
+            left[row] = !(FINITE(a_xx + a_xy + a_xz + a_yy + a_yz + a_zz + centre_x + centre_y +
+                centre_z + x + y + z));
+            some |= left[row];
+        }
+        STORE(results, 10)
+        if (some) {
+            any = 1;
+            for (ptrdiff_t row = 0; row < count; row++)
+                odd[start + row] = left[row] != 0;
+        }
+    }
+    FINISH
+    return any;
+}
+
 EVERY_INSTRUCTION_SET static int64_t tilt_from_accelerometer
     (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
      unsigned char *odd)
@@ -1601,6 +1673,67 @@ EVERY_INSTRUCTION_SET static int64_t drift_from_tilt_error
             some |= left[row];
         }
         STORE(results, 3)
+        if (some) {
+            any = 1;
+            for (ptrdiff_t row = 0; row < count; row++)
+                odd[start + row] = left[row] != 0;
+        }
+    }
+    FINISH
+    return any;
+}
+
+EVERY_INSTRUCTION_SET static int64_t position_errors
+    (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
+     unsigned char *odd)
+{
+    int64_t any = 0;
+    FOR_EACH_BLOCK(rows) {
+        double angle_error_in[1][BLOCK];
+        double accel_bias_in[1][BLOCK];
+        double gyro_bias_in[1][BLOCK];
+        double scale_error_in[1][BLOCK];
+        double acceleration_in[1][BLOCK];
+        double accel_noise_in[1][BLOCK];
+        double gyro_noise_in[1][BLOCK];
+        double time_in[1][BLOCK];
+        double gravity_in[1][BLOCK];
+        double results[6][BLOCK];
+        int64_t left[BLOCK], some = 0;
+        LOAD(angle_error_in, 0, 1)
+        LOAD(accel_bias_in, 1, 1)
+        LOAD(gyro_bias_in, 2, 1)
+        LOAD(scale_error_in, 3, 1)
+        LOAD(acceleration_in, 4, 1)
+        LOAD(accel_noise_in, 5, 1)
+        LOAD(gyro_noise_in, 6, 1)
+        LOAD(time_in, 7, 1)
+        LOAD(gravity_in, 8, 1)
+        for (ptrdiff_t row = 0; row < padded; row++) {
+            const double angle_error = angle_error_in[0][row];
+            const double accel_bias = accel_bias_in[0][row];
+            const double gyro_bias = gyro_bias_in[0][row];
+            const double scale_error = scale_error_in[0][row];
+            const double acceleration = acceleration_in[0][row];
+            const double accel_noise = accel_noise_in[0][row];
+            const double gyro_noise = gyro_noise_in[0][row];
+            const double time = time_in[0][row];
+            const double gravity = gravity_in[0][row];
+            const double sin_angle_error = column_sin(angle_error);
+            const double half_time_squared = 0.5*(time*time);
+            const double common_2 = time*time*time;
+            results[0][row] = gravity*half_time_squared*sin_angle_error;
+            results[1][row] = accel_bias*half_time_squared;
+            results[2][row] = 0.16666666666666666*common_2*gravity*gyro_bias;
+            results[3][row] = acceleration*half_time_squared*scale_error;
+            results[4][row] = 0.3333333333333333*common_2*(accel_noise*accel_noise);
+            results[5][row] =
+                0.05*(gravity*gravity)*(gyro_noise*gyro_noise)*(time*time*time*time*time);
+            left[row] = !(FINITE(angle_error + accel_bias + gyro_bias + scale_error + acceleration +
+                accel_noise + gyro_noise + time + gravity) & (fabs(angle_error) < LARGEST_ANGLE));
+            some |= left[row];
+        }
+        STORE(results, 6)
         if (some) {
             any = 1;
             for (ptrdiff_t row = 0; row < count; row++)
@@ -2201,6 +2334,7 @@ const Kernel KERNELS[] = {
     {"iron_removed", iron_removed, 3, 3, {9, 3, 3}},
     {"iron_added", iron_added, 3, 3, {9, 3, 3}},
     {"vector_rate", vector_rate, 3, 2, {3, 3}},
+    {"norm_misfit", norm_misfit, 10, 3, {6, 3, 3}},
     {"tilt_from_accelerometer", tilt_from_accelerometer, 2, 1, {3}},
     {"heading_from_magnetometer", heading_from_magnetometer, 0, 3, {3, 2, 2}},
     {"validation_factor", validation_factor, 0, 3, {3, 2, 0}},
@@ -2208,6 +2342,7 @@ const Kernel KERNELS[] = {
     {"inertial_acceleration", inertial_acceleration, 3, 3, {3, 3, 0}},
     {"accelerometer_from_acceleration", accelerometer_from_acceleration, 3, 3, {3, 3, 0}},
     {"drift_from_tilt_error", drift_from_tilt_error, 3, 3, {0, 0, 0}},
+    {"position_errors", position_errors, 6, 9, {0, 0, 0, 0, 0, 0, 0, 0, 0}},
     {"gain_from_time_constant", gain_from_time_constant, 0, 2, {0, 0}},
     {"time_constant_from_gain", time_constant_from_gain, 0, 2, {0, 0}},
     {"gyro_step", gyro_step, 3, 3, {3, 3, 0}},

@@ -714,6 +714,38 @@ export function vectorRate(
 ): [number, number, number];
 
 /**
+ * Length of a reading brought to the unit sphere, less 1, and its slopes by the unknowns (10).
+ * NaN gives NaN in each result that it enters.
+ * @param {number} aXx element xx of the symmetric matrix to the unit sphere
+ * @param {number} aXy element xy of the symmetric matrix to the unit sphere
+ * @param {number} aXz element xz of the symmetric matrix to the unit sphere
+ * @param {number} aYy element yy of the symmetric matrix to the unit sphere
+ * @param {number} aYz element yz of the symmetric matrix to the unit sphere
+ * @param {number} aZz element zz of the symmetric matrix to the unit sphere
+ * @param {number} centreX centre of the readings along x
+ * @param {number} centreY centre of the readings along y
+ * @param {number} centreZ centre of the readings along z
+ * @param {number} x what the sensor reads along x
+ * @param {number} y what the sensor reads along y
+ * @param {number} z what the sensor reads along z
+ * @returns {[number, number, number, number, number, number, number, number, number, number]}
+ */
+export function normMisfit(
+  aXx: number,
+  aXy: number,
+  aXz: number,
+  aYy: number,
+  aYz: number,
+  aZz: number,
+  centreX: number,
+  centreY: number,
+  centreZ: number,
+  x: number,
+  y: number,
+  z: number,
+): [number, number, number, number, number, number, number, number, number, number];
+
+/**
  * Roll and pitch of a body at rest, radians (2).
  * Roll from -pi to pi, pitch from -pi/2 to pi/2.
  * A reading that is zero, or has NaN or infinity, gives NaN.
@@ -1097,6 +1129,32 @@ export function deadReckoningStep(
 export function driftFromTiltError(
   angleError: number, time: number, gravity: number
 ): [number, number, number];
+
+/**
+ * Errors of position (m) by tilt, biases, motion, and variances (m²) by noise (6).
+ * NaN gives NaN in each result that it enters.
+ * @param {number} angleError angle between true and estimated vertical, radians
+ * @param {number} accelBias bias of the accelerometer, m/s²
+ * @param {number} gyroBias bias of the gyro about a level axis, rad/s
+ * @param {number} scaleError relative error of the sensitivity
+ * @param {number} acceleration acceleration of the body, m/s²
+ * @param {number} accelNoise noise density, m/s²/√Hz
+ * @param {number} gyroNoise noise density, rad/s/√Hz
+ * @param {number} time time that passes, s
+ * @param {number} gravity magnitude of gravity, m/s²
+ * @returns {[number, number, number, number, number, number]}
+ */
+export function positionErrors(
+  angleError: number,
+  accelBias: number,
+  gyroBias: number,
+  scaleError: number,
+  acceleration: number,
+  accelNoise: number,
+  gyroNoise: number,
+  time: number,
+  gravity: number,
+): [number, number, number, number, number, number];
 
 /**
  * Error of position (m), had its last error of velocity been there all along.

@@ -965,6 +965,52 @@ export function vectorRate(x, y, z, p, q, r) {
 }
 
 /**
+ * Length of a reading brought to the unit sphere, less 1, and its slopes by the unknowns (10).
+ * NaN gives NaN in each result that it enters.
+ * @param {number} aXx element xx of the symmetric matrix to the unit sphere
+ * @param {number} aXy element xy of the symmetric matrix to the unit sphere
+ * @param {number} aXz element xz of the symmetric matrix to the unit sphere
+ * @param {number} aYy element yy of the symmetric matrix to the unit sphere
+ * @param {number} aYz element yz of the symmetric matrix to the unit sphere
+ * @param {number} aZz element zz of the symmetric matrix to the unit sphere
+ * @param {number} centreX centre of the readings along x
+ * @param {number} centreY centre of the readings along y
+ * @param {number} centreZ centre of the readings along z
+ * @param {number} x what the sensor reads along x
+ * @param {number} y what the sensor reads along y
+ * @param {number} z what the sensor reads along z
+ * @returns {[number, number, number, number, number, number, number, number, number, number]}
+ */
+export function normMisfit(aXx, aXy, aXz, aYy, aYz, aZz, centreX, centreY, centreZ, x, y, z) {
+  const common0 = -centreX + x;
+  const common1 = -centreY + y;
+  const common2 = -centreZ + z;
+  const common3 = aXx*common0 + aXy*common1 + aXz*common2;
+  const common4 = aXy*common0 + aYy*common1 + aYz*common2;
+  const common5 = aXz*common0 + aYz*common1 + aZz*common2;
+  const common6 = Math.sqrt(common3*common3 + common4*common4 + common5*common5);
+  const inverseCommon6 = 1/common6;
+  const common0InverseCommon6 = common0*inverseCommon6;
+  const common3InverseCommon6 = common3*inverseCommon6;
+  const common1InverseCommon6 = common1*inverseCommon6;
+  const common2InverseCommon6 = common2*inverseCommon6;
+  const common4InverseCommon6 = common4*inverseCommon6;
+  const common5InverseCommon6 = common5*inverseCommon6;
+  return [
+    common6 - 1,
+    common0InverseCommon6*common3,
+    common0InverseCommon6*common4 + common1*common3InverseCommon6,
+    common0InverseCommon6*common5 + common2*common3InverseCommon6,
+    common1InverseCommon6*common4,
+    common1InverseCommon6*common5 + common2InverseCommon6*common4,
+    common2InverseCommon6*common5,
+    -aXx*common3InverseCommon6 - aXy*common4InverseCommon6 - aXz*common5InverseCommon6,
+    -aXy*common3InverseCommon6 - aYy*common4InverseCommon6 - aYz*common5InverseCommon6,
+    -aXz*common3InverseCommon6 - aYz*common4InverseCommon6 - aZz*common5InverseCommon6,
+  ];
+}
+
+/**
  * Roll and pitch of a body at rest, radians (2).
  * Roll from -pi to pi, pitch from -pi/2 to pi/2.
  * A reading that is zero, or has NaN or infinity, gives NaN.
@@ -1869,6 +1915,36 @@ export function driftFromTiltError(angleError, time, gravity) {
   const sinAngleError = Math.sin(angleError);
   const gravitySinAngleError = gravity*sinAngleError;
   return [gravitySinAngleError, gravitySinAngleError*time, 0.5*gravitySinAngleError*(time*time)];
+}
+
+/**
+ * Errors of position (m) by tilt, biases, motion, and variances (m²) by noise (6).
+ * NaN gives NaN in each result that it enters.
+ * @param {number} angleError angle between true and estimated vertical, radians
+ * @param {number} accelBias bias of the accelerometer, m/s²
+ * @param {number} gyroBias bias of the gyro about a level axis, rad/s
+ * @param {number} scaleError relative error of the sensitivity
+ * @param {number} acceleration acceleration of the body, m/s²
+ * @param {number} accelNoise noise density, m/s²/√Hz
+ * @param {number} gyroNoise noise density, rad/s/√Hz
+ * @param {number} time time that passes, s
+ * @param {number} gravity magnitude of gravity, m/s²
+ * @returns {[number, number, number, number, number, number]}
+ */
+export function positionErrors(
+  angleError, accelBias, gyroBias, scaleError, acceleration, accelNoise, gyroNoise, time, gravity
+) {
+  const sinAngleError = Math.sin(angleError);
+  const halfTimeSquared = 0.5*(time*time);
+  const common2 = time*time*time;
+  return [
+    gravity*halfTimeSquared*sinAngleError,
+    accelBias*halfTimeSquared,
+    0.16666666666666666*common2*gravity*gyroBias,
+    acceleration*halfTimeSquared*scaleError,
+    0.3333333333333333*common2*(accelNoise*accelNoise),
+    0.05*(gravity*gravity)*(gyroNoise*gyroNoise)*(time*time*time*time*time),
+  ];
 }
 
 /**

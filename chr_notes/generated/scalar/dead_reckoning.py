@@ -211,6 +211,42 @@ def drift_from_tilt_error(
     )
 
 
+def position_errors(
+    angle_error: float,
+    accel_bias: float,
+    gyro_bias: float,
+    scale_error: float,
+    acceleration: float,
+    accel_noise: float,
+    gyro_noise: float,
+    time: float,
+    gravity: float,
+) -> tuple[float, float, float, float, float, float]:
+    """Errors of position (m) by tilt, biases, motion, and variances (m²) by noise (6).
+
+    angle_error: angle between true and estimated vertical, radians
+    accel_bias: bias of the accelerometer, m/s²
+    gyro_bias: bias of the gyro about a level axis, rad/s
+    scale_error: relative error of the sensitivity
+    acceleration: acceleration of the body, m/s²
+    accel_noise: noise density, m/s²/√Hz
+    gyro_noise: noise density, rad/s/√Hz
+    time: time that passes, s
+    gravity: magnitude of gravity, m/s²
+    """
+    sin_angle_error = sin(angle_error)
+    half_time_squared = 0.5*(time*time)
+    common_2 = time*time*time
+    return (
+        gravity*half_time_squared*sin_angle_error,
+        accel_bias*half_time_squared,
+        0.16666666666666666*common_2*gravity*gyro_bias,
+        acceleration*half_time_squared*scale_error,
+        0.3333333333333333*common_2*(accel_noise*accel_noise),
+        0.05*(gravity*gravity)*(gyro_noise*gyro_noise)*(time*time*time*time*time),
+    )
+
+
 def position_at_last_velocity(angle_error: float, time: float, gravity: float) -> float:
     """Error of position (m), had its last error of velocity been there all along.
 

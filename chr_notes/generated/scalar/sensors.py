@@ -3,7 +3,7 @@ From the derivations behind the ledger entries estimation.2.4, sensors.2.2, sens
 sensors.2.4, sensors.2.5, sensors.2.c, sensors.2.e, sensors.3.2, sensors.4.1, sensors.4.2.
 """
 
-from math import cos, sin
+from math import cos, sin, sqrt
 
 
 def accelerometer_at_rest(roll: float, pitch: float, gravity: float) -> tuple[float, float, float]:
@@ -378,3 +378,63 @@ def vector_rate(
     r: body rate about z, rad/s
     """
     return (-q*z + r*y, p*z - r*x, -p*y + q*x)
+
+
+def norm_misfit(
+    a_xx: float,
+    a_xy: float,
+    a_xz: float,
+    a_yy: float,
+    a_yz: float,
+    a_zz: float,
+    centre_x: float,
+    centre_y: float,
+    centre_z: float,
+    x: float,
+    y: float,
+    z: float,
+) -> tuple[float, float, float, float, float, float, float, float, float, float]:
+    """Length of a reading brought to the unit sphere, less 1, and its slopes by the unknowns (10).
+
+    a_xx: element xx of the symmetric matrix to the unit sphere
+    a_xy: element xy of the symmetric matrix to the unit sphere
+    a_xz: element xz of the symmetric matrix to the unit sphere
+    a_yy: element yy of the symmetric matrix to the unit sphere
+    a_yz: element yz of the symmetric matrix to the unit sphere
+    a_zz: element zz of the symmetric matrix to the unit sphere
+    centre_x: centre of the readings along x
+    centre_y: centre of the readings along y
+    centre_z: centre of the readings along z
+    x: what the sensor reads along x
+    y: what the sensor reads along y
+    z: what the sensor reads along z
+    """
+    common_0 = -centre_x + x
+    common_1 = -centre_y + y
+    common_2 = -centre_z + z
+    common_3 = a_xx*common_0 + a_xy*common_1 + a_xz*common_2
+    common_4 = a_xy*common_0 + a_yy*common_1 + a_yz*common_2
+    common_5 = a_xz*common_0 + a_yz*common_1 + a_zz*common_2
+    common_6 = sqrt(common_3*common_3 + common_4*common_4 + common_5*common_5)
+    inverse_common_6 = 1.0/common_6
+    common_0_inverse_common_6 = common_0*inverse_common_6
+    common_3_inverse_common_6 = common_3*inverse_common_6
+    common_1_inverse_common_6 = common_1*inverse_common_6
+    common_2_inverse_common_6 = common_2*inverse_common_6
+    common_4_inverse_common_6 = common_4*inverse_common_6
+    common_5_inverse_common_6 = common_5*inverse_common_6
+    return (
+        common_6 - 1.0,
+        common_0_inverse_common_6*common_3,
+        common_0_inverse_common_6*common_4 + common_1*common_3_inverse_common_6,
+        common_0_inverse_common_6*common_5 + common_2*common_3_inverse_common_6,
+        common_1_inverse_common_6*common_4,
+        common_1_inverse_common_6*common_5 + common_2_inverse_common_6*common_4,
+        common_2_inverse_common_6*common_5,
+        -a_xx*common_3_inverse_common_6 - a_xy*common_4_inverse_common_6 -
+            a_xz*common_5_inverse_common_6,
+        -a_xy*common_3_inverse_common_6 - a_yy*common_4_inverse_common_6 -
+            a_yz*common_5_inverse_common_6,
+        -a_xz*common_3_inverse_common_6 - a_yz*common_4_inverse_common_6 -
+            a_zz*common_5_inverse_common_6,
+    )

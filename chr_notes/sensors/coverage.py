@@ -1,0 +1,75 @@
+"""Which directions a cloud of readings holds, and which it lacks."""
+
+import numpy as np
+
+from chr_notes._arrays import Floats
+
+_CELL = 0.03  # of the extent
+_ALIKE = 0.05  # of the root mean square distance from the mean, some 3° on a sphere
+_AXES = ("x", "y", "z")
+_ASLANT = 0.4  # part of a unit vector along an axis that is worth naming
+
+
+def thinned(points: Floats) -> Floats:
+    """Keep one point of each small cell, so that what was read long counts no more than the rest.
+
+    Of a cloud with points far off, the extent is that of most others.
+    """
+    kept = points
+    for tail in (0.01, 0.05):
+        low, high = np.quantile(kept, [tail, 1 - tail], axis=0)
+        extent = float((high - low).max())
+        if not extent > 0:
+            return kept
+        inside = np.floor(np.clip((points - low) / (_CELL * extent), -1e6, 1e6))
+        kept = points[np.sort(np.unique(inside, axis=0, return_index=True)[1])]
+    return kept
+
+
+def count_directions(points: Floats, most: int) -> int:
+    """Count points that are not near another, up to a number that is enough."""
+    radius = _ALIKE * float(np.sqrt(np.mean(np.sum((points - points.mean(axis=0)) ** 2, axis=1))))
+    left, count = points, 0
+    while len(left) and count < most:
+        left = left[np.linalg.norm(left - left[0], axis=1) > radius]
+        count += 1
+    return count
+
+
+def widest_gap(outward: Floats) -> tuple[float, Floats]:
+    """Find the direction that is furthest from all of these, and how far, radians."""
+    sphere = evenly_spread(500)
+    nearest = np.array([np.max(outward @ direction) for direction in sphere])
+    return float(np.arccos(np.clip(nearest.min(), -1, 1))), sphere[int(nearest.argmin())]
+
+
+def named(direction: Floats) -> str:
+    """Say in words where a direction points, such as "-z" or "between +x and -z"."""
+    order = np.argsort(-np.abs(direction))
+    parts = [
+        f"{'+' if direction[axis] > 0 else '-'}{_AXES[axis]}"
+        for axis in order
+        if abs(direction[axis]) > _ASLANT
+    ]
+    if len(parts) == 1:
+        return parts[0]
+    return f"between {', '.join(parts[:-1])} and {parts[-1]}"
+
+
+def evenly_spread(count: int) -> Floats:
+    """Spread directions evenly over the sphere, along a spiral by the golden angle."""
+    height = 1 - (2 * np.arange(count) + 1) / count
+    turn = np.pi * (3 - np.sqrt(5)) * np.arange(count)
+    radius = np.sqrt(1 - height**2)
+    return np.stack([radius * np.cos(turn), radius * np.sin(turn), height], axis=1)
+
+
+def sphere_centre(points: Floats) -> Floats:
+    """Centre of the sphere nearest to points, by linear least squares, shape (3,)."""
+    middle = points.mean(axis=0)
+    left = points - middle
+    scale = float(np.sqrt(np.mean(np.sum(left**2, axis=1)))) or 1.0
+    scaled = left / scale
+    unknowns = np.column_stack([2 * scaled, np.ones(len(points))])
+    found = np.linalg.lstsq(unknowns, np.sum(scaled**2, axis=1), rcond=1e-6)[0]
+    return np.asarray(middle + scale * found[:3])
