@@ -7,6 +7,7 @@ to fail where the kernels cannot be used.
 import os
 import warnings
 from collections.abc import Callable
+from functools import partial
 from importlib import import_module
 from types import ModuleType
 from typing import Any
@@ -50,6 +51,21 @@ def kernel(name: str) -> Callable[..., Any] | None:
     float64 in C order, or would have to be broadcast.
     """
     return getattr(_MODULE, name, None)
+
+
+def completed(compiled: Callable[..., Any] | None, rest: Callable[..., Any]) -> Callable[..., Any]:
+    """Make a function that asks a kernel, and then another function, if something is left.
+
+    Parameters
+    ----------
+    compiled
+        The kernel, if there is one.
+    rest
+        Takes what the kernel returned, or None, and its arguments.
+    """
+    if compiled is None or _MODULE is None:
+        return partial(rest, None)
+    return _MODULE.completed(compiled, rest)  # type: ignore[no-any-return] # a module of C
 
 
 def of_numbers(function: Callable[..., Any]) -> Callable[..., Any]:

@@ -3,14 +3,14 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import reduce
-from math import prod
-from typing import Literal
+from math import isfinite, prod
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from chr_notes._arrays import Floats, common_shape, floats
-from chr_notes._kernels import kernel
+from chr_notes._kernels import completed, kernel
 from chr_notes.generated.arrays.euler import rotation_defect
 from chr_notes.generated.arrays.shapes import SHAPES
 
@@ -24,8 +24,8 @@ Matrices that are printed with four digits still pass.
 """
 BLOCK = 8192
 """Rows that NumPy works on at a time: few enough to stay in cache."""
-# A number between these has a square that lost nothing.
-_LEAST, _MOST = 2.0**-190, 2.0**190
+# A squared length between these lost nothing, and neither does its square.
+_LEAST, _MOST = 2.0**-380, 2.0**380
 
 
 @dataclass(frozen=True)
@@ -66,6 +66,9 @@ class Rows:
         Power of that length to which the result is proportional nevertheless.
     """
 
+    compute: Callable[..., Floats]
+    """Takes the arguments, in the order of the general function's, and an array or None."""
+
     def __init__(
         self,
         general: Callable[..., Bools | None],
@@ -74,18 +77,23 @@ class Rows:
         scaled: Literal["refused", "nothing"] | None = None,
         degree: int = 0,
     ) -> None:
-        self._general = general
-        self._kernel = kernel(general.__name__)
-        arrays, self._result = SHAPES[general.__name__]
+        self.name, self._general = general.__name__, general
+        arrays, self._result = SHAPES[self.name]
         self._names, self._lasts = tuple(arrays), tuple(arrays.values())
         self._rotation, self._scaled, self._degree = rotation, scaled, degree
+        self.use(kernel(self.name))
+
+    def use(self, compiled: Callable[..., Any] | None) -> None:
+        """Compute by a kernel, or by NumPy alone."""
+        self._kernel = compiled
+        self.compute = completed(compiled, self._rest)
 
     def __call__(self, *given: ArrayLike, out: Floats | None = None) -> Floats:
         """Compute; the arguments come in the order of the general function's."""
-        done = self._kernel(*given, out) if self._kernel is not None else None
-        if done.__class__ is np.ndarray:
-            return done
-        return self._finished(done, given, out, self._names)[0]
+        return self.compute(*given, out)
+
+    def _rest(self, done: tuple[Floats, bytes] | None, *given: Any) -> Floats:  # noqa: ANN401 (arrays, and one for the result)
+        return self._finished(done, given[:-1], given[-1], self._names)[0]
 
     def located(
         self,
@@ -138,12 +146,13 @@ class Rows:
     ) -> tuple[Floats, Locked]:
         """Check and compute what the kernel has left: some rows, or all."""
         arrays = [floats(n, g, *last) for n, g, last in zip(names, given, self._lasts, strict=True)]
-        axes = map(len, self._lasts)
-        leading = common_shape(*zip(names, arrays, axes, strict=True))
-        check_out(out, (*leading, *self._result))
+        leading = common_shape(*zip(names, arrays, map(len, self._lasts), strict=True))
+        shape = (*leading, *self._result)
+        if out is not None:
+            check_out(out, shape)
         rows = [_rows(a, leading, last) for a, last in zip(arrays, self._lasts, strict=True)]
         now = self._kernel(*rows, None) if done is None and self._kernel is not None else done
-        shape, locked = (*leading, *self._result), NONE_LOCKED
+        locked = NONE_LOCKED
         if isinstance(now, np.ndarray):
             result = now.reshape(shape)
         else:
@@ -177,7 +186,8 @@ class Rows:
                     block = start + np.flatnonzero(odd[block])
                     if not block.size:
                         continue
-                parts = [array if len(array) == 1 else array[block] for array in rows]
+                whole = odd is None and count <= BLOCK
+                parts = [a if whole or len(a) == 1 else a[block] for a in rows]
                 values = flat[block]  # a view, but where rows were picked
                 try:
                     lock = self._block(parts, values)
@@ -218,7 +228,7 @@ class _WrongRow(Exception):  # noqa: N818 (it becomes an error once its place is
         self.row, self.message = row, message
 
 
-def check_out(out: Floats | None, shape: tuple[int, ...]) -> None:
+def check_out(out: Floats, shape: tuple[int, ...]) -> None:
     """Refuse what a result of that shape cannot go to.
 
     Raises
@@ -228,8 +238,6 @@ def check_out(out: Floats | None, shape: tuple[int, ...]) -> None:
     TypeError
         If it is no array of float64.
     """
-    if out is None:
-        return
     if not isinstance(out, np.ndarray) or out.dtype != np.float64:
         got = str(out.dtype) if isinstance(out, np.ndarray) else type(out).__name__
         msg = f"out: expected an array of float64, got {got}"
@@ -274,9 +282,9 @@ def _rows(array: Floats, leading: tuple[int, ...], last: tuple[int, ...]) -> Flo
 
 def _missing(parts: list[Floats]) -> Bools | None:
     """Say which rows have NaN: what comes of them is NaN as a whole. None where no row has."""
-    flat = [part.reshape(-1) for part in parts]
-    squares = sum(part @ part for part in flat)
-    if squares == squares:  # noqa: PLR0124 (a sum of squares is NaN only where one of them is)
+    # A sum is NaN where a number is; nothing is lost if infinities make one too. (The product of
+    # a row with itself is faster for few, but BLAS calls other threads for many.)
+    if isfinite(sum(np.add.reduce(part, axis=None) for part in parts)):
         return None
     each = [np.isnan(part).reshape(len(part), -1).any(axis=1) for part in parts]
     return np.asarray(reduce(np.logical_or, each))
@@ -292,9 +300,10 @@ def _scaled(rows: Floats, *, refused: bool) -> tuple[Floats, NDArray[np.intc] | 
     exponent
         Power of two by which each was divided; None if none was.
     """
-    largest = reduce(np.maximum, np.abs(rows).T)
-    if largest.min() > _LEAST and largest.max() < _MOST:
+    squares = np.einsum("ij,ij->i", rows, rows)
+    if np.minimum.reduce(squares) > _LEAST and np.maximum.reduce(squares) < _MOST:
         return rows, None
+    largest = reduce(np.maximum, np.abs(rows).T)
     if refused and (largest == 0).any():
         row = int(np.argmax(largest == 0))
         raise _WrongRow(row, "{}expected no row of zeros, got one at index {}")

@@ -53,7 +53,7 @@ def inertial_acceleration(
     -----
     Ledger: dead_reckoning.2.3.
     """
-    return _inertial_acceleration(accel, euler, gravity, out=out)
+    return _inertial_acceleration.compute(accel, euler, gravity, out)
 
 
 def accelerometer_from_acceleration(
@@ -90,7 +90,7 @@ def accelerometer_from_acceleration(
     -----
     Ledger: dead_reckoning.2.1.
     """
-    return _accelerometer_from_acceleration(acceleration, euler, gravity, out=out)
+    return _accelerometer_from_acceleration.compute(acceleration, euler, gravity, out)
 
 
 def dead_reckon(  # noqa: PLR0913 (an initial value for each integral)

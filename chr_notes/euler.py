@@ -44,7 +44,7 @@ def matrix_from_euler(euler: ArrayLike, *, out: Floats | None = None) -> Floats:
     -----
     Ledger: euler.5.2, euler.5.3.
     """
-    return _matrix_from_euler(euler, out=out)
+    return _matrix_from_euler.compute(euler, out)
 
 
 def euler_from_matrix(
@@ -102,7 +102,7 @@ def wrap_angle(angle: ArrayLike, *, out: Floats | None = None) -> Floats:
     ndarray
         The angle in [-pi, pi), same shape.
     """
-    wrapped = _wrap_angle(angle, out=out)
+    wrapped = _wrap_angle.compute(angle, out)
     return wrapped[()] if out is None else wrapped
 
 
@@ -133,7 +133,7 @@ def euler_rates_matrix(euler: ArrayLike, *, out: Floats | None = None) -> Floats
     -----
     Ledger: euler.7.2, euler.7.d.
     """
-    return _euler_rates_matrix(euler, out=out)
+    return _euler_rates_matrix.compute(euler, out)
 
 
 def euler_rates_from_body_rates(
@@ -164,7 +164,7 @@ def euler_rates_from_body_rates(
     -----
     Ledger: euler.7.3.
     """
-    return _euler_rates_from_body_rates(euler, body_rates, out=out)
+    return _euler_rates_from_body_rates.compute(euler, body_rates, out)
 
 
 def body_rates_from_euler_rates(
@@ -195,4 +195,4 @@ def body_rates_from_euler_rates(
     -----
     Ledger: euler.7.a.
     """
-    return _body_rates_from_euler_rates(euler, euler_rates, out=out)
+    return _body_rates_from_euler_rates.compute(euler, euler_rates, out)

@@ -52,7 +52,7 @@ def matrix_from_quaternion(q: ArrayLike, *, out: Floats | None = None) -> Floats
     -----
     Ledger: quaternions.3.3.
     """
-    return _matrix_from_quaternion(q, out=out)
+    return _matrix_from_quaternion.compute(q, out)
 
 
 def quaternion_from_matrix(matrix: ArrayLike, *, out: Floats | None = None) -> Floats:
@@ -81,7 +81,7 @@ def quaternion_from_matrix(matrix: ArrayLike, *, out: Floats | None = None) -> F
     -----
     Ledger: quaternions.3.3, whose matrix is solved for the elements.
     """
-    return _quaternion_from_matrix(matrix, out=out)
+    return _quaternion_from_matrix.compute(matrix, out)
 
 
 def quaternion_from_euler(euler: ArrayLike, *, out: Floats | None = None) -> Floats:
@@ -108,7 +108,7 @@ def quaternion_from_euler(euler: ArrayLike, *, out: Floats | None = None) -> Flo
     -----
     Ledger: quaternions.2.2, for each of the three turns.
     """
-    return _quaternion_from_euler(euler, out=out)
+    return _quaternion_from_euler.compute(euler, out)
 
 
 def euler_from_quaternion(
@@ -180,7 +180,7 @@ def quaternion_from_axis_angle(
     -----
     Ledger: quaternions.2.2.
     """
-    return _quaternion_from_axis_angle(axis, angle, out=out)
+    return _quaternion_from_axis_angle.compute(axis, angle, out)
 
 
 def axis_angle_from_quaternion(
@@ -240,7 +240,7 @@ def quaternion_multiply(p: ArrayLike, q: ArrayLike, *, out: Floats | None = None
     -----
     Ledger: quaternions.3.2.
     """
-    return _quaternion_multiply(p, q, out=out)
+    return _quaternion_multiply.compute(p, q, out)
 
 
 def quaternion_conjugate(q: ArrayLike, *, out: Floats | None = None) -> Floats:
@@ -267,7 +267,7 @@ def quaternion_conjugate(q: ArrayLike, *, out: Floats | None = None) -> Floats:
     -----
     Ledger: quaternions.3.c.
     """
-    return _quaternion_conjugate(q, out=out)
+    return _quaternion_conjugate.compute(q, out)
 
 
 def quaternion_inverse(q: ArrayLike, *, out: Floats | None = None) -> Floats:
@@ -294,7 +294,7 @@ def quaternion_inverse(q: ArrayLike, *, out: Floats | None = None) -> Floats:
     -----
     Ledger: quaternions.3.a.
     """
-    return _quaternion_inverse(q, out=out)
+    return _quaternion_inverse.compute(q, out)
 
 
 def rotate_to_inertial(q: ArrayLike, v_body: ArrayLike, *, out: Floats | None = None) -> Floats:
@@ -324,7 +324,7 @@ def rotate_to_inertial(q: ArrayLike, v_body: ArrayLike, *, out: Floats | None = 
     -----
     Ledger: quaternions.3.1.
     """
-    return _rotate_to_inertial(q, v_body, out=out)
+    return _rotate_to_inertial.compute(q, v_body, out)
 
 
 def rotate_to_body(q: ArrayLike, v_inertial: ArrayLike, *, out: Floats | None = None) -> Floats:
@@ -354,4 +354,4 @@ def rotate_to_body(q: ArrayLike, v_inertial: ArrayLike, *, out: Floats | None = 
     -----
     Ledger: quaternions.3.1, quaternions.3.4.
     """
-    return _rotate_to_body(q, v_inertial, out=out)
+    return _rotate_to_body.compute(q, v_inertial, out)

@@ -53,7 +53,7 @@ def heading_from_magnetometer(
     if zero.any():
         msg = f"reference: expected a horizontal field, got none at {_first(zero)}"
         raise ValueError(msg)
-    yaw = _heading_from_magnetometer(mag, tilt, level, out=out)
+    yaw = _heading_from_magnetometer.compute(mag, tilt, level, out)
     return yaw[()] if out is None else yaw
 
 
@@ -89,7 +89,7 @@ def validation_factor(
     -----
     Ledger: validation.17.
     """
-    factor = _validation_factor(mag, tilt, part_down(reference_down), out=out)
+    factor = _validation_factor.compute(mag, tilt, part_down(reference_down), out)
     return factor[()] if out is None else factor
 
 

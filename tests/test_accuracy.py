@@ -8,30 +8,39 @@ import pytest
 from numpy.typing import NDArray
 
 from chr_notes import (
+    euler,
     euler_from_quaternion,
     matrix_from_euler,
     matrix_from_quaternion,
+    quaternions,
     wrap_angle,
 )
+from chr_notes._kernels import kernel
+from chr_notes._rows import Rows
 
 Floats = NDArray[np.float64]
 MP = mpmath.mp.clone()
 MP.prec = 150
 ANGLES, ELEMENTS = 1e-15, 4e-16
 FROM_THE_POLE = (1e-3, 1e-6, 1e-9)
-FUNCTIONS = (
-    "chr_notes.quaternions._euler_from_quaternion",
-    "chr_notes.quaternions._matrix_from_quaternion",
-    "chr_notes.euler._matrix_from_euler",
-    "chr_notes.euler._wrap_angle",
-)
+FUNCTIONS: list[Rows] = [
+    vars(module)[f"_{function.__name__}"]
+    for module, function in (
+        (quaternions, euler_from_quaternion),
+        (quaternions, matrix_from_quaternion),
+        (euler, matrix_from_euler),
+        (euler, wrap_angle),
+    )
+]
 
 
 @pytest.fixture(params=[pytest.param("kernels", marks=pytest.mark.kernels), "NumPy"], autouse=True)
-def _computed_by(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
-    if request.param == "NumPy":
-        for function in FUNCTIONS:
-            monkeypatch.setattr(f"{function}._kernel", None)
+def _computed_by(request: pytest.FixtureRequest) -> Iterator[None]:
+    for function in FUNCTIONS:
+        function.use(None if request.param == "NumPy" else kernel(function.name))
+    yield
+    for function in FUNCTIONS:
+        function.use(kernel(function.name))
 
 
 @pytest.fixture(scope="module")

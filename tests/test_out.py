@@ -1,7 +1,7 @@
 """Where results go: `out` of every function of arrays, by the kernels and by NumPy."""
 
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
@@ -10,6 +10,7 @@ from numpy.testing import assert_array_equal
 from numpy.typing import NDArray
 
 import chr_notes
+from chr_notes._kernels import kernel
 from chr_notes._rows import Rows
 
 Floats = NDArray[np.float64]
@@ -62,7 +63,7 @@ ROWS = 7
 
 
 @pytest.fixture(params=[pytest.param("kernels", marks=pytest.mark.kernels), "NumPy"], autouse=True)
-def _computed_by(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+def _computed_by(request: pytest.FixtureRequest) -> Iterator[None]:
     modules = [module for name, module in sys.modules.items() if name.startswith("chr_notes.")]
     rows = {
         id(value): value
@@ -71,9 +72,12 @@ def _computed_by(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch
         if isinstance(value, Rows)
     }
     assert len(rows) >= len(FUNCTIONS) - 6  # sensors measure alike, whatever they sense
+    if request.param == "NumPy":
+        for value in rows.values():
+            value.use(None)
+    yield
     for value in rows.values():
-        if request.param == "NumPy":
-            monkeypatch.setattr(value, "_kernel", None)
+        value.use(kernel(value.name))
 
 
 def several(arguments: tuple[Any, ...]) -> list[Floats]:

@@ -41,7 +41,7 @@ def tilt_from_accelerometer(accel: ArrayLike, *, out: Floats | None = None) -> F
     -----
     Ledger: estimation.2.5, estimation.2.6, validation.3, validation.4.
     """
-    return _tilt_from_accelerometer(accel, out=out)
+    return _tilt_from_accelerometer.compute(accel, out)
 
 
 def accelerometer_at_rest(
@@ -72,4 +72,4 @@ def accelerometer_at_rest(
     -----
     Ledger: estimation.2.4, sensors.2.2, sensors.2.c.
     """
-    return _accelerometer_at_rest(euler, gravity, out=out)
+    return _accelerometer_at_rest.compute(euler, gravity, out)

@@ -7,6 +7,9 @@
  * - or None where an argument is neither a NumPy array of float64 in C order nor a float in place
  *   of numbers, or its shape does not fit without a copy; then nothing is done.
  *
+ * completed(function of arrays, rest) is a function that returns the result alone: rest(what the
+ * first one returned, its arguments) gives it where that was anything else.
+ *
  * A function of numbers, whose name ends in _of_numbers, takes the elements of one row of each
  * array. It returns those of the result, or None where the row is left to the general way.
  */
@@ -189,6 +192,42 @@ static PyObject *call_with_numbers(PyObject *self, PyObject *const *given, Py_ss
     return result;
 }
 
+static PyObject *call_completed(PyObject *self, PyObject *const *given, Py_ssize_t count)
+{
+    PyObject *const done = call(PyTuple_GetItem(self, 0), given, count), *all, *result;
+    if (!done || PyArray_CheckExact(done)) return done;
+    all = PyTuple_New(count + 1);
+    if (!all) {
+        Py_DECREF(done);
+        return NULL;
+    }
+    PyTuple_SetItem(all, 0, done);
+    for (Py_ssize_t place = 0; place < count; place++) {
+        Py_INCREF(given[place]);
+        PyTuple_SetItem(all, place + 1, given[place]);
+    }
+    result = PyObject_CallObject(PyTuple_GetItem(self, 1), all);
+    Py_DECREF(all);
+    return result;
+}
+
+static PyMethodDef of_completed = {"completed_kernel",
+    (PyCFunction)(void (*)(void))call_completed, METH_FASTCALL, NULL};
+
+static PyObject *completed(PyObject *self, PyObject *given)
+{
+    PyObject *function, *rest, *both, *result;
+    (void)self;
+    if (!PyArg_ParseTuple(given, "O!O", &PyCFunction_Type, &function, &rest)) return NULL;
+    both = PyTuple_Pack(2, PyCFunction_GetSelf(function), rest);
+    if (!both) return NULL;
+    result = PyCFunction_NewEx(&of_completed, both, NULL);
+    Py_DECREF(both);
+    return result;
+}
+
+static PyMethodDef methods[] = {{"completed", completed, METH_VARARGS, NULL}, {NULL, NULL, 0, NULL}};
+
 static PyMethodDef of_arrays = {"kernel", (PyCFunction)(void (*)(void))call, METH_FASTCALL, NULL};
 static PyMethodDef of_numbers = {
     "kernel_of_numbers", (PyCFunction)(void (*)(void))call_with_numbers, METH_FASTCALL, NULL};
@@ -202,7 +241,8 @@ static int add(PyObject *module, const char *name, PyMethodDef *method, PyObject
 }
 
 static struct PyModuleDef definition = {
-    PyModuleDef_HEAD_INIT, .m_name = "_compiled", .m_doc = "Generated kernels.", .m_size = -1};
+    PyModuleDef_HEAD_INIT, .m_name = "_compiled", .m_doc = "Generated kernels.", .m_size = -1,
+    .m_methods = methods};
 
 PyMODINIT_FUNC PyInit__compiled(void)
 {

@@ -238,11 +238,11 @@ class MagnetometerCalibration(_Checked):
 
     def measure(self, actual: ArrayLike, *, out: Floats | None = None) -> Floats:
         """Tell what a magnetometer near the iron reads of a field, shape (..., 3)."""
-        return _iron_added(_inverse(self.soft_iron), self.hard_iron, actual, out=out)
+        return _iron_added.compute(_inverse(self.soft_iron), self.hard_iron, actual, out)
 
     def correct(self, field: ArrayLike, *, out: Floats | None = None) -> Floats:
         """Tell the field without the iron from a reading, shape (..., 3)."""
-        return _iron_removed(self.soft_iron, self.hard_iron, field, out=out)
+        return _iron_removed.compute(self.soft_iron, self.hard_iron, field, out)
 
 
 def _keep(calibration: object, name: str, value: Floats) -> None:
