@@ -53,6 +53,7 @@ from chr_notes.sensors.calibration import (
     fit_gyro_bias,
 )
 from chr_notes.sensors.ellipsoid import Ellipsoid, fit_ellipsoid
+from chr_notes.sensors.gyro import fit_gyro_at_rest, fit_gyro_scale
 from chr_notes.sensors.logs import read_log
 from chr_notes.sensors.magnetometer import fit_hard_iron, fit_magnetometer
 from chr_notes.sensors.models import (
@@ -60,6 +61,7 @@ from chr_notes.sensors.models import (
     RateGyroCalibration,
     ThreeAxisCalibration,
 )
+from chr_notes.sensors.poses import fit_accelerometer_from_log
 from chr_notes.sensors.recording import Recording, Report
 from chr_notes.sensors.still import static_interval, static_intervals
 from chr_notes.validation import heading_from_magnetometer, validation_factor
@@ -99,8 +101,11 @@ __all__ = [
     "euler_rates_from_body_rates",
     "euler_rates_matrix",
     "fit_accelerometer",
+    "fit_accelerometer_from_log",
     "fit_ellipsoid",
+    "fit_gyro_at_rest",
     "fit_gyro_bias",
+    "fit_gyro_scale",
     "fit_hard_iron",
     "fit_magnetometer",
     "fixed_gain_observer",

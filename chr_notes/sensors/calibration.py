@@ -3,12 +3,15 @@
 The fits are least squares on NumPy's linear algebra. Samples that hold NaN are left out.
 """
 
+import warnings
+
 import numpy as np
 from numpy.typing import ArrayLike
 
 from chr_notes._arrays import Floats, floats
 from chr_notes._samples import complete, number, whole_samples
 from chr_notes.conventions import STANDARD_GRAVITY
+from chr_notes.errors import CalibrationWarning
 from chr_notes.sensors.models import ThreeAxisCalibration
 from chr_notes.sensors.still import STILL_LIMIT, without_glitches
 
@@ -44,6 +47,16 @@ def fit_accelerometer(
         If the shape is not (6, 3), a reading is NaN, gravity is not positive, or the readings do
         not tell the six positions apart.
 
+    Warns
+    -----
+    CalibrationWarning
+        If one axis or all three are backwards, which makes the axes left-handed. Two are a sensor
+        that was mounted the other way round.
+
+    See Also
+    --------
+    fit_accelerometer_from_log : Cuts the poses out of a log by itself.
+
     Notes
     -----
     Ledger: sensors.2.3.
@@ -74,6 +87,14 @@ def fit_accelerometer(
                 f"of {2 * magnitude * others:.4g} elsewhere"
             )
             raise ValueError(msg)
+    if np.prod(sensitivity) < 0:
+        backward = [name for name, value in zip("xyz", sensitivity, strict=True) if value < 0]
+        warnings.warn(
+            f"readings: backwards along {', '.join(backward)}, so that the axes are left-handed: "
+            "were up and down mixed up, or does the sensor read gravity for specific force?",
+            CalibrationWarning,
+            stacklevel=2,
+        )
     misalignment = columns / sensitivity
     # Of a position that is not quite upright the vertical axis notices least.
     offset = np.diagonal(up + down) / 2
@@ -95,10 +116,10 @@ def fit_gyro_bias(body_rates: ArrayLike, *, still_limit: float = STILL_LIMIT) ->
     Returns
     -------
     ndarray
-        Mean reading r, rad/s, shape (3,), to be subtracted from readings. `RateGyroCalibration`,
-        which adds its bias b to a reading, has the other sign and the other errors apart:
-        `b = C a - M⁻¹ r`, with the specific force a in which the sensor lies; without coupling and
-        misalignment that is -r.
+        Mean reading, rad/s, shape (3,), to be subtracted from readings; a filter's `bias` is this
+        one. `fit_gyro_at_rest` gives it as a calibration whose `correct` takes it off. The bias b
+        of that model has the other sign, as the notes have it: for a reading r at rest it is
+        `C a - M⁻¹ r`, with the specific force a in which the sensor lies.
 
     Raises
     ------
