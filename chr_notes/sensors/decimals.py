@@ -64,9 +64,11 @@ def decimals(
     overlapping: Words = np.ndarray((len(text) - 7,), "<u8", text, strides=(1,))
     words = []
     for place in range(count):
-        kept = np.clip(length - _LETTERS * place, 0, _LETTERS)
+        kept = length - _LETTERS * place
         word = overlapping[ends - _LETTERS * (place + 1)]
-        words.append(word & _KEPT[kept] | _FILLED[kept])
+        word &= _KEPT.take(kept, mode="clip")
+        word |= _FILLED.take(kept, mode="clip")
+        words.append(word)
     moved = _without_point(words)
     read &= (length > (moved > 0)) & (length <= _LETTERS * count)
     whole = np.zeros(len(starts), dtype=np.uint64)

@@ -9,15 +9,12 @@ from numpy.typing import ArrayLike
 from chr_notes._arrays import Floats, floats
 from chr_notes.frames import Axes as Named
 from chr_notes.frames import change_axes
-from chr_notes.sensors.axes import AxesRelation, relate_axes
 from chr_notes.sensors.columns import SENSORS
 
 Axes = str | ArrayLike
 
 _NAMES = ("frd", "flu", "rfu")
 _SLANTED = 0.7  # cosine: the vertical axis of a level sensor is nearer to the vertical
-_ROWS = 10_000
-_RATE = 50.0  # Hz; enough for how sensors turn together
 
 
 def matrix_of(name: str, axes: Axes) -> Floats:
@@ -78,55 +75,13 @@ def given_axes(axes: Axes | Mapping[str, Axes] | None) -> dict[str, Floats]:
 
 def turn(values: Floats, matrix: Floats) -> None:
     """Turn vectors where they stand."""
-    for start in range(0, len(values), 2**16):
-        part = values[start : start + 2**16]
-        part[:] = part @ matrix.T + 0.0  # no minus zeros
-
-
-def relation(gyro: Floats, other: Floats, dt: Floats) -> AxesRelation:
-    """Relate a gyro to another sensor, in a long log where the gyro turns most."""
-    usual = float(np.median(dt))
-    every = max(1, round(1 / (usual * _RATE)))
-    length = every * _ROWS
-    start = 0
-    if len(gyro) > length:
-        # Glitches must not choose the part, and a mean of cubes' roots hardly notices them.
-        turning = np.cbrt(
-            np.abs(np.nan_to_num(gyro[::every]) - np.nanmedian(gyro[::every], axis=0))
-        )
-        total = np.concatenate([[0.0], np.cumsum(turning.sum(axis=1))])
-        start = every * int(np.argmax(total[_ROWS:] - total[:-_ROWS]))
-    stop = start + (min(length, len(gyro) - start)) // every * every
-    gyro, other = (
-        each[start:stop].reshape(-1, every, 3).mean(axis=1) if every > 1 else each[start:stop]
-        for each in (gyro, other)
-    )
-    steps = dt[start:stop].reshape(-1, every).sum(axis=1)
-    return relate_axes(gyro, other, steps)
-
-
-def disagreement(relations: Mapping[str, AxesRelation]) -> str | None:
-    """Say what to pass where the gyro does not turn as other sensors do; None where it may."""
-    wrong = {
-        sensor: found.permutation
-        for sensor, found in relations.items()
-        if np.isfinite(found.factors).all()
-        and not any(np.array_equal(each, np.eye(3)) for each in found.candidates)
-    }
-    if not wrong:
-        return None
-    sensor, matrix = next(iter(wrong.items()))
-    gyro, other = f"{{'gyro': '{named(matrix)}'}}", f"{{'{sensor}': '{named(matrix.T)}'}}"
-    agrees = [name for name, found in relations.items() if name not in wrong and found.known]
-    advice = gyro if np.linalg.det(matrix) < 0 else f"{gyro} or {other}"
-    if agrees:
-        advice = other
-    elif len(wrong) > 1:
-        advice = gyro
-    return (
-        f"axes: expected {' and '.join(wrong)} and gyro in the same axes, got a log in which "
-        f"{sensor} turns as if the gyro's axes were {named(matrix)}; pass axes={advice}"
-    )
+    order, permuted = np.abs(matrix).argmax(axis=1), np.abs(matrix).max(axis=1)
+    signs = matrix[range(3), order]
+    for start in range(0, len(values), 2**14):
+        part = values[start : start + 2**14]
+        # Matrices of three by three take NumPy several times longer than columns.
+        part[:] = part[:, order] * signs if (permuted == 1).all() else part @ matrix.T
+        part += 0.0  # no minus zeros
 
 
 def levelled(up: Floats) -> tuple[Floats | None, bool]:

@@ -29,7 +29,7 @@ _WILD = {"gyro": 200.0, "accel": 4000.0}  # rad/s and m/s²: no sensor reads so 
 
 def missing(values: Floats) -> float:
     """Give the share of rows without a whole reading."""
-    return float(np.isnan(values.sum(axis=1)).mean())
+    return float(np.isnan(values[:, 0] + values[:, 1] + values[:, 2]).mean())
 
 
 def median_norm(values: Floats) -> float:
@@ -68,11 +68,8 @@ def runs(same: NDArray[np.bool_], shortest: int) -> Iterator[tuple[int, int]]:
     yield from zip(starts[long].tolist(), stops[long].tolist(), strict=True)
 
 
-def stuck(
-    what: str, values: Floats, dt: Floats | None, place: Callable[[int], str]
-) -> list[Stretch]:
+def stuck(what: str, values: Floats, usual: float, place: Callable[[int], str]) -> list[Stretch]:
     """Find where a sensor repeats one reading."""
-    usual = float(np.median(dt)) if dt is not None else np.nan
     shortest = max(_FEWEST_STUCK, round(_STUCK / usual)) if usual > 0 else 5 * _FEWEST_STUCK
     same = np.logical_and.reduce([column[1:] == column[:-1] for column in values.T])
     return [
@@ -85,7 +82,7 @@ def saturated(
     what: str,
     values: Floats,
     full_range: float | None,
-    dt: Floats | None,
+    usual: float,
     place: Callable[[int], str],
 ) -> list[Stretch]:
     """Find where an axis stands at the end of its range.
@@ -93,7 +90,6 @@ def saturated(
     A range that is not given is the one of a chip near which the largest readings lie, if they
     repeat there exactly.
     """
-    usual = float(np.median(dt)) if dt is not None else np.nan
     found = []
     for axis, column in zip("xyz", values.T, strict=True):
         if full_range is not None:
@@ -117,10 +113,9 @@ def _is_end(what: str, size: float) -> bool:
 
 
 def stretches(
-    what: str, blocks: list[int], width: int, dt: Floats | None, place: Callable[[int], str]
+    what: str, blocks: list[int], width: int, usual: float, place: Callable[[int], str]
 ) -> tuple[Stretch, ...]:
     """Join blocks that follow each other."""
-    usual = float(np.median(dt)) if dt is not None else np.nan
     inside = np.zeros(max(blocks, default=-1) + 1, dtype=np.bool_)
     inside[blocks] = True
     return tuple(
@@ -132,7 +127,7 @@ def stretches(
 def faults(
     values: dict[str, Floats],
     full_range: dict[str, float],
-    dt: Floats | None,
+    usual: float,
     place: Callable[[int], str],
 ) -> tuple[tuple[Stretch, ...], tuple[Stretch, ...], list[str]]:
     """Look for ends of ranges, readings that stick, are missing, or cannot be.
@@ -152,14 +147,15 @@ def faults(
             warnings.append(f"{name}: {share:.2%} of the rows have no whole reading")
         if share == 1:
             continue
-        at_end = saturated(name, readings, full_range.get(name), dt, place)
-        same = stuck(name, readings, dt, place)
+        at_end = saturated(name, readings, full_range.get(name), usual, place)
+        same = stuck(name, readings, usual, place)
         for found, what in ((at_end, "at the end of its range"), (same, "of one reading")):
             if found:
                 warnings.append(f"{name}: {len(found)} stretches {what}, from {found[0].place} on")
         ends += at_end
         sticking += same
-        wild = np.abs(readings).max(axis=1) > _WILD.get(name, np.inf)
+        limit = _WILD.get(name, np.inf)
+        wild = np.logical_or.reduce([np.abs(column) > limit for column in readings.T])
         if wild.any():
             first = place(int(np.argmax(wild)))
             warnings.append(f"{name}: {int(wild.sum())} readings of no sensor, from {first} on")

@@ -7,14 +7,14 @@ from itertools import chain
 from os import PathLike, fstat
 
 import numpy as np
-from numpy.typing import NDArray
 
 from chr_notes._arrays import Floats
 from chr_notes.sensors.columns import SENSORS, Selected
 from chr_notes.sensors.decimals import PADDING, decimals
+from chr_notes.sensors.log_fields import Fields
 from chr_notes.sensors.log_header import COMMENTS, Columns, Head, head, is_beside, split
 from chr_notes.sensors.log_numbers import Origin, number, origin, since
-from chr_notes.sensors.log_text import Readable, blocks, opened
+from chr_notes.sensors.log_text import LONGEST, Readable, blocks, opened
 
 _MARKS = [mark.encode() for mark in ('"', *COMMENTS)]
 _COMMA = bytes.maketrans(b",.", b".?")  # a point between thousands is none of a number
@@ -62,6 +62,7 @@ def read_text(source: str | PathLike[str] | Readable, columns: Columns | None) -
     with opened(source) as file:
         stream = blocks(file)
         first = next(stream, b"")
+        _check_length(first, 1)
         lines = first.decode(errors="replace").split("\n")
         if first.endswith(b"\n") or not first:
             lines.pop()
@@ -73,6 +74,13 @@ def read_text(source: str | PathLike[str] | Readable, columns: Columns | None) -
         for block in chain([first[cut:]], stream):
             rows.add(block)
     return rows.table()
+
+
+def _check_length(block: bytes, line: int) -> None:
+    """Refuse a line without end."""
+    if len(block) > LONGEST and b"\n" not in block:
+        msg = f"line {line}, column 1: expected lines of text, got one of over a megabyte"
+        raise ValueError(msg)
 
 
 def _expected(file: Readable, block: bytes) -> int:
@@ -110,14 +118,26 @@ class _Rows:
         """Read whole lines."""
         if not block:
             return
+        _check_length(block, self.line)
         ended = block.endswith(b"\n")
         block = block if ended else block + b"\n"
-        plain = self.head.delimiter != " " and not any(mark in block for mark in _MARKS)
-        if not (plain and self._regular(block, [self.line], ended=ended)):
+        rows = block.count(b"\n")
+        if self.head.delimiter == " " or not self._plain(block, rows, ended=ended):
             kept, numbers = self._lines(block, ended=ended)
             if kept:
-                self._regular(b"".join(kept), numbers, ended=ended)
-        self.line += block.count(b"\n")
+                self._regular(b"".join(kept), numbers, len(kept), ended=ended)
+        self.line += rows
+
+    def _plain(self, block: bytes, rows: int, *, ended: bool) -> bool:
+        """Read lines as they are, unless they are not all of numbers alone."""
+        anchors = len(self.anchors)
+        try:
+            return self._regular(block, [self.line], rows, ended=ended)
+        except ValueError:
+            if not any(mark in block for mark in _MARKS):
+                raise
+            del self.anchors[anchors:]  # a comment may have as many fields
+            return False
 
     def _lines(self, block: bytes, *, ended: bool) -> tuple[list[bytes], list[int]]:
         """Take the lines of numbers alone, each with its number and its fields plainly divided."""
@@ -148,17 +168,17 @@ class _Rows:
             numbers.append(self.line + place)
         return kept, numbers
 
-    def _regular(self, block: bytes, numbers: list[int], *, ended: bool) -> bool:
+    def _regular(self, block: bytes, numbers: list[int], rows: int, *, ended: bool) -> bool:
         """Read lines that have all as many fields; if not all have, say so and read none."""
         if self.head.decimal == ",":
             block = block.translate(_COMMA)
         text = np.frombuffer(b"0" * PADDING + block, dtype=np.uint8)
         ends = np.flatnonzero((text == ord(self.head.delimiter)) | (text == ord("\n")))
-        rows, fields = block.count(b"\n"), self.head.fields
+        fields = self.head.fields
         if len(ends) != rows * fields or (text[ends[fields - 1 :: fields]] != ord("\n")).any():
             return False
         begins = np.concatenate([[PADDING], ends[:-1] + 1])
-        fields_of = _Fields(text, begins.reshape(rows, fields), ends.reshape(rows, fields))
+        fields_of = Fields(text, begins.reshape(rows, fields), ends.reshape(rows, fields))
         self._anchor(numbers, rows)
         self._grow(rows)
         self._keep(fields_of, spaces=b" " in block or b"\t" in block)
@@ -169,7 +189,7 @@ class _Rows:
             )
         return True
 
-    def _keep(self, fields: "_Fields", *, spaces: bool) -> None:
+    def _keep(self, fields: "Fields", *, spaces: bool) -> None:
         """Read the fields of some lines."""
         here = slice(self.count, self.count + len(fields.ends))
         columns = [place for each in self.head.selected.values() for place in each.places]
@@ -189,7 +209,7 @@ class _Rows:
                 kept[here] = values[:, place : place + kept.shape[1]]
                 place += kept.shape[1]
 
-    def _numbers(self, fields: "_Fields", columns: Sequence[int]) -> Floats:
+    def _numbers(self, fields: "Fields", columns: Sequence[int]) -> Floats:
         values, read = decimals(fields.all, fields.starts, fields.ends)
         for each in np.flatnonzero(~read).tolist():
             try:
@@ -208,7 +228,7 @@ class _Rows:
         msg = f"{where}: {reason}"
         raise ValueError(msg)
 
-    def _long_times(self, times: "_Fields", first: Origin) -> Floats:
+    def _long_times(self, times: "Fields", first: Origin) -> Floats:
         """Count dates, and times of more digits than a double holds, from the first one."""
         values = np.empty(len(times.ends))
         for row in range(len(values)):
@@ -257,34 +277,3 @@ class _Rows:
             tuple(notes),
             tuple(self.warnings),
         )
-
-
-@dataclass(frozen=True)
-class _Fields:
-    """Where fields stand in a text."""
-
-    all: NDArray[np.uint8]
-    starts: NDArray[np.int64]
-    ends: NDArray[np.int64]
-
-    def of(self, columns: list[int]) -> "_Fields":
-        """Take columns of what has rows of fields; row after row."""
-        starts, ends = (each[:, columns].ravel() for each in (self.starts, self.ends))
-        return _Fields(self.all, starts, ends)
-
-    def trimmed(self) -> "_Fields":
-        """Leave out the white space around each."""
-        starts, ends = self.starts, self.ends
-        while (white := _WHITE[self.all[starts]] & (starts < ends)).any():
-            starts = starts + white
-        while (white := _WHITE[self.all[ends - 1]] & (starts < ends)).any():
-            ends = ends - white
-        return _Fields(self.all, starts, ends)
-
-    def text(self, place: int) -> str:
-        """Give one."""
-        part = self.all[self.starts[place] : self.ends[place]]
-        return part.tobytes().decode(errors="replace")
-
-
-_WHITE = np.isin(np.arange(256), [ord(" "), ord("\t")])

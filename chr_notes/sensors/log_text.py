@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Protocol, runtime_checkable
 
 _BLOCK = 2**18
-_LONGEST = 2**20
-"""Bytes of a line beyond which a file is taken for none of lines."""
+LONGEST = 2**20
+"""Bytes of a line beyond which a file is taken for none of lines, and read no further."""
 
 _MARKS = (
     (codecs.BOM_UTF8, "utf-8"),
@@ -54,20 +54,17 @@ def blocks(file: Readable) -> Iterator[bytes]:
     Raises
     ------
     ValueError
-        If it is no text, or a line is longer than a megabyte.
+        If it is no text.
     """
-    rest, line = b"", 1
+    rest = b""
     for part in _encoded(file):
         text = rest + part
         cut = text.rfind(b"\n") + 1
         if cut:
-            block = text[:cut]
-            line += block.count(b"\n")
-            yield block
+            yield text[:cut]
         rest = text[cut:]
-        if len(rest) > _LONGEST:
-            msg = f"line {line}, column 1: expected lines of text, got one of over a megabyte"
-            raise ValueError(msg)
+        if len(rest) > LONGEST:
+            break
     if rest:
         yield rest
 

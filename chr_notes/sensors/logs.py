@@ -11,7 +11,8 @@ from chr_notes.sensors.columns import SENSORS
 from chr_notes.sensors.log_arrays import Arrays, names_of, read_arrays
 from chr_notes.sensors.log_axes import Axes, given_axes
 from chr_notes.sensors.log_header import Columns
-from chr_notes.sensors.log_reading import Settings, recorded
+from chr_notes.sensors.log_reading import recorded
+from chr_notes.sensors.log_settings import Settings
 from chr_notes.sensors.log_table import Table, read_text
 from chr_notes.sensors.log_text import Readable
 from chr_notes.sensors.log_units import given_units

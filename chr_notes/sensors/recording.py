@@ -68,7 +68,7 @@ class Report:
     axes
         The three axes of the package out of those of the log, such as "x -y -z".
     relations
-        What `relate_axes` says of the gyro and each other sensor.
+        What each two sensors, such as "mag and gyro", tell of whether they have the same axes.
     assumed
         A sentence for each thing that was taken for granted.
     cannot_tell
@@ -118,7 +118,7 @@ class Report:
                     f"{name.replace('_', ' ')}: {len(found)}, the first at {first.place} "
                     f"({first.what}, {first.seconds:.3g} s)"
                 )
-        lines += [f"{sensor} and gyro: {said}" for sensor, said in self.relations.items()]
+        lines += [f"{sensors}: {said}" for sensors, said in self.relations.items()]
         for name in ("assumed", "cannot_tell", "warnings"):
             lines += [f"{name.replace('_', ' ')}: {each}" for each in getattr(self, name)]
         return "\n".join(lines)
@@ -150,7 +150,6 @@ class Recording:
     Examples
     --------
     >>> import chr_notes
-    >>> level = {"rate": None}
     >>> log = {"ax_g": [0.0] * 200, "ay_g": [0.0] * 200, "az_g": [1.0, 1.002] * 100}
     >>> recording = chr_notes.read_log(log, rate=100)
     >>> recording.accel[0].round(2).tolist()

@@ -1,6 +1,7 @@
 """Logs that others recorded: what is found in them, and what becomes of faults planted there."""
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -41,34 +42,39 @@ def report_names(path: Path) -> tuple[str, ...]:
     return read_text(path, None).names
 
 
-SWAPPED, FLIPPED = ([1, 0, 2], [1, 1, 1]), ([0, 1, 2], [1, -1, 1])
-NEGATED = ([0, 1, 2], [-1, -1, -1])
-# What the physics decides in these files; in others it says that it cannot tell.
-DECIDED = {
-    ("xio_fusion_sensor_data.csv", "gyro"): [SWAPPED, FLIPPED, NEGATED],
-    ("xio_fusion_sensor_data.csv", "mag"): [SWAPPED, FLIPPED],
-    ("imucal_ferraris_session.csv", "gyro"): [SWAPPED, NEGATED],
-    ("imucal_ferraris_session.csv", "accel"): [SWAPPED, FLIPPED],
+ORDERS = {"swapped": [1, 0, 2], "also swapped": [0, 2, 1]}
+SIGNS = {f"{axis} flipped": np.where(np.arange(3) == n, -1, 1) for n, axis in enumerate("xyz")}
+FILES = {
+    "xio_fusion_sensor_data.csv": ("gyro", "accel", "mag"),
+    "imucal_ferraris_session.csv": ("gyro", "accel"),
+    "ckexplorer_acc_mag_log.csv": ("accel", "mag"),
 }
 
 
-@pytest.mark.parametrize(("name", "sensor"), DECIDED)
+@pytest.mark.parametrize(
+    ("name", "sensor"), [(n, s) for n, all_of in FILES.items() for s in all_of]
+)
 def test_faults_planted_in_recordings(recordings: Path, name: str, sensor: str) -> None:
     table = read_text(recordings / name, None)
-    columns = {
-        f"{quantity}.{axis}": values[:, place]
-        for quantity, values in table.values.items()
-        if quantity != "time"
-        for place, axis in enumerate("xyz")
-    }
-    units = {"gyro": "deg/s"}
-    right = read_log(columns, units=units, rate=102.4).report()
-    for order, signs in DECIDED[name, sensor]:
-        wrong = dict(columns)
-        for place, axis in enumerate("xyz"):
-            wrong[f"{sensor}.{axis}"] = signs[place] * columns[f"{sensor}.{'xyz'[order[place]]}"]
-        with pytest.raises(ValueError, match="in the same axes"):
-            read_log(wrong, units=units, rate=102.4)
-    with pytest.raises(ValueError, match="gyro: expected rates in rad/s"):
-        read_log(columns, units={"gyro": "rad/s"}, rate=102.4)
-    assert not any("in the same axes" in said for said in right.warnings)
+    columns = {quantity: values for quantity, values in table.values.items() if quantity != "time"}
+    settings: dict[str, Any] = {"rate": 102.4}
+    if "gyro" in columns:
+        settings["units"] = {"gyro": "deg/s"}
+    right = read_log(columns, **settings).report()
+    assert not any("same axes" in said for said in right.cannot_tell)
+    turned = [columns[sensor][:, order] for order in ORDERS.values()]
+    turned += [columns[sensor] * sign for sign in SIGNS.values()]
+    for wrong in turned:
+        with pytest.raises(ValueError, match=f"axes: expected the same of .*{sensor}"):
+            read_log(columns | {sensor: wrong}, **settings)
+    if sensor == "gyro":
+        with pytest.raises(ValueError, match=r"axes: expected the same of .*'-x -y -z'"):
+            read_log(columns | {"gyro": -columns["gyro"]}, **settings)
+        with pytest.raises(ValueError, match="gyro: expected rates in rad/s"):
+            read_log(columns, rate=102.4, units={"gyro": "rad/s"})
+    if sensor == "accel":
+        other = "m/s^2" if right.units["accel"] == "g" else "g"
+        with pytest.raises(ValueError, match="accel: expected a norm of"):
+            read_log(columns, **settings | {"units": settings.get("units", {}) | {"accel": other}})
+    with pytest.raises(ValueError, match="rate: expected one of a sensor"):
+        read_log(columns, **settings | {"rate": 0.1024})
