@@ -18,7 +18,13 @@ from chr_notes.differences import (
     inclination_from_quaternion,
     slerp,
 )
-from chr_notes.errors import CalibrationWarning, GimbalLockError, GimbalLockWarning
+from chr_notes.drift import DriftBudget, coasting_time, drift_budget
+from chr_notes.errors import (
+    CalibrationWarning,
+    GimbalLockError,
+    GimbalLockWarning,
+    UnitWarning,
+)
 from chr_notes.estimation.fixed_gain import fixed_gain_observer, rejected_samples
 from chr_notes.estimation.gains import gain_from_time_constant, time_constant_from_gain
 from chr_notes.estimation.gyro import integrate_gyro
@@ -65,6 +71,7 @@ from chr_notes.sensors.poses import fit_accelerometer_from_log
 from chr_notes.sensors.recording import Recording, Report
 from chr_notes.sensors.still import static_interval, static_intervals
 from chr_notes.validation import heading_from_magnetometer, validation_factor
+from chr_notes.zero_velocity import zero_velocity
 
 __version__ = "0.1.0"
 
@@ -72,6 +79,7 @@ __all__ = [
     "STANDARD_GRAVITY",
     "AxesRelation",
     "CalibrationWarning",
+    "DriftBudget",
     "Ellipsoid",
     "Estimate",
     "GimbalLockError",
@@ -83,6 +91,7 @@ __all__ = [
     "Recording",
     "Report",
     "ThreeAxisCalibration",
+    "UnitWarning",
     "Watch",
     "accelerometer_at_rest",
     "accelerometer_from_acceleration",
@@ -93,8 +102,10 @@ __all__ = [
     "change_angles",
     "change_axes",
     "change_quaternion",
+    "coasting_time",
     "continuous_quaternions",
     "dead_reckon",
+    "drift_budget",
     "drift_from_tilt_error",
     "euler_from_matrix",
     "euler_from_quaternion",
@@ -138,4 +149,5 @@ __all__ = [
     "time_constant_from_gain",
     "validation_factor",
     "wrap_angle",
+    "zero_velocity",
 ]

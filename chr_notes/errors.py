@@ -9,6 +9,10 @@ class CalibrationWarning(UserWarning):
     """Readings are not what they should be, and something was left out or taken for granted."""
 
 
+class UnitWarning(UserWarning):
+    """Readings are of a size that they cannot have in the unit in which they are expected."""
+
+
 class GimbalLockError(ValueError):
     """Some attitudes are at gimbal lock, and the caller asked for an error.
 

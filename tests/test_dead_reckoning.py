@@ -8,16 +8,21 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose, assert_array_equal
+from numpy.typing import NDArray
 
 import chr_notes
 from chr_notes import (
+    UnitWarning,
     accelerometer_from_acceleration,
+    coasting_time,
     dead_reckon,
+    drift_budget,
     drift_from_tilt_error,
     fit_gyro_bias,
     fixed_gain_observer,
     inertial_acceleration,
     static_interval,
+    zero_velocity,
 )
 from chr_notes.conventions import NOTES_GRAVITY
 from chr_notes.derivations import dead_reckoning as derived
@@ -28,6 +33,7 @@ from chr_notes.symbols import T
 
 from .sampling import few
 
+Floats = NDArray[np.float64]
 seeds = st.integers(0, 2**32 - 1)
 G = chr_notes.STANDARD_GRAVITY
 
@@ -159,13 +165,125 @@ def test_drift_broadcasts() -> None:
     assert [part.shape for part in parts] == [(2, 3)] * 3
 
 
-def test_a_recorded_walk_ends_metres_off(recordings: Path) -> None:
+def walked(recordings: Path) -> tuple[Floats, Floats, float]:
+    """Rates without bias, forces, and the step of a walk that ended where it began."""
     walk = np.loadtxt(recordings / "xio_gait_short_walk.csv", delimiter=",", skiprows=1)
     # The times are those of arrival, in bursts; the samples were taken evenly.
     step = (walk[-1, 0] - walk[0, 0]) / (len(walk) - 1)
     to_body = np.array([1.0, -1.0, -1.0])  # from z up to forward, right, down
     rates, forces = np.radians(walk[:, 1:4]) * to_body, G * walk[:, 4:7] * to_body
-    rates -= fit_gyro_bias(rates[static_interval(rates, 800)])
+    return rates - fit_gyro_bias(rates[static_interval(rates, 800)]), forces, step
+
+
+@pytest.mark.parametrize(("limit", "largest"), [(0.3, 0.4), (0.6, 0.5), (1.0, 0.7), (1.5, 1.0)])
+def test_a_recorded_walk_with_rests_ends_near_its_start(
+    recordings: Path, limit: float, largest: float
+) -> None:
+    rates, forces, step = walked(recordings)
+    still = zero_velocity(rates, forces, step, rate_limit=limit)
+    heard = np.where(still[:, np.newaxis], forces, np.nan)
+    euler = fixed_gain_observer(rates, heard, step, 0.02)
+    _, without = dead_reckon(forces, euler, step)
+    velocity, position = dead_reckon(forces, euler, step, still=still)
+    assert np.linalg.norm(without[-1]) > 5
+    assert np.linalg.norm(position[-1]) < largest
+    assert 6 < np.linalg.norm(position, axis=1).max() < 8
+    assert_allclose(velocity[still], 0, atol=1e-9)
+
+
+def test_a_constant_error_between_rests_is_taken_off() -> None:
+    time = np.linspace(0, 6, 1201)
+    stops = [[0, 0, 0], [0, 0, 0], [3, -1, 0.5], [3, -1, 0.5]]
+    motion = minimum_jerk(time, [0, 1, 5, 6], stops)
+    truth = trajectory(time, swing(time, 0.0, 1.0), motion)
+    forces = ideal_readings(truth).accel + np.array([0.2, -0.1, 0.3])
+    still = (time < 1) | (time > 5)
+    _, position = dead_reckon(forces, truth.euler, time[1], still=still)
+    assert np.linalg.norm(position - truth.position, axis=1).max() < 0.01
+    error = derived.acceleration_error_between_rests().subs(
+        {derived.VELOCITY[0]: 0.8, derived.t: 4}
+    )
+    assert float(error) == 0.2
+
+
+def test_rests_do_nothing_to_what_has_no_error_and_nothing_after_the_last_one() -> None:
+    forces = np.tile(accelerometer_from_acceleration([1.0, 0, 0], [0, 0, 0]), (6, 1))
+    euler, none = np.zeros((6, 3)), np.zeros(6)
+    assert_array_equal(dead_reckon(forces, euler, 1.0, still=none), dead_reckon(forces, euler, 1.0))
+    velocity, _ = dead_reckon(forces, euler, 1.0, still=[0, 0, 0, 1, 0, 0], velocity=[9, 0, 0])
+    assert_allclose(velocity[:, 0], [6, 3, 0, 0, 1, 2])
+    velocity, _ = dead_reckon(forces, euler, 1.0, still=[1, 0, 0, 0, 0, 0], velocity=[9, 0, 0])
+    assert_allclose(velocity[:, 0], [0, 1, 2, 3, 4, 5])
+    forces[1] = np.nan
+    velocity, _ = dead_reckon(forces, euler, 1.0, still=[0, 0, 0, 1, 0, 0], velocity=[2, 0, 0])
+    assert_allclose(velocity[:, 0], [1, np.nan, 0, 0, 1, 2])
+
+
+@pytest.mark.parametrize("unit", [1 / G, 16384 / G])
+def test_readings_in_another_unit_are_noticed(unit: float) -> None:
+    still = np.tile([0.0, 0.0, -G], (3000, 1))
+    with pytest.warns(UnitWarning, match=r"about 9\.807, .* got mostly .*: are they in g"):
+        dead_reckon(unit * still, 0 * still, 0.01)
+    dead_reckon(unit * still, 0 * still, 0.01, gravity=unit * G)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_the_budget_is_what_the_integrals_give(seed: int) -> None:
+    generator = np.random.default_rng(seed)
+    tilt, bias, turning = generator.uniform(0.001, 0.01, 3) * [1, 1, 0.01]
+    steps, time = 20_000, 20.0
+    wrong = np.zeros((steps, 3))
+    wrong[:, 1] = tilt + turning * np.linspace(0, time, steps)
+    forces = np.tile([bias, 0.0, -G], (steps, 1))
+    _, position = dead_reckon(forces, wrong, time / steps)
+    found = drift_budget(time, tilt=tilt, accel_bias=bias, gyro_bias=turning)
+    # A nose that is thought to be up makes a force that seems to point backwards: signs apart.
+    assert_allclose(
+        abs(position[-1, 0]), abs(found.accel_bias - found.tilt - found.gyro_bias), rtol=2e-3
+    )
+    assert_allclose(found.worst, found.tilt + found.accel_bias + found.gyro_bias)
+    assert_allclose(found.tilt, drift_from_tilt_error(tilt, time, G)[2])
+
+
+def test_the_noise_of_the_budget_is_what_repetition_shows() -> None:
+    generator = np.random.default_rng(1)
+    period, count, density = 0.01, 1000, 0.02
+    white = generator.normal(0, density / np.sqrt(period), (400, count))
+    far = np.cumsum(np.cumsum(white, axis=1) * period, axis=1)[:, -1] * period
+    assert_allclose(far.std(), drift_budget(10.0, accel_noise=density).noise, rtol=0.1)
+    turned = G * np.cumsum(white, axis=1) * period
+    far = np.cumsum(np.cumsum(turned, axis=1) * period, axis=1)[:, -1] * period
+    assert_allclose(far.std(), drift_budget(10.0, gyro_noise=density).noise, rtol=0.1)
+
+
+def test_how_long_one_may_coast() -> None:
+    for errors in ({"tilt": 0.01}, {"gyro_bias": 1e-3, "accel_bias": 0.1}, {"accel_noise": 0.01}):
+        time = coasting_time(1.0, **errors)
+        assert_allclose(drift_budget(time, **errors).likely, 1.0)
+    assert_allclose(coasting_time(2.0, accel_bias=0.04), 10.0)
+    assert coasting_time() == np.inf
+    with pytest.raises(ValueError, match="distance: expected a positive number, got 0"):
+        coasting_time(0.0)
+
+
+def test_a_body_that_stands_is_told_from_one_that_moves() -> None:
+    rates, forces = np.zeros((300, 3)), np.tile([0.0, 0.0, -G], (300, 1))
+    rates[100:200, 1], forces[250:] = 3.0, [0.0, 4.0, -G]
+    rates[20, 0] = np.nan
+    still = zero_velocity(rates, forces, 0.01, force_limit=0.05)
+    assert still[:95].sum() == 94
+    assert not still[100:200].any()
+    assert still[206:244].all()
+    assert not still[250:].any()
+    assert zero_velocity(rates[:0], forces[:0], 0.01).shape == (0,)
+    with pytest.raises(ValueError, match="rate_limit: expected a positive number, got -1"):
+        zero_velocity(rates, forces, 0.01, rate_limit=-1.0)
+    with pytest.raises(ValueError, match=r"true or false for each sample, shape \(300,\)"):
+        dead_reckon(forces, rates, 0.01, still=still[1:])
+
+
+def test_a_recorded_walk_ends_metres_off(recordings: Path) -> None:
+    rates, forces, step = walked(recordings)
     # The accelerometer on a foot shows its tilt only while the foot stands.
     stands = np.abs(np.linalg.norm(forces, axis=1) - G) < 0.05 * G
     stands &= np.linalg.norm(rates, axis=1) < np.radians(20)

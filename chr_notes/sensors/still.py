@@ -65,7 +65,7 @@ def static_interval(body_rates: ArrayLike, length: int) -> slice:
         msg = f"length: expected from 2 to the {len(rates)} samples there are, got {length}"
         raise ValueError(msg)
     known = complete(rates, WILD_RATE)
-    usable = np.True_ if known.all() else _sums(~known, length) == 0
+    usable = np.True_ if known.all() else window_sums(~known, length) == 0
     if not usable.any():
         msg = f"body_rates: expected {length} samples in a row without NaN, got none"
         raise ValueError(msg)
@@ -75,7 +75,7 @@ def static_interval(body_rates: ArrayLike, length: int) -> slice:
     if glitches.any():
         # What holds glitches comes after what is as still without; the second term counts where
         # all readings are equal.
-        held = _sums(glitches, length)
+        held = window_sums(glitches, length)
         spread = spread * (1 + held) + held * np.finfo(np.float64).tiny
     start = int(np.argmin(np.where(usable, spread, np.inf)))
     return slice(start, start + length)
@@ -144,8 +144,8 @@ def static_intervals(
     known = complete(rates, WILD_RATE) & complete(forces, WILD_RATE)
     gap = np.r_[False, steps[1:] > _LONGEST_STEP * usual]
     # A window must not hold a step over a gap, which lies before its own first row.
-    whole = _sums(gap, width) - gap[: count - width + 1] == 0
-    whole &= _sums(~known, width) <= _MISSING * width
+    whole = window_sums(gap, width) - gap[: count - width + 1] == 0
+    whole &= window_sums(~known, width) <= _MISSING * width
     last = np.maximum.accumulate(np.where(known, np.arange(count), 0))
     quiet, centre = whole, None
     for readings, limit in ((rates, STILL_LIMIT), (forces, np.inf)):
@@ -156,7 +156,7 @@ def static_intervals(
             return []
         quiet = quiet & (spread <= _ABOVE_NOISE * noise)
         if centre is None:
-            means = np.stack([_sums(column, width) for column in steady.T], axis=1) / width
+            means = np.stack([window_sums(column, width) for column in steady.T], axis=1) / width
             centre = means[int(np.argmin(spread))]
             quiet = quiet & (np.abs(means - centre).max(axis=1) <= _LARGEST_BIAS_CHANGE)
     return _stretches(quiet, gap, width, seconds / usual if usual > 0 else width)
@@ -225,13 +225,13 @@ def _variances(readings: Floats, length: int) -> Floats:
     # Of smaller numbers the difference below loses less; any middle will do.
     middle = np.median(readings[:: 1 + len(readings) // 1000], axis=0)
     columns = [column - part for column, part in zip(readings.T, middle, strict=True)]
-    spread = _sums(sum(column**2 for column in columns), length) / length
+    spread = window_sums(sum(column**2 for column in columns), length) / length
     for column in columns:
-        spread -= (_sums(column, length) / length) ** 2
+        spread -= (window_sums(column, length) / length) ** 2
     return np.maximum(spread, 0.0)
 
 
-def _sums(values: ArrayLike, length: int) -> Floats:
+def window_sums(values: ArrayLike, length: int) -> Floats:
     """Sum a column over each window.
 
     A window is the end of one block of its length and the beginning of the next. So nothing
