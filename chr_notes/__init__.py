@@ -25,6 +25,7 @@ from chr_notes.errors import (
     GimbalLockWarning,
     UnitWarning,
 )
+from chr_notes.estimation.doubt import Doubts, accelerated, doubtful_sensors
 from chr_notes.estimation.fixed_gain import fixed_gain_observer, rejected_samples
 from chr_notes.estimation.gains import gain_from_time_constant, time_constant_from_gain
 from chr_notes.estimation.gyro import integrate_gyro
@@ -79,6 +80,7 @@ __all__ = [
     "STANDARD_GRAVITY",
     "AxesRelation",
     "CalibrationWarning",
+    "Doubts",
     "DriftBudget",
     "Ellipsoid",
     "Estimate",
@@ -93,6 +95,7 @@ __all__ = [
     "ThreeAxisCalibration",
     "UnitWarning",
     "Watch",
+    "accelerated",
     "accelerometer_at_rest",
     "accelerometer_from_acceleration",
     "angle_between_attitudes",
@@ -105,6 +108,7 @@ __all__ = [
     "coasting_time",
     "continuous_quaternions",
     "dead_reckon",
+    "doubtful_sensors",
     "drift_budget",
     "drift_from_tilt_error",
     "euler_from_matrix",

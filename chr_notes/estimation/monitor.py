@@ -28,6 +28,13 @@ class Monitor:
     time, it goes to the lower end, so that an accelerometer that vibrates is heard less. If that
     does not help either, there is an alarm. As soon as E falls to the threshold, all is as usual.
 
+    This is the paper's rule. On no trial of the BROAD data set that was tried does it help an
+    observer of gain 0.02: E rises where the accelerometer is accelerated, and the first answer is
+    to hear it more. Roll and pitch of three trials, slow rotation, fast rotation, and fast
+    translation, are 0.75°, 2.1° and 24° off without it, and 0.75°, 2.4° and 32° with a threshold
+    of 0.1 and a patience of 10 samples. `accelerated` says when to hold the accelerometer out
+    instead, and `doubtful_sensors` which sensor lies.
+
     Parameters
     ----------
     threshold

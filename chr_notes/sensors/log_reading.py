@@ -1,6 +1,5 @@
 """From the numbers of a log to a recording: units, times, axes, and what is to be said of them."""
 
-
 import numpy as np
 
 from chr_notes._arrays import Floats
