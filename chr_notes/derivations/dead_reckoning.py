@@ -124,25 +124,38 @@ def constant_acceleration(time: Expr = t) -> tuple[Expr, Expr]:
     return velocity.subs(_outer, time), integrate(velocity, (_outer, 0, time))
 
 
+def _error_of_attitude() -> ImmutableMatrix:
+    """Turn an attitude into a wrong one: about z, about y, about z again, as any two differ."""
+    return ImmutableMatrix(
+        frame_rotation(2, -azimuth)
+        * frame_rotation(1, tilt_error)
+        * frame_rotation(2, azimuth - yaw_error)
+    )
+
+
+def error_of_acceleration() -> ImmutableMatrix:
+    """Error of the acceleration in the inertial frame when the estimated attitude is wrong.
+
+    What the accelerometer reads is the acceleration less gravity; the error of attitude turns
+    both.
+    """
+    reading = ACCELERATION - g * Z
+    return ImmutableMatrix(_error_of_attitude() * reading - reading)
+
+
 @cache
 def residual_acceleration() -> ImmutableMatrix:
     """Acceleration that a body at rest seems to have when its estimated attitude is wrong.
 
-    Any two attitudes differ by a turn about z, one about y, one about z again. The reading at
-    rest is minus gravity; brought to the estimated inertial frame, it does not quite cancel the
-    gravity that is added there.
+    The reading at rest is minus gravity; brought to the estimated inertial frame, it does not
+    quite cancel the gravity that is added there.
 
     Returns
     -------
     ImmutableMatrix
         3 by 1 in the estimated inertial frame, m/s².
     """
-    error = (
-        frame_rotation(2, -azimuth)
-        * frame_rotation(1, tilt_error)
-        * frame_rotation(2, azimuth - yaw_error)
-    )
-    return ImmutableMatrix(error * (-g * Z) + g * Z)
+    return ImmutableMatrix(_error_of_attitude() * (-g * Z) + g * Z)
 
 
 @cache

@@ -13,6 +13,7 @@ from sympy import (
     I,
     ImmutableMatrix,
     Rational,
+    S,
     Symbol,
     atan2,
     cancel,
@@ -36,7 +37,7 @@ from sympy import (
 from chr_notes.derivations.euler import Z, rotation
 from chr_notes.derivations.quaternions import from_axis_angle, rotate_to_body
 from chr_notes.derivations.sensors import specific_force
-from chr_notes.symbols import ACCELEROMETER, VECTOR, Angle, AngularRate, T, g, m, phi
+from chr_notes.symbols import ACCELEROMETER, VECTOR, Angle, AngularRate, T, g, m, phi, psi, theta
 
 # Gain of the observer; number of steps; error at the start.
 L = Symbol("L", real=True)
@@ -83,14 +84,20 @@ def tilt() -> ImmutableMatrix:
     return ImmutableMatrix([atan2(-y, -z), atan2(x, sqrt(y**2 + z**2))])
 
 
-def roll_in_level_turn(bank: Expr) -> Expr:
+def roll_in_level_turn(bank: Expr, time: Expr = S.Zero) -> Expr:
     """Roll that an accelerometer shows in a level turn, flown such that nothing slides sideways.
 
-    The turn takes a level acceleration `g tan(bank)` towards its centre, to the right.
+    The heading goes round at an even rate and the velocity with it. The turn is such that it takes
+    an acceleration `g tan(bank)` towards its centre, to the right.
     """
-    force = ImmutableMatrix([0, g * tan(bank), -g])
-    reading = rotation("v2", "B").subs(phi, bank) * force
-    return tilt()[0].subs(dict(zip(ACCELEROMETER, map(simplify, reading), strict=True)))
+    turning, at = Symbol("omega", positive=True), Symbol("t", real=True)
+    speed = g * tan(bank) / turning
+    velocity = speed * ImmutableMatrix([cos(turning * at), sin(turning * at), 0])
+    reading = rotation("I", "B").subs({phi: bank, theta: 0, psi: turning * at}) * (
+        velocity.diff(at) - g * Z
+    )
+    there = (simplify(part).subs(at, time) for part in reading)
+    return tilt()[0].subs(dict(zip(ACCELEROMETER, there, strict=True)))
 
 
 def euler_step(before: Expr = angle, slope: Expr = rate) -> Expr:

@@ -52,7 +52,13 @@ def _held() -> tuple[Expr, tuple[Symbol, ...]]:
     return cancel(solve(newton, holding)[0] / proof_mass), (force, weight, mass)
 
 
-def deflection(at: Expr = frequency) -> Expr:
+def deflection_held() -> Expr:
+    """Find the deflection per unit of an acceleration that stays: the spring balances it."""
+    deflected = Symbol("x", real=True)
+    return solve(natural_frequency**2 * deflected - 1, deflected)[0]
+
+
+def deflection() -> Expr:
     """Find the deflection of the proof mass per unit of acceleration of its vibrating casing.
 
     Seen from the casing, the spring pulls the proof mass back and the casing's acceleration pushes
@@ -62,7 +68,7 @@ def deflection(at: Expr = frequency) -> Expr:
     vibration = exp(I * frequency * t)
     moving = amplitude * vibration
     newton = moving.diff(t, 2) + natural_frequency**2 * moving + vibration
-    return -cancel(solve(cancel(newton / vibration), amplitude)[0]).subs(frequency, at)
+    return -cancel(solve(cancel(newton / vibration), amplitude)[0])
 
 
 @cache

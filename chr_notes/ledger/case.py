@@ -3,7 +3,8 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
-from sympy import Basic, ImmutableMatrix, false, pi
+from sympy import And, Basic, Eq, ImmutableMatrix, Or, false, pi
+from sympy.core.relational import Relational
 from sympy.logic.boolalg import Boolean
 
 from chr_notes.derivations.steps import Step
@@ -44,9 +45,25 @@ class Condition:
         if not self.holds.args:
             msg = f"expected a relation or several as condition, got {self.holds}"
             raise ValueError(msg)
+        for relation in self.relations:
+            if not isinstance(relation, Relational) or not relation.lhs.free_symbols:
+                msg = f"expected relations with a quantity on the left, got {relation}"
+                raise ValueError(msg)
         if any(self.holds.xreplace(dict(by)) == false for by in substitutions(self.holds)):
             msg = f"expected a condition that can be met, got {self.holds}"
             raise ValueError(msg)
+
+    @property
+    def relations(self) -> tuple[Basic, ...]:
+        """All that it is made of, in whichever ways it may be met."""
+        waiting, found = [self.holds], []
+        while waiting:
+            part = waiting.pop()
+            if isinstance(part, And | Or):
+                waiting += part.args
+            else:
+                found.append(part)
+        return tuple(found)
 
     @property
     def by(self) -> tuple[Mapping[Basic, Basic], ...]:
@@ -95,6 +112,8 @@ class Case:
     root, weight
         For a statement that does not hold as printed: which error it is one place of, see
         `chr_notes.ledger.roots`, and how much that matters.
+    definition
+        That the statement only gives a name, by which other statements are read.
     replaces
         For a definition of a name that the document had given another meaning before: the entry
         that did so.
@@ -116,6 +135,7 @@ class Case:
     witness: Mapping[Basic, Basic] = field(default_factory=dict)
     root: str | None = None
     weight: Weight | None = None
+    definition: bool = False
     replaces: str | None = None
     reported: Boolean | None = None
     readings: tuple[Reading, ...] = ()
@@ -164,7 +184,8 @@ def complete(
     Raises
     ------
     CannotJudgeError
-        If a case has no printed statement, or reads a symbol otherwise than the document.
+        If a case has no printed statement, or reads a symbol otherwise than the document, or if
+        no statement is read by what is brought as a definition.
     """
     by_id = {case.id: case for case in settled}
     names = {statement.id for statement in printed}
@@ -182,4 +203,19 @@ def complete(
             msg = f"{case.id}: read otherwise than the document; give more names by `READ.also`"
             raise CannotJudgeError(msg)
         cases.append(case)
+    for case in cases:
+        if case.definition and not any(_uses(other, case) for other in cases):
+            msg = f"{case.id}: brought as a definition, yet no statement is read by it"
+            raise CannotJudgeError(msg)
     return tuple(cases)
+
+
+def _uses(case: Case, definition: Case) -> bool:
+    """Whether a statement has the name that another one defines, and reads it by that one."""
+    defining = definition.printed.statement
+    return (
+        case.id != definition.id
+        and isinstance(defining, Eq)
+        and case.printed.statement.has(defining.lhs)
+        and case.reading.is_by(defining.lhs, definition.id)
+    )

@@ -2,111 +2,40 @@
 
 from sympy import (
     Eq,
-    Expr,
     ImmutableMatrix,
     Integral,
     Le,
     MatAdd,
     MatMul,
-    MatrixSymbol,
     Ne,
     Rational,
-    Symbol,
     cos,
-    exp,
-    expand,
     pi,
     sin,
-    symbols,
 )
 
 from chr_notes.derivations import dead_reckoning as derived
-from chr_notes.derivations.estimation import euler_step, weight
-from chr_notes.derivations.euler import Z, rotation
 from chr_notes.derivations.steps import Step
 from chr_notes.ledger import table_1
 from chr_notes.ledger.case import DEGREE, Case, Condition, complete
-from chr_notes.ledger.reading import reading
+from chr_notes.ledger.dead_reckoning_reading import (
+    ACCELERATION_THEN,
+    ADDED_G,
+    EXACT_POSITION,
+    EXACT_VELOCITY,
+    FORCES,
+    OWN_ERROR,
+    POSITION_RATE,
+    READ,
+    SUMMED_POSITION,
+    VELOCITY_RATE,
+    WEIGHT,
+)
 from chr_notes.printed import DOCUMENTS
 from chr_notes.printed import dead_reckoning as printed
 from chr_notes.printed import dead_reckoning_claims as claims
 from chr_notes.printed.statement import InOrder
 from chr_notes.symbols import T, g, m, phi, psi, theta
-
-# The gravity that is added, which may not be the local one; the accelerometer's own error.
-ADDED_G = Symbol(r"\hat{g}", positive=True)
-OWN_ERROR = ImmutableMatrix(symbols("varepsilon_x:z", real=True))
-# What steps speak of: the forces on the body, all and that of gravity; how fast velocity and
-# position change; both exactly one period later; the position after n steps.
-FORCES, WEIGHT = (MatrixSymbol(rf"\mathbf{{F}}{of}", 3, 1) for of in ("", "_g"))
-VELOCITY_RATE, POSITION_RATE = (
-    MatrixSymbol(rf"\dot{{\mathbf{{{of}}}}}_I", 3, 1) for of in ("v", "r")
-)
-ACCELERATION_THEN = MatrixSymbol(r"\mathbf{a}_I(t)", 3, 1)
-EXACT_VELOCITY, EXACT_POSITION = (
-    MatrixSymbol(rf"\mathbf{{{of}}}_I(t_k + T)", 3, 1) for of in ("v", "r")
-)
-SUMMED_POSITION = Symbol("r_n", real=True)
-
-
-def _by_exponentials(expression: Expr) -> Expr:
-    return expand(expand(expression).rewrite(exp))
-
-
-def estimated_acceleration() -> ImmutableMatrix:
-    """Follow the note's step: the attitude exact, the reading and the added gravity not.
-
-    The reading is the specific force in the body frame and an error of the accelerometer's own.
-    """
-    there_and_back = (rotation("B", "I") * rotation("I", "B")).applyfunc(_by_exponentials)
-    measured = there_and_back * (derived.ACCELERATION - g * Z) + rotation("B", "I") * OWN_ERROR
-    return ImmutableMatrix(measured + ADDED_G * Z)
-
-
-def held(before: ImmutableMatrix, rate: ImmutableMatrix) -> ImmutableMatrix:
-    """Take a step of Euler integration, each component with its rate held."""
-    return ImmutableMatrix([euler_step(*pair) for pair in zip(before, rate, strict=True)])
-
-
-def antiderivative(gained: ImmutableMatrix, constant: ImmutableMatrix) -> ImmutableMatrix:
-    """Read an integral without limits: it has its constant, the value at the start."""
-    return ImmutableMatrix(gained + constant)
-
-
-READ = reading(
-    {
-        printed.A_I: derived.ACCELERATION,
-        printed.A_B: lambda: ImmutableMatrix(rotation("I", "B") * derived.ACCELERATION),
-        printed.A_M: derived.accelerometer_reading,
-        printed.IN_GRAVITIES: lambda: derived.accelerometer_reading() / g,
-        FORCES: lambda: ImmutableMatrix(m * rotation("I", "B") * derived.ACCELERATION),
-        WEIGHT: weight,
-        # What holds the body up against gravity.
-        claims.NORMAL: lambda: ImmutableMatrix(-weight()),
-        printed.V_I: lambda: derived.velocity_after(derived.velocity_gained()),
-        printed.R_I: lambda: derived.position_after(derived.position_gained()),
-        printed.INTEGRAL: lambda: antiderivative(derived.velocity_gained(), derived.VELOCITY),
-        printed.DOUBLE_INTEGRAL: lambda: antiderivative(
-            derived.position_gained(), derived.POSITION + derived.VELOCITY * derived.t
-        ),
-        VELOCITY_RATE: lambda: derived.velocity_after(derived.velocity_gained()).diff(derived.t),
-        POSITION_RATE: lambda: derived.position_after(derived.position_gained()).diff(derived.t),
-        ACCELERATION_THEN: derived.acceleration_then,
-        printed.A_K: derived.ACCELERATION,
-        printed.V_K: derived.VELOCITY,
-        printed.R_K: derived.POSITION,
-        printed.V_NEXT: held(derived.VELOCITY, derived.ACCELERATION),
-        printed.R_NEXT: held(derived.POSITION, derived.VELOCITY),
-        EXACT_VELOCITY: derived.velocity_after_step,
-        EXACT_POSITION: derived.position_after_step,
-        printed.ESTIMATED: estimated_acceleration,
-        printed.OWN_ERROR: OWN_ERROR,
-        printed.RESIDUE: derived.residual_acceleration,
-        claims.ERROR_OF_ACCELERATION: derived.residual_acceleration,
-        SUMMED_POSITION: derived.position_by_steps,
-        **table_1.MEANING,
-    }
-)
 
 RESIDUE_OF_TILT = Step(
     "At rest the accelerometer reads minus gravity. Turned by an attitude of which the vertical is "
@@ -259,6 +188,20 @@ SETTLED = (
         },
         root="local-gravity",
         weight="small print",
+        steps=(
+            Step(
+                "With an exact attitude the reading comes back as the acceleration less gravity, "
+                "with the accelerometer's own error turned along. The gravity that is added, ĝ, "
+                "leaves its difference from the local one.",
+                Eq(
+                    MatAdd(printed.ESTIMATED, -printed.A_I),
+                    MatAdd(
+                        MatMul(printed.R_BI, printed.OWN_ERROR),
+                        ImmutableMatrix([0, 0, ADDED_G - g]),
+                    ),
+                ),
+            ),
+        ),
         remark="The gravity that is added must be the local one. It runs from 9.780 m/s² at the "
         "equator to 9.832 at the poles; with the note's 9.8 a body at rest at a pole seems to "
         "accelerate by 0.032 m/s², more than 0.1° of tilt would make.",
@@ -276,13 +219,25 @@ SETTLED = (
     Case("dead_reckoning.4.h", reported=Le(claims.PRODUCT_ERROR, 2 * pi / 180, evaluate=False)),
     Case(
         "dead_reckoning.4.i",
-        condition=TILTED,
-        witness=ONLY_YAW,
-        root="tilt-only",
-        weight="small print",
-        steps=(RESIDUE_OF_TILT,),
-        remark="What shows is a tilt. An error of yaw alone shows only while the body accelerates "
-        "along the ground.",
+        given=(
+            TILTED,
+            Condition(Ne(cos(derived.yaw_error), 1)),
+            Condition(Ne(derived.ACCELERATION[0], 0)),
+        ),
+        steps=(
+            RESIDUE_OF_TILT,
+            Step(
+                "An error of yaw turns a level acceleration a, here to the north, about the "
+                "vertical: this is what it is off by.",
+                Eq(
+                    claims.BY_YAW,
+                    derived.ACCELERATION[0]
+                    * ImmutableMatrix([cos(derived.yaw_error) - 1, sin(derived.yaw_error), 0]),
+                ),
+            ),
+        ),
+        remark="The errors are not zero, and the acceleration along the ground is not. While the "
+        "motion is steady an error of yaw alone does not show, see dead_reckoning.4.g.",
     ),
 )
 

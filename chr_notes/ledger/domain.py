@@ -1,6 +1,6 @@
 """Where a printed statement is not defined: its divisors are zero there."""
 
-from sympy import And, Basic, Eq, Or, Pow, atan2, cos, sec, simplify, tan
+from sympy import And, Basic, Eq, Or, Pow, atan, atan2, cos, sec, simplify, tan
 
 from chr_notes.ledger.case import Case
 from chr_notes.ledger.evaluation import evaluate, parts
@@ -14,8 +14,15 @@ def undefined_where(case: Case) -> str | None:
     found = []
     for part in parts(case.printed.statement):
         if not isinstance(part, Approximately):
-            found += [zero for zero in _zeros(part) if zero not in found and _occurs(case, zero)]
+            zeros = _zeros(_with_both_parts(part, case))
+            found += [zero for zero in zeros if zero not in found and _occurs(case, zero)]
     return latex(Or(*found, evaluate=False)) if found else None
+
+
+def _with_both_parts(relation: Basic, case: Case) -> Basic:
+    """Read the arctangent of a quotient as the document does: by both parts, if it says so."""
+    read = case.reading.notation.get(atan)
+    return relation if read is None else relation.replace(atan, lambda x: read(atan(x)))
 
 
 def _zeros(relation: Basic) -> list[Basic]:

@@ -5,6 +5,7 @@ from sympy import (
     ImmutableMatrix,
     MatAdd,
     MatMul,
+    Ne,
     Rational,
     ZeroMatrix,
     atan2,
@@ -14,6 +15,7 @@ from sympy import (
 )
 from sympy.matrices.expressions import Inverse
 
+from chr_notes.derivations import estimation as derived
 from chr_notes.derivations.calibration import COUPLING
 from chr_notes.derivations.steps import Step
 from chr_notes.ledger import ranges
@@ -21,6 +23,7 @@ from chr_notes.ledger.case import DEGREE, NOTHING, Case, Condition, complete
 from chr_notes.ledger.edits import Edit
 from chr_notes.ledger.estimation_observer import SETTLED as OBSERVER
 from chr_notes.ledger.estimation_reading import (
+    BIAS,
     FORCE,
     FREE_FALL,
     READ,
@@ -28,14 +31,16 @@ from chr_notes.ledger.estimation_reading import (
     READ_TILT,
     SUPPORT,
 )
-from chr_notes.ledger.estimation_steps import held
 from chr_notes.ledger.euler_rates import AXES_OF_THE_TURNS, PROJECTIONS
+from chr_notes.ledger.shared_steps import felt, held
 from chr_notes.printed import BY_ID, DOCUMENTS
 from chr_notes.printed import estimation as printed
+from chr_notes.printed import estimation_claims as claims
 from chr_notes.printed.statement import InOrder, Rotation
 from chr_notes.symbols import (
     ACCELEROMETER,
     BODY_RATES,
+    T,
     g,
     m,
     p,
@@ -57,14 +62,7 @@ BODY = ImmutableMatrix(BODY_RATES)
 SETTLED = (
     Case(
         "estimation.2.1",
-        steps=(
-            Step(
-                "A small mass in the casing is held by a force, per mass what the accelerometer "
-                "reads. With gravity added it gives the acceleration, which is that of the body: "
-                "all forces on it per mass.",
-                Eq(MatAdd(printed.A_M, MatMul(1 / m, printed.F_G)), MatMul(1 / m, printed.F)),
-            ),
-        ),
+        steps=felt(printed.A_M, printed.F, printed.F_G),
     ),
     Case(
         "estimation.2.2",
@@ -105,6 +103,19 @@ SETTLED = (
         "estimation.2.4",
         given=(AT_REST,),
         steps=(
+            Step(
+                "In the body frame the force of gravity has these components, see estimation.2.3.",
+                Eq(
+                    printed.F_G,
+                    ImmutableMatrix(
+                        [
+                            -m * g * sin(theta),
+                            m * g * cos(theta) * sin(phi),
+                            m * g * cos(theta) * cos(phi),
+                        ]
+                    ),
+                ),
+            ),
             Step(
                 "At rest the reading is minus the force of gravity, per mass.",
                 Eq(printed.A_M, MatMul(-1 / m, printed.F_G)),
@@ -204,6 +215,20 @@ SETTLED = (
         "estimation.3.3", READ_PREDICTION, steps=held(pitch_rate, printed.PITCH, printed.PITCH_PLUS)
     ),
     Case(
+        "estimation.3.a",
+        given=(Condition(Ne(BIAS, 0)),),
+        steps=(
+            Step(
+                "Each period adds the bias b times T to the angle, and a fresh error of the noise, "
+                "of variance σ²T². After n periods from the error e₀:",
+                InOrder(
+                    Eq(printed.GYRO_ERROR, derived.start_error + printed.n * BIAS * T),
+                    Eq(printed.GYRO_VARIANCE, printed.n * derived.gyro_noise**2 * T**2),
+                ),
+            ),
+        ),
+    ),
+    Case(
         "estimation.3.b",
         condition=Condition(Eq(COUPLING, ImmutableMatrix.zeros(3, 3))),
         witness={
@@ -213,15 +238,39 @@ SETTLED = (
         },
         root="gyro-acceleration",
         weight="small print",
+        steps=(
+            Step(
+                "An acceleration adds to each axis of the gyro what couples in from all three.",
+                Eq(
+                    MatAdd(claims.READING_ACCELERATED, -claims.READING),
+                    MatMul(ImmutableMatrix(COUPLING), ImmutableMatrix(ACCELEROMETER)),
+                ),
+            ),
+        ),
         remark="The note says nominally. Its companion on sensors has the term that is left out "
         "here, the coupling C of a gyro to acceleration.",
     ),
     Case(
         "estimation.3.c",
         edits=(Edit(PROJECTIONS, MatMul(Inverse(AXES_OF_THE_TURNS), BODY)),),
-        witness={phi: 0, theta: 60 * DEGREE, p: 0, q: 0, r: 1},
+        witness={phi: 0, theta: 60 * DEGREE, p: 0, q: 0, r: 90 * DEGREE},
         root="rates-by-projection",
         weight="misleads",
+        steps=(
+            Step(
+                "The gyros read the three turns together, each about its own axis.",
+                Eq(BODY, MatMul(AXES_OF_THE_TURNS, printed.RATES)),
+            ),
+            Step(
+                "The axes of roll and yaw are not at right angles: of the products of two axes "
+                "that one does not vanish. So no rate can be read off as a projection; one has to "
+                "solve for the three together.",
+                Eq(
+                    MatMul(AXES_OF_THE_TURNS.T, AXES_OF_THE_TURNS),
+                    ImmutableMatrix([[1, 0, -sin(theta)], [0, 1, 0], [-sin(theta), 0, 1]]),
+                ),
+            ),
+        ),
         remark="Said as in the note on Euler angles, see euler.7.a. The rates that follow are "
         "right, but these words do not lead to them: the rotation goes from the Euler rates to the "
         "body, and then has to be inverted.",

@@ -7,7 +7,7 @@ from chr_notes.derivations.steps import Step
 from chr_notes.ledger import ranges
 from chr_notes.ledger.case import DEGREE, Case, Condition
 from chr_notes.ledger.estimation_reading import BIAS, READ_PREDICTION, READ_UPDATE, SETTLED_ERROR
-from chr_notes.ledger.estimation_steps import held
+from chr_notes.ledger.shared_steps import held
 from chr_notes.printed import estimation as printed
 from chr_notes.printed import estimation_claims as claims
 from chr_notes.symbols import T, pitch_rate, roll_rate
@@ -165,6 +165,19 @@ SETTLED = (
         },
         root="bias-stays",
         weight="misleads",
+        steps=(
+            Step(
+                "Over many trials the accelerometer's noise averages out. What is left besides its "
+                "average angle is the error at the start, which dies out, and what the gyro's bias "
+                "b adds in each step.",
+                Eq(
+                    claims.MEAN,
+                    claims.AVERAGE_ANGLE
+                    + (1 - printed.L) ** printed.n * derived.start_error
+                    + (1 - (1 - printed.L) ** printed.n) * (1 - printed.L) / printed.L * BIAS * T,
+                ),
+            ),
+        ),
         remark="A bias of the gyro holds the estimate beside the average angle, by 0.49° for 1°/s "
         "at 100 samples a second and L = 0.02. The validation paper says the same of its filter.",
     ),

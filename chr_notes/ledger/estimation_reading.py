@@ -18,9 +18,10 @@ from chr_notes.derivations import estimation as derived
 from chr_notes.derivations.euler import euler_rates
 from chr_notes.derivations.sensors import specific_force
 from chr_notes.ledger.reading import elements, reading
+from chr_notes.ledger.shared_steps import HOLDING, PROOF_MASS
 from chr_notes.printed import estimation as printed
 from chr_notes.printed import estimation_claims as claims
-from chr_notes.symbols import BODY_RATES, EULER_RATES, AngularRate, m, phi, theta
+from chr_notes.symbols import BODY_RATES, EULER_RATES, AngularRate, T, m, phi, theta
 
 # All forces on the body; the gyro's bias, of either sign.
 FORCE = ImmutableMatrix(symbols("F_x F_y F_z", real=True))
@@ -53,6 +54,7 @@ READ = reading(
     {
         printed.A_M: accelerometer,
         **elements((printed.A_MX, printed.A_MY, printed.A_MZ), accelerometer),
+        HOLDING: lambda: PROOF_MASS * accelerometer(),
         printed.F: FORCE,
         printed.F_G: derived.weight,
         SUPPORT: lambda: ImmutableMatrix(FORCE - derived.weight()),
@@ -63,7 +65,7 @@ READ = reading(
         claims.READING_ACCELERATED: lambda: ImmutableMatrix(
             ImmutableMatrix(BODY_RATES) + calibration.coupled()
         ),
-        printed.GYRO_ERROR: derived.gyro_error_after,
+        printed.GYRO_ERROR: lambda: derived.gyro_error_after().subs(derived.bias, BIAS),
         printed.GYRO_VARIANCE: derived.gyro_variance_after,
         printed.ERROR: derived.error_after,
         SETTLED_ERROR: derived.steady_bias_error,
@@ -73,7 +75,7 @@ READ = reading(
         printed.BEST_GAIN: derived.best_gain,
         # Of all banks of level turns, this one.
         claims.BANK: pi / 6,
-        claims.BANK_ACCEL: partial(derived.roll_in_level_turn, pi / 6),
+        claims.BANK_ACCEL: partial(derived.roll_in_level_turn, pi / 6, printed.n * T),
         **{
             name: partial(share, gain)
             for names, share in (

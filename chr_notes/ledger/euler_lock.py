@@ -5,7 +5,7 @@ from sympy import FiniteSet, ImmutableMatrix, Integer, MatMul, cos, pi, sin
 from chr_notes.derivations.steps import Step, equation
 from chr_notes.ledger.case import Case
 from chr_notes.ledger.edits import Edit
-from chr_notes.ledger.euler_reading import READ_UPWARDS, SHIFT, UPRIGHT, UPWARDS
+from chr_notes.ledger.euler_reading import DETERMINANT_313, DETERMINANT_321, SHIFT, UPRIGHT
 from chr_notes.printed import euler as printed
 from chr_notes.printed import euler_claims as claims
 from chr_notes.printed.statement import InOrder, Rotation
@@ -19,8 +19,6 @@ OPPOSITE = (
 SETTLED = (
     Case(
         "euler.6.a",
-        READ_UPWARDS,
-        given=(UPWARDS,),
         steps=(
             Step(
                 "At 90° yaw and roll may grow together by any angle δ, and the attitude is the "
@@ -91,6 +89,17 @@ SETTLED = (
         edits=(Edit(Integer(0), Integer(1)),),
         root="lock-without-a-cure",
         weight="small print",
+        steps=(
+            Step(
+                "Three turns lock where their axes lie in a plane, so where the determinant of the "
+                "three axes is zero. That of yaw, pitch, roll, and that of turns about z, x and z, "
+                "of which the middle one is 90° where the nose points straight up:",
+                InOrder(
+                    equation(DETERMINANT_321, cos(theta)),
+                    equation(DETERMINANT_313, sin(theta)),
+                ),
+            ),
+        ),
         remark="Every sequence of three angles locks somewhere, and another one somewhere else: "
         "where the nose points straight up, turns about z, x and z are as far from their lock as "
         "can be. So an estimator that changes between two sequences gets by, and the quaternion "

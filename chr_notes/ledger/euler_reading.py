@@ -4,7 +4,6 @@ from sympy import (
     Basic,
     Eq,
     FiniteSet,
-    Ge,
     ImmutableMatrix,
     Interval,
     MatrixSymbol,
@@ -38,11 +37,15 @@ ROLL_TURN, PITCH_TURN, YAW_TURN = (
     MatrixSymbol(rf"\boldsymbol{{\omega}}_{{\text{{{turn}}}}}", 3, 1)
     for turn in ("roll", "pitch", "yaw")
 )
+# The determinants of the axes of three turns, by the middle angle.
+DETERMINANT_321, DETERMINANT_313 = (
+    Symbol(rf"\det_{{\text{{{order}}}}}\left(\theta\right)", real=True)
+    for order in ("3-2-1", "3-1-3")
+)
 # An angle by which yaw and roll change together.
 SHIFT = Symbol("delta", real=True)
 
-# What is presumed where the note speaks of one pitch, or of pitching up.
-UPWARDS = Condition(Ge(theta, 0))
+# What is presumed where the note speaks of one pitch.
 UPRIGHT = Condition(Eq(theta, pi / 2))
 
 
@@ -66,6 +69,8 @@ _MEANING: dict[Basic, Meaning] = {
     printed.Z_I: (-printed.ALTITUDE * derived.Z)[2],
     printed.PITCH_AXIS: derived.rotation("v1", "I") * derived.Y,
     printed.FIGURE_3_FRAME: FRAME_NAMES[derived.FRAMES[2]],
+    # The note speaks of pitching up.
+    printed.LOCK_PITCHES: lambda: derived.lock_pitches(Interval(0, pi / 2)),
     printed.ROLL_FOR_YAW: -psi,
     # One vector in four frames: all its components come from the inertial ones.
     printed.V_I: VECTOR,
@@ -84,13 +89,8 @@ _MEANING: dict[Basic, Meaning] = {
     claims.ANY_ROTATION: derived.any_axes,
     claims.LOCK_321: lambda: derived.sequence_locks(2, 1, 0),
     claims.LOCK_313: lambda: derived.sequence_locks(2, 0, 2),
+    DETERMINANT_321: lambda: derived.sequence_determinant(2, 1, 0),
+    DETERMINANT_313: lambda: derived.sequence_determinant(2, 0, 2),
     claims.OTHER_DETERMINANT: derived.yaw_roll_yaw_upright,
 }
 READ = reading(_MEANING)
-READ_UPWARDS = READ.also(
-    {
-        printed.LOCK_PITCHES: lambda: derived.lock_pitches(
-            Interval(-pi / 2, pi / 2) & UPWARDS.holds.as_set()
-        )
-    }
-)

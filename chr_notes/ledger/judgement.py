@@ -4,8 +4,8 @@ The rules, in this order:
 
 - `reported`: the statement is a fact about a product, so no mathematics can check it, and it was
   written down twice with the same result;
-- `definition`: it introduces a name that no derivation and no earlier statement of the document
-  knows, and that it does not use itself;
+- `definition`: it is brought as one; it gives a name that no derivation and no earlier statement of
+  the document knows, and that it does not use itself; and another statement is read by it;
 - `proved`: read with the derived quantities, it holds for all values, or for all that the
   document or the convention presumes;
 - `qualified`: it holds under the condition brought with it, and fails at a witness outside it;
@@ -18,21 +18,26 @@ has no entry that was not decided.
 
 from typing import NamedTuple
 
-from sympy import And, Basic, Eq, Expr, Limit, MatrixBase, MatrixSymbol, Subs, Symbol, sympify
-from sympy.core.function import AppliedUndef
+from sympy import And, Basic, Eq, Expr, Limit, sympify
 from sympy.logic.boolalg import Boolean
 
 from chr_notes.ledger.case import CannotJudgeError, Case, Condition, Reading
+from chr_notes.ledger.checks import (
+    check_conditions,
+    check_definition,
+    check_reported,
+    check_root,
+    check_says_something,
+    check_witness,
+)
 from chr_notes.ledger.domain import undefined_where
 from chr_notes.ledger.edits import in_order, marked
 from chr_notes.ledger.entry import Entry, Verdict
 from chr_notes.ledger.evaluation import evaluate, parts, work_out
 from chr_notes.ledger.identities import equal
 from chr_notes.ledger.proof import Finding, examine, excludes, fails, proves
-from chr_notes.ledger.roots import ROOTS
 from chr_notes.ledger.search import is_exact
 from chr_notes.ledger.witness import number, witness
-from chr_notes.printed import BY_ID, DOCUMENTS
 from chr_notes.printed.statement import Approximately
 from chr_notes.symbols import BODY_RATES, EULER, EULER_RATES, g, m
 from chr_notes.typeset import latex
@@ -72,7 +77,7 @@ def judge(case: Case) -> Entry:
     printed = case.printed
     failing = verdict in ("qualified", "corrected")
     not_derived = verdict in ("definition", "reported")
-    _check_root(case, failing=failing)
+    check_root(case, failing=failing)
     readings = tuple(_reading(case, each) for each in case.readings)
     if readings and verdict != "corrected" and not readings[0][1]:
         msg = f"{case.id}: {verdict}, yet it does not hold under the first of its readings"
@@ -109,32 +114,18 @@ def _verdict(case: Case) -> Judged:
         msg = f"{case.id}: expected a condition or a correction, got both"
         raise CannotJudgeError(msg)
     if case.reported is not None:
-        return _reported(case)
+        check_reported(case)
+        return Judged("reported", "a fact about a product; it was written down twice and compared")
+    check_definition(case)
+    if case.definition:
+        return Judged("definition", "the name has no meaning before; it is read by this later")
+    check_conditions(case)
     if case.condition is None and case.right is None:
-        if introduces_name(case):
-            return Judged("definition", "the name has no meaning before; it is read by this later")
-        _check_says_something(case)
+        check_says_something(case)
         findings = _prove(case, case.printed.statement, "not proved as printed", *case.given)
         return Judged("proved", f"derived independently: {_how(findings)}")
-    if any(excludes(given, case.witness) for given in case.given):
-        msg = f"{case.id}: the witness {case.witness} lies outside what is given"
-        raise CannotJudgeError(msg)
-    if not fails(case.printed.statement, case.reading, case.witness):
-        msg = f"{case.id}: the witness {case.witness} does not show that it fails as printed"
-        raise CannotJudgeError(msg)
+    check_witness(case)
     return _qualified(case, case.condition) if case.condition is not None else _corrected(case)
-
-
-def _reported(case: Case) -> Judged:
-    """Accept a fact about a product: no symbol of it is derived, and it is written down twice."""
-    statement = case.printed.statement
-    if any(case.reading(name) != name for name in statement.free_symbols):
-        msg = f"{case.id}: brought as reported, yet a symbol of it is derived"
-        raise CannotJudgeError(msg)
-    if case.reported is None or in_order(statement) != in_order(case.reported):
-        msg = f"{case.id}: expected in print {case.reported}, found {statement}"
-        raise CannotJudgeError(msg)
-    return Judged("reported", "a fact about a product; it was written down twice and compared")
 
 
 def _qualified(case: Case, condition: Condition) -> Judged:
@@ -166,22 +157,6 @@ def _corrected(case: Case) -> Judged:
     return Judged("corrected", f"the correction is proved: {_how(findings)}; {shown}")
 
 
-def _check_says_something(case: Case) -> None:
-    """Refuse the same on both sides, and the same statement twice."""
-    stated = [in_order(part) for part in parts(case.printed.statement)]
-    if len(set(stated)) < len(stated):
-        msg = f"{case.id}: the statement says one thing twice"
-        raise CannotJudgeError(msg)
-    if any(isinstance(part, Eq) and _plain(part.lhs) == _plain(part.rhs) for part in stated):
-        msg = f"{case.id}: the statement says nothing, it has the same on both sides"
-        raise CannotJudgeError(msg)
-
-
-def _plain(side: Basic) -> Basic:
-    """Take a value at some point of a name that does not change for the name itself."""
-    return side.doit() if isinstance(side, Subs) else side
-
-
 def _is_empty(relation: Basic) -> bool:
     """Whether a relation holds whatever its symbols stand for."""
     if isinstance(relation, Approximately):
@@ -204,50 +179,6 @@ def _prove(
 
 def _how(findings: tuple[Finding, ...]) -> str:
     return "; ".join(dict.fromkeys(finding.how for finding in findings))
-
-
-def _check_root(case: Case, *, failing: bool) -> None:
-    if failing != (case.root is not None) or failing != (case.weight is not None):
-        msg = (
-            f"{case.id}: expected {'a' if failing else 'no'} root and weight, "
-            f"got {case.root!r} and {case.weight!r}"
-        )
-        raise CannotJudgeError(msg)
-    if case.root is not None and case.root not in ROOTS:
-        msg = f"{case.id}: expected one of {', '.join(ROOTS)} as root, got {case.root!r}"
-        raise CannotJudgeError(msg)
-
-
-def introduces_name(case: Case) -> bool:
-    """Whether a statement only gives a name: one that nothing knows yet, nor itself uses.
-
-    Known are the names of the derivations, those that the document's reading gives a meaning
-    otherwise than by this statement, and those that an earlier statement of the document has on
-    its left side, unless the case says that it replaces that one.
-    """
-    statement = case.printed.statement
-    if not isinstance(statement, Eq):
-        return False
-    known = DERIVED_NAMES | _left_sides_before(case)
-    names = tuple(statement.lhs) if isinstance(statement.lhs, MatrixBase) else (statement.lhs,)
-    return all(
-        isinstance(name, Symbol | MatrixSymbol | AppliedUndef)
-        and name not in known
-        and case.reading.defines(name, by=case.id)
-        and not name.free_symbols & statement.rhs.free_symbols
-        for name in names
-    )
-
-
-def _left_sides_before(case: Case) -> set[Basic]:
-    names = set()
-    for printed in DOCUMENTS[case.printed.document]:
-        if printed.id == case.id:
-            break
-        for part in parts(printed.statement):
-            if isinstance(part, Eq):
-                names |= set(part.lhs) if isinstance(part.lhs, MatrixBase) else {part.lhs}
-    return names - {BY_ID[case.replaces].statement.lhs} if case.replaces else names
 
 
 def _derived(case: Case, verdict: Verdict) -> str | None:

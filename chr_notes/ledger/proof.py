@@ -6,6 +6,7 @@ from functools import lru_cache
 from itertools import chain, product
 
 from sympy import (
+    Abs,
     Basic,
     Dummy,
     Eq,
@@ -138,6 +139,12 @@ def _examined(
         if is_positive(more - less):
             how = "the larger side less the smaller is a quotient of positive sums"
             return Finding(holds=True, how=how)
+        if isinstance(relation, Gt | Lt) and isinstance(more - less, Abs):
+            how = "the larger side less the smaller is a magnitude that cannot vanish"
+            inside = (more - less).args
+            return Finding(
+                _some_cannot_vanish(inside, read, by, conditions), how, lambda: _short(more - less)
+            )
     simplified = simplify(evaluate(relation, read, by))
     return Finding(
         isinstance(simplified, BooleanTrue),
@@ -212,7 +219,15 @@ def _never_equal(
     left, right = sides(relation, read, by)
     if isinstance(left, Set) and isinstance(right, Set):
         return (left ^ right).is_empty is False
-    components = difference(left, right)
+    return _some_cannot_vanish(difference(left, right), read, by, conditions)
+
+
+def _some_cannot_vanish(
+    components: tuple[Expr, ...],
+    read: Read,
+    by: Mapping[Basic, Basic],
+    conditions: tuple[Condition, ...],
+) -> bool:
     # Of a condition that may be met in several ways each one must do.
     ways = product(*(_excluded(condition, read, by) for condition in conditions))
     return all(

@@ -65,6 +65,7 @@ CONTRADICTION = (
     "4: they send Euler angles made by its formulas, together with the quaternion."
 )
 SETTLED = (
+    Case("quaternions.2.1", definition=True),
     Case(
         "quaternions.2.2",
         READ_AXIS,
@@ -112,7 +113,6 @@ SETTLED = (
     ),
     Case(
         "quaternions.3.1",
-        given=(UNIT,),
         edits=(
             Edit(
                 Product(printed.Q, Pure(printed.V_I), Reciprocal(printed.Q)),

@@ -100,6 +100,12 @@ class Read:
             return self.meaning[name] == Defined(by)
         return self.base is None or self.base.defines(name, by)
 
+    def is_by(self, name: Basic, definition: str) -> bool:
+        """Whether a name is read by a printed definition."""
+        if name in self.meaning:
+            return self.meaning[name] == Defined(definition)
+        return self.base is not None and self.base.is_by(name, definition)
+
     def with_names(self, expression: Basic) -> Basic:
         """Put the derived quantities in place of the symbols, and leave the notation."""
         if self.base is not None:

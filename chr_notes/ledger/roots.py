@@ -23,8 +23,6 @@ ROOTS: Final[Mapping[str, str]] = MappingProxyType(
         "symbols.",
         "specific-force-called-acceleration": "What the accelerometer tells, the specific force, "
         "is called the actual acceleration.",
-        "below-is-far-below": "The deflection is said to be proportional to acceleration below the "
-        "natural frequency; it is so far below it.",
         "constant-but-for-temperature": "Bias and sensitivity are said to be constant, and to "
         "change with temperature.",
         "figure-without-a-number": "The text names another figure than the one that it means.",

@@ -11,6 +11,7 @@ from sympy import (
     Eq,
     Expr,
     MatrixBase,
+    MatrixSymbol,
     N,
     Ne,
     Or,
@@ -55,6 +56,16 @@ def outside(case: Case, condition: Condition) -> Iterator[Point]:
         yield from _points((*inside, *beyond), names, random)
 
 
+def is_met_somewhere(case: Case) -> bool:
+    """Whether a point is found that meets the condition of a case and what is given."""
+    conditions = (*case.given, *((case.condition,) if case.condition is not None else ()))
+    names = sorted(set().union(*(each.holds.free_symbols for each in conditions)), key=str)
+    random = Random(case.id)  # noqa: S311 (the same points each time, no secret)
+    wanted = And(*(each.holds for each in conditions), evaluate=False)
+    plain = [name for name in names if isinstance(name, Symbol)]
+    return any(True for way in _alternatives(wanted) for _ in _points(way, plain, random))
+
+
 def _holds(case: Case, point: Point) -> bool:
     return not fails(case.printed.statement, case.reading, point)
 
@@ -92,6 +103,8 @@ def _alternatives(statement: Boolean) -> Iterator[tuple[Relational, ...]]:
     elif isinstance(statement, Eq) and isinstance(statement.lhs, MatrixBase):
         pairs = zip(statement.lhs, statement.rhs, strict=True)
         yield tuple(Eq(*pair, evaluate=False) for pair in pairs)
+    elif isinstance(statement, Eq) and isinstance(statement.lhs, MatrixSymbol):
+        yield ()  # a name for a whole matrix can be met by any
     elif isinstance(statement, Eq) and isinstance(statement.lhs, Abs):
         for sign in (1, -1):
             yield (Eq(statement.lhs.args[0], sign * statement.rhs, evaluate=False),)

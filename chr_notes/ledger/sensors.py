@@ -1,6 +1,6 @@
 """The note on sensors before the judgement: accelerometers and gyros; `sensors_field` has more."""
 
-from sympy import And, Eq, ImmutableMatrix, Lt, MatAdd, MatMul
+from sympy import And, Eq, ImmutableMatrix, Lt, MatAdd, MatMul, Rational
 
 from chr_notes.derivations.estimation import weight
 from chr_notes.derivations.sensors import frequency, natural_frequency
@@ -18,6 +18,7 @@ from chr_notes.ledger.sensors_reading import (
     READ_WANTED,
     SAME_BIAS,
 )
+from chr_notes.ledger.shared_steps import felt
 from chr_notes.printed import DOCUMENTS
 from chr_notes.printed import sensors as printed
 from chr_notes.printed import sensors_claims as claims
@@ -25,7 +26,7 @@ from chr_notes.printed.statement import words
 from chr_notes.symbols import ACCELEROMETER, g, m, phi, theta
 
 LEVEL = (Condition(Eq(phi, 0)), Condition(Eq(theta, 0)))
-AT_REST = {**dict.fromkeys((*FORCE, phi, theta), 0), m: 1, g: 10}
+AT_REST = {**dict.fromkeys((*FORCE, phi, theta), 0), m: 1, g: Rational(98, 10)}
 REALIGNED = MatMul(printed.M_A.I, printed.A_M)
 SCALED = MatMul(1 / m, printed.S_A, printed.F_LESS_G)
 GYROS_ALIGNED = MatMul(printed.M_G.I, printed.P_M)
@@ -34,14 +35,7 @@ SETTLED = (
     Case(
         "sensors.2.1",
         READ_FORCE,
-        steps=(
-            Step(
-                "The proof mass is held in its casing and accelerates as the body does, by F/m. "
-                "Two forces do that: its own weight, and that with which the casing holds it. The "
-                "sensor feels the second. For each unit of mass:",
-                equation(MatAdd(printed.A_M, MatMul(1 / m, printed.F_G)), MatMul(1 / m, printed.F)),
-            ),
-        ),
+        steps=felt(printed.A_M, printed.F, printed.F_G),
     ),
     Case(
         "sensors.2.2",
@@ -65,6 +59,7 @@ SETTLED = (
     ),
     Case(
         "sensors.2.3",
+        definition=True,
         replaces="sensors.2.1",
         remark="From here on the symbol of the reading stands for what the sensor puts out, in "
         "its own unit. The bias has no index here, and the index a in the correction.",
@@ -125,19 +120,15 @@ SETTLED = (
     Case("sensors.2.e", READ_SOLVED, given=(SAME_BIAS,)),
     Case(
         "sensors.2.f",
-        given=(Condition(Lt(frequency, natural_frequency)),),
-        condition=Condition(Eq(frequency, 0)),
-        witness={frequency: 1, natural_frequency: 2},
-        root="below-is-far-below",
-        weight="small print",
         steps=(
             Step(
                 "A mass on a spring, without friction, shaken at the frequency ω:",
                 equation(claims.RESPONSE, 1 / (natural_frequency**2 - frequency**2)),
             ),
         ),
-        remark="Nearly so far below the natural frequency ω₀, as the note will mean it. At a tenth "
-        "of it the deflection is 1 % too large, at half of it 33 %.",
+        remark="Nearly so far below the natural frequency ω₀, as the note will mean it: the "
+        "deflection belongs to an acceleration that changes slowly. At a tenth of ω₀ it is 1 % too "
+        "large, at half of it 33 %.",
     ),
     Case(
         "sensors.2.g",
@@ -180,6 +171,7 @@ SETTLED = (
         ),
         remark="One vector under two symbols.",
     ),
+    Case("sensors.3.1", definition=True),
     Case(
         "sensors.3.2",
         steps=(

@@ -1,6 +1,6 @@
 """The note on sensors, section 4: magnetometers and iron, before the judgement."""
 
-from sympy import Eq, ImmutableMatrix, MatAdd, MatMul
+from sympy import Eq, ImmutableMatrix, MatAdd, MatMul, Rational
 
 from chr_notes.derivations.calibration import BIAS, SENSITIVITY
 from chr_notes.derivations.steps import Step, equation
@@ -19,8 +19,11 @@ from chr_notes.ledger.sensors_reading import (
     TEMPERATURES,
 )
 from chr_notes.printed import sensors as printed
+from chr_notes.printed import sensors_claims as claims
+from chr_notes.printed.statement import InOrder
 from chr_notes.symbols import g, m, phi, theta
 
+BIASES, SCALES, _ = claims.COLD_AND_WARM
 EYE = ImmutableMatrix.eye(3)
 ALIGNED = MatMul(printed.M_B.I, printed.B_M)
 FIELD_FROM_READING = MatMul(printed.S_B.I, MatAdd(ALIGNED, printed.BETA_B))
@@ -46,6 +49,7 @@ SETTLED = (
             ),
         ),
     ),
+    Case("sensors.4.2", definition=True),
     Case(
         "sensors.4.3",
         READ_OUTPUT,
@@ -58,7 +62,7 @@ SETTLED = (
         witness={
             **dict.fromkeys((*FORCE, phi, theta), 0),
             **dict.fromkeys((*printed.SENSITIVITIES, m), 1),
-            g: 10,
+            g: Rational(98, 10),
             printed.B: ImmutableMatrix([20, 0, 40]),
             **dict.fromkeys((printed.M_A, printed.D_S), EYE),
             **dict.fromkeys((printed.BETA, printed.BETA_A, printed.BETA_H), NOTHING),
@@ -79,7 +83,8 @@ SETTLED = (
             ),
         ),
         remark="The line has the accelerometer's reading, sensitivity, misalignment and bias where "
-        "the magnetometer's belong. As printed it calibrates gravity.",
+        "the magnetometer's belong. As printed it calibrates gravity: level and at rest, in a "
+        "field of 20 µT to the nose and 40 µT down, it gives 9.8 m/s² upwards.",
     ),
     Case("sensors.4.a", READ_TURNED),
     Case("sensors.4.b", READ_IRON),
@@ -104,6 +109,17 @@ SETTLED = (
         witness={**dict.fromkeys(printed.SENSITIVITIES, 4), printed.S_B: 2 * EYE},
         root="accelerometer-for-magnetometer",
         weight="label",
+        steps=(
+            Step(
+                "Of the magnetometer's reading, misalignment and bias taken out, the field is left "
+                "as its own axes scale it.",
+                equation(MatAdd(ALIGNED, printed.BETA_B), MatMul(printed.S_B, printed.B)),
+            ),
+            Step(
+                "So it is the inverse of that scaling which gives the field.",
+                equation(printed.B, FIELD_FROM_READING),
+            ),
+        ),
         remark="The index is the accelerometer's; the formula just before has the right one.",
     ),
     Case(
@@ -136,6 +152,24 @@ SETTLED = (
         },
         root="constant-but-for-temperature",
         weight="small print",
+        steps=(
+            Step(
+                "Let bias and sensitivity change evenly with temperature. Between two temperatures "
+                "they change by these amounts, each axis alike.",
+                InOrder(
+                    equation(
+                        MatAdd(BIASES[1], -BIASES[0]),
+                        SLOPES[0]
+                        * (TEMPERATURES[1] - TEMPERATURES[0])
+                        * ImmutableMatrix([1, 1, 1]),
+                    ),
+                    equation(
+                        MatAdd(SCALES[1], -SCALES[0]),
+                        SLOPES[1] * (TEMPERATURES[1] - TEMPERATURES[0]) * EYE,
+                    ),
+                ),
+            ),
+        ),
         remark="Wherever the sensor is mounted, the sentence means. With temperature two of the "
         "three change: the section's first paragraph says so, and so do the symbols.",
     ),

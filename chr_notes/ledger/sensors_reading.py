@@ -27,6 +27,7 @@ from chr_notes.derivations.estimation import tilt, weight
 from chr_notes.derivations.euler import rotation
 from chr_notes.ledger.case import NOTHING, Condition
 from chr_notes.ledger.reading import Meaning, defined, elements, reading
+from chr_notes.ledger.shared_steps import HOLDING, PROOF_MASS
 from chr_notes.printed import BY_ID
 from chr_notes.printed import sensors as printed
 from chr_notes.printed import sensors_claims as claims
@@ -88,7 +89,7 @@ _MEANING: dict[Basic, Meaning] = {
     claims.FALLING: lambda: simplify(sqrt(weight().dot(weight())) / m).subs(g, STANDARD_GRAVITY),
     claims.LEVEL_FIGURE: words("the figure below it, which has no number"),
     claims.RESPONSE: physics.deflection,
-    claims.RESPONSE_AT_REST: lambda: physics.deflection(Integer(0)),
+    claims.RESPONSE_HELD: physics.deflection_held,
     claims.COMBINED: MatMul(printed.D_S, printed.S_B.I, printed.M_B.I),
     claims.OFFSET: MatAdd(printed.BETA_H, MatMul(-1, printed.D_S, printed.S_B.I, printed.BETA_B)),
     claims.FEWER: _count(derived.MISALIGNMENT, ImmutableMatrix(derived.BIAS)),
@@ -104,7 +105,12 @@ READ = reading(_MEANING)
 
 # The reading as the specific force; as the sensor puts it out; and the correction besides: the
 # term that is wanted, and what is printed.
-READ_FORCE = READ.also({printed.A_M: lambda: physics.specific_force(FORCE, weight(), m)})
+READ_FORCE = READ.also(
+    {
+        printed.A_M: lambda: physics.specific_force(FORCE, weight(), m),
+        HOLDING: lambda: PROOF_MASS * physics.specific_force(FORCE, weight(), m),
+    }
+)
 READ_OUTPUT = READ.also(defined("sensors.2.3"))
 READ_WANTED = READ_OUTPUT.also({printed.A_MC: lambda: physics.specific_force(FORCE, weight(), m)})
 READ_SOLVED = READ_OUTPUT.also(defined("sensors.2.5"))

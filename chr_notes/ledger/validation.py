@@ -17,6 +17,7 @@ from chr_notes.ledger.edits import Edit
 from chr_notes.ledger.validation_attitude import LABEL
 from chr_notes.ledger.validation_attitude import SETTLED as ON_ATTITUDE
 from chr_notes.ledger.validation_claims import SETTLED as WORDS
+from chr_notes.ledger.validation_rates import SETTLED as ON_RATES
 from chr_notes.ledger.validation_reading import (
     LEVEL,
     LEVEL_X,
@@ -169,13 +170,13 @@ SETTLED = (
     ),
     Case(
         "validation.15",
+        definition=True,
         remark="A is minus the square of the horizontal field, so it is never positive: to drop it "
         "from both arguments of equation 16 would turn yaw by 180°.",
     ),
     Case(
         "validation.16",
         READ_YAW,
-        given=(UNDISTURBED,),
         steps=(
             Step(
                 "Sine and cosine are what equations 14 and 13 give; their squares add up to one, "
@@ -186,4 +187,4 @@ SETTLED = (
     ),
 )
 
-CASES = complete(DOCUMENTS["validation"], READ, (*ON_ATTITUDE, *SETTLED, *WORDS))
+CASES = complete(DOCUMENTS["validation"], READ, (*ON_ATTITUDE, *ON_RATES, *SETTLED, *WORDS))

@@ -21,9 +21,6 @@ from chr_notes.ledger.validation_reading import (
     NOT_EAST,
     NOT_NORTH,
     PITCH_RANGE,
-    RATES_READINGS,
-    READ_BODY_RATES,
-    READ_EULER_RATES,
     READ_STEPS,
     READ_TILT,
     READINGS,
@@ -33,18 +30,10 @@ from chr_notes.printed import BY_ID
 from chr_notes.printed import validation as printed
 from chr_notes.printed.statement import InOrder
 from chr_notes.symbols import (
-    BODY_RATES,
-    EULER_RATES,
     g,
-    p,
     phi,
-    pitch_rate,
     psi,
-    q,
-    r,
-    roll_rate,
     theta,
-    yaw_rate,
 )
 
 LABEL = (
@@ -235,72 +224,5 @@ SETTLED = (
             (6, NUMERATOR, SIDEWAYS, "north", "first", NOT_NORTH),
             (7, SIDEWAYS, -NUMERATOR, "east", "second", NOT_EAST),
         )
-    ),
-    Case(
-        "validation.8",
-        READ_BODY_RATES,
-        edits=(Edit(printed.R_IB.T, printed.R_IB, times=2),),
-        witness={**SOME_ATTITUDE, roll_rate: 10 * DEGREE, pitch_rate: 0, yaw_rate: 0},
-        root="matrix-label",
-        weight="label",
-        readings=RATES_READINGS,
-        steps=(
-            Step(
-                "Yaw turns about the vertical, pitch about the y-axis as yaw has left it, roll "
-                "about the x-axis as both have left it.",
-                InOrder(
-                    Eq(
-                        printed.PITCH_AXIS,
-                        MatMul(printed.R_Z_IN_8, ImmutableMatrix([0, 1, 0])),
-                    ),
-                    Eq(
-                        printed.ROLL_AXIS,
-                        MatMul(printed.R_Z_IN_8, printed.R_Y_IN_8, ImmutableMatrix([1, 0, 0])),
-                    ),
-                ),
-            ),
-            Step(
-                "The three angular velocities stand in the inertial frame and add up there; the "
-                "matrix from the inertial frame takes the sum to the body. Its transpose leads "
-                "from the body to the inertial frame.",
-                Eq(printed.R_IB.T, printed.R_BI, evaluate=False),
-            ),
-        ),
-        remark="With the matrix that equation 1 prints the transpose is right, with what its label "
-        "says it is one too many. " + LABEL,
-    ),
-    Case(
-        "validation.9",
-        READ_EULER_RATES,
-        steps=(
-            Step(
-                "Equation 8 multiplied out, line by line: yaw does not matter to it.",
-                Eq(
-                    ImmutableMatrix(BODY_RATES),
-                    MatMul(
-                        ImmutableMatrix(
-                            [
-                                [1, 0, -sin(theta)],
-                                [0, cos(phi), sin(phi) * cos(theta)],
-                                [0, -sin(phi), cos(phi) * cos(theta)],
-                            ]
-                        ),
-                        ImmutableMatrix(EULER_RATES),
-                    ),
-                ),
-            ),
-            Step(
-                "The last two lines, turned back by roll, are two equations for the rates of "
-                "pitch and yaw.",
-                InOrder(
-                    Eq(pitch_rate, q * cos(phi) - r * sin(phi)),
-                    Eq(yaw_rate * cos(theta), q * sin(phi) + r * cos(phi)),
-                ),
-            ),
-            Step(
-                "The first line gives the rate of roll.",
-                Eq(roll_rate, p + sin(theta) * yaw_rate),
-            ),
-        ),
     ),
 )

@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from functools import partial
 
 from sympy import (
+    Abs,
     Add,
     Basic,
     Eq,
@@ -22,6 +23,7 @@ from sympy import (
     Set,
     Symbol,
     cos,
+    expand,
     pi,
     simplify,
     sin,
@@ -31,6 +33,7 @@ from sympy import (
 from chr_notes.derivations import estimation
 from chr_notes.derivations import validation as derived
 from chr_notes.derivations.euler import X, Y, Z, body_rates, euler_rates, rotation
+from chr_notes.derivations.quaternions import turned
 from chr_notes.ledger import ranges
 from chr_notes.ledger.case import Condition, Reading
 from chr_notes.ledger.edits import in_order
@@ -68,7 +71,8 @@ ALTITUDE = Symbol("h", positive=True)
 # What steps speak of: the matrix of the labels without yaw; any vector that has no part to the
 # north, and one that has none to the east; the field in level axes, forward and right; the field
 # with x to the north; the direction of a dipole's field at the ground and higher up, how much
-# weaker it is there; E after an error about the field's own direction.
+# weaker it is there; how fast E grows with an error before its magnitude is taken; E after an error
+# about the field's own direction.
 WITHOUT_YAW = MatrixSymbol(r"R_{i}^{b}(\phi, \theta, 0)", 3, 3)
 NOT_NORTH, NOT_EAST = (
     symbols(rf"{name}_{{xb}} {name}_{{yb}} {name}_{{zb}}", real=True) for name in "uw"
@@ -80,6 +84,7 @@ GROUND_DIRECTION, HIGH_DIRECTION = (
     for where in ("0", "h")
 )
 WEAKENING = Symbol(r"\lVert\mathbf{M}(1\,\mathrm{km})\rVert / \lVert\mathbf{M}(0)\rVert")
+SIGNED_GROWTH = Symbol(r"\left.\frac{\partial E_\pm}{\partial\epsilon}\right|_{\epsilon=0}")
 E_ALONG_FIELD = Symbol(r"E_{\text{tilt about the field's horizontal part}}", real=True)
 
 ROLL_STEP = printed.ROLL_BEFORE + printed.ROLL_RATE * printed.DT
@@ -150,6 +155,33 @@ def factor_along_field() -> Expr:
     return in_print(derived.factor_after_error().subs(axis)).subs(printed.M_YI, 0)
 
 
+def growth_of_factor() -> Expr:
+    """Let the printed E grow with a small error of attitude about an axis, from exact angles on."""
+    seen = turned(ImmutableMatrix(derived.ERROR_AXIS), derived.error_angle, printed.M_I)
+    estimated = {phi: printed.ROLL_COMP, theta: printed.PITCH_COMP}
+    in_body = dict(zip(printed.FIELD_B, rotation("I", "B").subs(estimated) * seen, strict=True))
+    factor = in_order(BY_ID["validation.17"].statement.rhs).xreplace(in_body)
+    return _slope(factor.replace(Abs, _at_first))
+
+
+def _at_first(difference: Expr) -> Expr:
+    """Take the magnitude of what is zero at exact angles, to first order in a positive error."""
+    short = reduced(difference)
+    if short is None or short.subs(derived.error_angle, 0) != 0:
+        return Abs(difference)
+    return derived.error_angle * Abs(_slope(short))
+
+
+def _slope(expression: Expr) -> Expr:
+    return expand(expression.diff(derived.error_angle).subs(derived.error_angle, 0))
+
+
+def in_any_components(name: str) -> Expr:
+    """Take what equation 6 or 7 says the tangent of yaw is, for any components, not gravity's."""
+    quotient = in_order(BY_ID[name].statement.rhs)
+    return quotient.xreplace(dict(zip(printed.GRAVITY, VECTOR, strict=True)))
+
+
 def field_x_north() -> ImmutableMatrix:
     """Turn the field with x to the south by half a turn about the vertical."""
     return ImmutableMatrix(rotation("I", "v1").subs(psi, pi) * derived.field_with_x_south())
@@ -187,7 +219,9 @@ _MEANING: dict[Basic, Meaning] = {
     **elements(printed.FIELD_B, partial(to_body, SEEN)),
     **defined("validation.15", "validation.17"),
     claims.READING_AT_ZERO: partial(to_body_at_zero, printed.M_I),
-    claims.GROWTH: lambda: in_print(derived.sensitivity()),
+    claims.BY_6: partial(in_any_components, "validation.6"),
+    claims.BY_7: partial(in_any_components, "validation.7"),
+    claims.GROWTH: growth_of_factor,
     claims.GROUND_MAGNITUDE: derived.dipole_magnitude,
     claims.HIGH_MAGNITUDE: lambda: derived.dipole_magnitude().subs(HIGH),
     printed.ROLL: roll_filter,
@@ -196,7 +230,7 @@ _MEANING: dict[Basic, Meaning] = {
     claims.ACCELEROMETER_SHARE: partial(share, estimation.measured, estimation.predicted),
     claims.GYRO_SHARE: partial(share, estimation.predicted, estimation.measured),
     claims.MAGNETOMETER_IN_FILTER: magnetometer_in_filter,
-    claims.DRIFT: estimation.gyro_error_after,
+    claims.DRIFT: lambda: estimation.gyro_error_after().subs(estimation.bias, BIAS),
 }
 READ = reading(_MEANING)
 _TILT: dict[Basic, Meaning] = {printed.ROLL_ACCEL: phi, printed.PITCH_ACCEL: theta}
@@ -210,6 +244,7 @@ READ_STEPS = READ.also(
         **elements(NOT_NORTH, lambda: level_to_body(VECTOR[0] * sin(psi), VECTOR[0] * cos(psi))),
         **elements(NOT_EAST, lambda: level_to_body(VECTOR[0] * cos(psi), -VECTOR[0] * sin(psi))),
         **elements(LEVEL, lambda: ImmutableMatrix(rotation("I", "v1") * SEEN)),
+        SIGNED_GROWTH: lambda: in_print(derived.sensitivity()),
         E_ALONG_FIELD: factor_along_field,
         GROUND_DIRECTION: derived.dipole_direction,
         HIGH_DIRECTION: lambda: derived.dipole_direction().subs(HIGH),

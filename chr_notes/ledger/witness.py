@@ -3,7 +3,20 @@
 from collections.abc import Mapping
 from itertools import repeat
 
-from sympy import And, Basic, Eq, MatrixBase, MatrixExpr, N, S, Set, deg, log, sympify
+from sympy import (
+    And,
+    Basic,
+    Eq,
+    MatrixBase,
+    MatrixExpr,
+    N,
+    S,
+    Set,
+    Symbol,
+    deg,
+    log,
+    sympify,
+)
 
 from chr_notes.ledger.case import Case
 from chr_notes.ledger.entry import Witness
@@ -27,15 +40,17 @@ def witness(case: Case) -> Witness:
     )
     right, printed = sides(failing, case.reading, point)
     if isinstance(failing, Approximately):
-        # Two digits more than printed, so that the difference shows.
-        digits = 2 - round(log(failing.unit, 10))
+        # Two digits more than printed, so that the difference shows, or those of the correction.
+        given = [part.unit for part in parts(case.right) if isinstance(part, Approximately)]
+        digits = max(2 - round(log(failing.unit, 10)), *(-round(log(unit, 10)) for unit in given))
         return Witness(at, failing.number, f"{round(float(right), digits):.{max(digits, 0)}f}")
     if not isinstance(failing, Eq):
         values = zip((failing.lhs, failing.rhs), (right, printed), strict=True)
         found = [Eq(side, value, evaluate=False) for side, value in values if side.free_symbols]
         return Witness(at, latex(failing), latex(And(*found, evaluate=False)))
     if isinstance(right, MatrixBase) and right.cols == 1:
-        return Witness(at, _column(printed, failing.lhs), _column(right, failing.lhs))
+        names = _names(case, failing)
+        return Witness(at, _column(printed, names), _column(right, names))
     if isinstance(right, MatrixBase):
         where = max(
             (index for index in range(len(right)) if not equal(right[index], printed[index])),
@@ -48,6 +63,14 @@ def witness(case: Case) -> Witness:
         )
     of = failing.rhs if isinstance(failing.rhs, Angle) else failing.lhs
     return Witness(at, number(printed, of), number(right, of))
+
+
+def _names(case: Case, relation: Eq) -> Basic:
+    """Find names for the elements of a column: one of the sides, or what it is read as."""
+    for side in (relation.lhs, relation.rhs, *map(case.reading, relation.args)):
+        if isinstance(side, MatrixBase) and all(isinstance(each, Symbol) for each in side):
+            return side
+    return S.One
 
 
 def _point(point: Mapping[Basic, Basic]) -> tuple[tuple[str, str], ...]:

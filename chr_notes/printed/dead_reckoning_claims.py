@@ -7,10 +7,13 @@ from chr_notes.printed.statement import InOrder, Printed, as_printed
 from chr_notes.symbols import m
 
 # Names for what the words speak of: the normal forces, in the body frame; the product's error; the
-# error of acceleration that an error of attitude makes.
+# errors of acceleration that an error of tilt and one of yaw make.
 NORMAL = MatrixSymbol(r"\mathbf{N}", 3, 1)
 PRODUCT_ERROR = Symbol(r"\text{error of attitude of the UM7}", real=True)
-ERROR_OF_ACCELERATION = MatrixSymbol(r"\delta\mathbf{a}_I", 3, 1)
+BY_TILT, BY_YAW = (
+    MatrixSymbol(rf"\delta\mathbf{{a}}_I\left(\text{{{error}}}\right)", 3, 1)
+    for error in ("tilt, at rest", "yaw, gathering speed")
+)
 
 with as_printed():
     ADDITIONS = (
@@ -36,8 +39,8 @@ with as_printed():
             "dead_reckoning.4.i",
             "claim",
             "section 4, paragraph 8",
-            "Position and velocity can be used to estimate attitude: an error of attitude shows in "
-            "the acceleration.",
-            Ne(ERROR_OF_ACCELERATION, ZeroMatrix(3, 1)),
+            "Position and velocity can be used to estimate attitude: errors of attitude show in "
+            "the acceleration, one of tilt at rest, one of yaw while the body gathers speed.",
+            InOrder(Ne(BY_TILT, ZeroMatrix(3, 1)), Ne(BY_YAW, ZeroMatrix(3, 1))),
         ),
     )

@@ -1,6 +1,7 @@
 """What "Fundamentals of Attitude Estimation" prints."""
 
 from sympy import (
+    Abs,
     Eq,
     Gt,
     ImmutableMatrix,
@@ -172,7 +173,7 @@ with as_printed():
             "section 3, paragraph 7",
             "The errors of a gyro add up: by its bias, and by its noise, the angle drifts away.",
             InOrder(
-                Eq(Limit(GYRO_ERROR, n, oo), oo),
+                Eq(Limit(Abs(GYRO_ERROR), n, oo), oo),
                 Eq(Limit(GYRO_VARIANCE, n, oo), oo),
             ),
         ),

@@ -10,17 +10,15 @@ from chr_notes.symbols import Angle, p, phi, q, r, theta
 # Names for what the words speak of: what a gyro reads while the body accelerates and while it does
 # not; what the rates of roll and pitch depend on; the mean of many estimates after n steps, and
 # that of the accelerometer's angle; an aircraft's roll in a level turn, and what its accelerometer
-# makes of it.
+# makes of it after n samples.
 READING_ACCELERATED, READING = (
     MatrixSymbol(rf"\mathbf{{p}}_m\left({at}\right)", 3, 1) for at in (r"\mathbf{a}", "0")
 )
 ARGUMENTS = words("arguments of the rates of roll and pitch")
 MEAN = IndexedBase(r"\overline{\hat{\theta}}")[n]
 AVERAGE_ANGLE = Angle(r"\overline{\hat{\theta}}_{accel}", real=True)
-BANK, BANK_ACCEL = (
-    Angle(rf"{symbol}\text{{level turn}}}}", real=True)
-    for symbol in (r"\phi_{", r"\hat{\phi}_{accel,\,")
-)
+BANK = Angle(r"\phi_{\text{level turn}}", real=True)
+BANK_ACCEL = IndexedBase(r"\hat{\phi}_{accel,\,\text{level turn}}")[n]
 
 with as_printed():
     ADDITIONS = (
@@ -58,6 +56,6 @@ with as_printed():
             "claim",
             "section 5, paragraph 1",
             "In an aircraft accelerometers can give a wrong angle for arbitrarily long.",
-            Ne(BANK_ACCEL, BANK),
+            Ne(Limit(BANK_ACCEL, n, oo), BANK),
         ),
     )

@@ -35,7 +35,7 @@ RATES = ImmutableMatrix(EULER_RATES)
 GYROS = ImmutableMatrix(BODY_RATES)
 ALTITUDE = Symbol("h", positive=True)
 Z_I = Symbol("z_I", real=True)
-LOCK_PITCHES = words("pitch at gimbal lock")
+LOCK_PITCHES = words("pitch, up from level, at gimbal lock")
 ROLL_FOR_YAW = Angle(r"\phi_{\psi}", real=True)  # a roll that makes up for a yaw
 OTHER_ARGUMENTS = words("what else D depends on")
 FIGURE_3_FRAME = words("frame of Figure 3")
@@ -209,7 +209,7 @@ with as_printed():
             "euler.6.a",
             "claim",
             "section 6, paragraph 1",
-            "Euler angles stop being unique at a pitch of 90 degrees.",
+            "Pitching up, Euler angles stop being unique at 90 degrees.",
             Eq(LOCK_PITCHES, FiniteSet(pi / 2)),
         ),
         Printed(
@@ -271,8 +271,9 @@ with as_printed():
             "euler.7.b",
             "claim",
             "section 7, paragraph 5",
-            "The gyros do not report the derivatives of the Euler angles.",
-            Ne(RATES, GYROS),
+            "The gyros do not report the derivatives of the Euler angles: the matrix that makes "
+            "one of the other is not the identity.",
+            Ne(D, Identity(3)),
         ),
         Printed(
             "euler.7.c",

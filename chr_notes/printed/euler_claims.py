@@ -46,7 +46,7 @@ with as_printed():
             "claim",
             "section 6, paragraph 2",
             "At a pitch of 90 degrees yaw and roll move the sensor in exactly the same fashion: "
-            "about one axis, seen from the body.",
+            "both turn it about one axis in one sense, seen from the body.",
             Eq(MatMul(R_IB, E_Z), E_X),
         ),
         Printed(

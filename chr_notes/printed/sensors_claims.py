@@ -1,6 +1,6 @@
 """More of what "Sensors for Orientation Estimation" says in words."""
 
-from sympy import Eq, Lt, MatAdd, MatMul, MatrixSymbol, Symbol, Transpose
+from sympy import Eq, Limit, Lt, MatAdd, MatMul, MatrixSymbol, Symbol, Transpose
 from sympy.matrices.expressions.dotproduct import DotProduct
 
 from chr_notes.printed.sensors import (
@@ -19,12 +19,14 @@ from chr_notes.printed.statement import Approximately, InOrder, Printed, as_prin
 from chr_notes.symbols import m
 
 # Names for what the words speak of: the deflection for each unit of acceleration, at a frequency
-# and at rest; the forces besides gravity; the acceleration of the body; a figure; what the two
-# corrections of the magnetometer come to in one; its calibration at two temperatures; its shape.
-RESPONSE, RESPONSE_AT_REST = (
+# and under an acceleration that stays; the frequency; the forces besides gravity; the acceleration
+# of the body; a figure; what the two corrections of the magnetometer come to in one; its
+# calibration at two temperatures; its shape.
+RESPONSE, RESPONSE_HELD = (
     Symbol(rf"\frac{{\text{{deflection}}}}{{\text{{acceleration}}}}\left({at}\right)", real=True)
-    for at in (r"\omega", "0")
+    for at in (r"\omega", r"\text{constant acceleration}")
 )
+FREQUENCY = Symbol("omega", nonnegative=True)
 NORMAL = MatrixSymbol(r"\mathbf{N}", 3, 1)
 EXTERNAL = MatrixSymbol(r"\mathbf{F}_{\text{external}}", 3, 1)
 ACTUAL = MatrixSymbol(r"\mathbf{a}_{\text{actual}}", 3, 1)
@@ -48,8 +50,9 @@ with as_printed():
             "sensors.2.f",
             "claim",
             "section 2, paragraph 2",
-            "Below the natural frequency the deflection is proportional to acceleration.",
-            Eq(RESPONSE, RESPONSE_AT_REST),
+            "Below the natural frequency, far enough below it, the deflection is proportional to "
+            "acceleration.",
+            Eq(Limit(RESPONSE, FREQUENCY, 0), RESPONSE_HELD),
         ),
         Printed(
             "sensors.2.g",

@@ -1,8 +1,10 @@
 """What the paper on real-time validation says in words."""
 
 from sympy import (
+    Abs,
     EmptySet,
     Eq,
+    Gt,
     ImmutableMatrix,
     IndexedBase,
     Limit,
@@ -43,19 +45,22 @@ from chr_notes.printed.validation import (
     SETTLING,
     V_B,
     V_I,
-    YAW_ACCEL,
     E,
     n,
 )
 from chr_notes.symbols import BODY_RATES, EULER_RATES, g
 
-# Names for what the words speak of: the yaws that equations 6 and 7 leave; the Earth's field at the
+# Names for what the words speak of: what equations 6 and 7 say the tangent of yaw is; the yaws that
+# they leave; the Earth's field at the
 # ground and at an altitude; how fast E grows with an error of attitude.
+BY_6, BY_7 = (
+    Symbol(rf"\tan{{\psi_{{accelerometer}}}}^{{(\text{{{n}}})}}", real=True) for n in (6, 7)
+)
 YAWS = words("yaws that agree with the accelerometer")
 GROUND_MAGNITUDE, HIGH_MAGNITUDE = (
     Symbol(rf"\left\lVert\mathbf{{M}}({where})\right\rVert", positive=True) for where in ("0", "h")
 )
-GROWTH = Symbol(r"\left.\frac{\partial E}{\partial\epsilon}\right|_{\epsilon=0}", real=True)
+GROWTH = Symbol(r"\left.\frac{\partial E}{\partial\epsilon}\right|_{\epsilon=0^+}", real=True)
 
 E_X, E_Y, E_Z = (ImmutableMatrix([int(row == axis) for row in range(3)]) for axis in range(3))
 
@@ -86,9 +91,9 @@ with as_printed():
             "validation.b",
             "claim",
             "after equation 7, paragraph 1",
-            "By equations 6 and 7 the tangent of yaw would equal minus its own inverse, which it "
-            "never does: a contradiction, so that no yaw is left.",
-            Leads(Ne(tan(YAW_ACCEL), -1 / tan(YAW_ACCEL)), Eq(YAWS, EmptySet)),
+            "By equations 6 and 7 the tangent of yaw would equal minus its own inverse: a "
+            "contradiction, so that no yaw is left.",
+            Leads(Eq(BY_6, -1 / BY_7), Eq(YAWS, EmptySet)),
         ),
         Printed(
             "validation.c",
@@ -123,7 +128,7 @@ with as_printed():
             "claim",
             "after equation 17, paragraph 1",
             "E tells an error of the Euler angles: it grows with a small one.",
-            Ne(GROWTH, 0),
+            Gt(GROWTH, 0),
         ),
     )
     ADDITIONS = (
@@ -204,7 +209,7 @@ with as_printed():
             "claim",
             "after equation 9, paragraph 2",
             "Euler rates, integrated over time, drift.",
-            Eq(Limit(DRIFT, n, oo), oo),
+            Eq(Limit(Abs(DRIFT), n, oo), oo),
         ),
         Printed(
             "validation.n",

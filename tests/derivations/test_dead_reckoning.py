@@ -17,6 +17,10 @@ MAGNITUDE = lambdify((derived.tilt_error, g), derived.residual_magnitude())
 RESIDUE = lambdify(
     (derived.tilt_error, derived.azimuth, derived.yaw_error, g), derived.residual_acceleration()
 )
+ERROR = lambdify(
+    (derived.tilt_error, derived.azimuth, derived.yaw_error, g, *derived.ACCELERATION),
+    derived.error_of_acceleration(),
+)
 
 
 @given(angles, angles, angles, st.tuples(angles, angles, angles))
@@ -85,3 +89,19 @@ def test_drift_is_the_level_residue_integrated() -> None:
     assert velocity.diff(derived.t) == acceleration
     assert (velocity.subs(derived.t, 0), position.subs(derived.t, 0)) == (0, 0)
     assert acceleration == derived.residual_acceleration().subs(derived.azimuth, 0)[0]
+
+
+@given(st.floats(0, 3), angles, angles, st.tuples(angles, angles, angles))
+def test_an_error_of_attitude_turns_what_is_measured(
+    tilt: float, azimuth: float, yaw: float, acceleration: tuple[float, float, float]
+) -> None:
+    found = ERROR(tilt, azimuth, yaw, 9.8, *acceleration).ravel()
+    measured = np.array(acceleration) - (0, 0, 9.8)
+    assert np.linalg.norm(measured + found) == pytest.approx(np.linalg.norm(measured))
+    still = ERROR(tilt, azimuth, yaw, 9.8, 0, 0, 0)
+    np.testing.assert_allclose(still, RESIDUE(tilt, azimuth, yaw, 9.8), atol=1e-12)
+    # An error of yaw alone turns the level part about the vertical, and leaves the rest.
+    (north, east, down), turn = acceleration, np.array([np.cos(yaw), np.sin(yaw)])
+    expected = np.array([turn @ (north, -east), turn @ (east, north), down]) - acceleration
+    only_yaw = ERROR(0, 0, yaw, 9.8, *acceleration).ravel()
+    np.testing.assert_allclose(only_yaw, expected, atol=1e-12)

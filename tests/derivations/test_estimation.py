@@ -126,4 +126,5 @@ def test_no_gain_beats_the_best() -> None:
 def test_a_level_turn_presses_through_the_floor() -> None:
     for degrees in (-60, 10, 45):
         bank = np.radians(degrees)
-        assert derived.roll_in_level_turn(bank) == pytest.approx(0, abs=1e-9)
+        for time in (0, 7, 1000):
+            assert derived.roll_in_level_turn(bank, time) == pytest.approx(0, abs=1e-9)

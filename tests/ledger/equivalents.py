@@ -31,7 +31,6 @@ EQUIVALENT: dict[tuple[str, str], str] = {
     **{("euler.3.a", kind): AXIS_STAYS for kind in ("transposed 1", "wrong frame 1")},
     ("euler.4.2", "swapped symbols, throughout 1"): ANGLES_RENAMED,
     ("euler.4.a", "digit 1"): "no unit vector is twice as long",
-    ("euler.4.b", "swapped symbols, throughout 1"): BOTH_WAYS,
     **{
         (f"euler.5.{entry}", f"swapped symbols, throughout {n}"): ANGLES_RENAMED
         for entry in "234a"
@@ -44,25 +43,24 @@ EQUIVALENT: dict[tuple[str, str], str] = {
     **{("euler.7.e", f"transposed {n}"): AXIS_STAYS for n in range(1, 4)},
     **{("euler.7.e", f"wrong frame {n}"): AXIS_STAYS for n in (1, 6, 11)},
     **{("euler.7.e", f"swapped symbols, throughout {n}"): ANY_ANGLE for n in range(1, 4)},
-    **{("euler.7.b", f"swapped symbols, throughout {n}"): BOTH_WAYS for n in (1, 11, 14)},
+    ("euler.7.b", "transposed 1"): "a matrix is the identity when its transpose is",
     **{(f"sensors.2.{n}", "transposed 1"): "a diagonal matrix is its own transpose" for n in "45"},
     **{("sensors.2.b", kind): "nothing is left" for kind in ("sign 1", "added term 1")},
     ("sensors.2.d", "swapped symbols, throughout 1"): "the same is said of both angles",
     **{
         (f"sensors.{entry}", f"swapped symbols, throughout {n}"): BOTH_WAYS
-        for entry, n in (("2.f", 1), ("2.i", 1), ("4.a", 1), ("4.b", 3), ("4.c", 1))
+        for entry, n in (("4.a", 1), ("4.b", 3), ("4.c", 1))
     },
-    ("sensors.4.3", "swapped symbols, throughout 5"): "the same equation, solved for its last term",
     ("sensors.2.g", "swapped symbols, throughout 1"): "the order of a sum does not matter",
     ("euler.7.f", "swapped symbols, throughout 1"): BOTH_WAYS,
     ("estimation.2.3", "wrong frame 2"): VERTICAL,
     ("estimation.2.a", "sign 1"): NOTHING,
     ("estimation.2.a", "added term 1"): NOTHING,
-    **{
-        (f"estimation.{n}", "swapped symbols, throughout 1"): BOTH_WAYS
-        for n in ("3.b", "4.d", "5.a")
-    },
-    ("estimation.3.a", "swapped symbols, throughout 1"): "the other of the two is said first",
+    **{(f"estimation.{n}", "swapped symbols, throughout 1"): BOTH_WAYS for n in ("3.b", "4.d")},
+    ("estimation.5.a", "swapped symbols, in one place 3"): "the reading stays, whatever goes on",
+    ("estimation.5.a", "swapped symbols, in one place 4"): "the angle that is read is zero",
+    ("dead_reckoning.4.i", "swapped symbols, throughout 1"): "the other of the two is said first",
+    ("validation.b", "swapped symbols, throughout 1"): BOTH_WAYS,
     ("dead_reckoning.2.1", "wrong frame 2"): VERTICAL,
     ("dead_reckoning.2.2", "wrong frame 2"): VERTICAL,
     ("dead_reckoning.3.1", "swapped symbols, throughout 1"): BOTH_WAYS,

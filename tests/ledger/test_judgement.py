@@ -9,13 +9,16 @@ from sympy import (
     And,
     Basic,
     Eq,
+    Gt,
     Identity,
     ImmutableMatrix,
     Integer,
     Lt,
     MatMul,
     MatrixSymbol,
+    Ne,
     Symbol,
+    Xor,
     cos,
     pi,
     sin,
@@ -87,7 +90,7 @@ def test_what_says_nothing_is_refused(say: Say) -> None:
 
 
 def test_an_exact_condition_is_told_from_a_sufficient_one(say: Say) -> None:
-    exact = say(Eq(y, z), condition=Condition(Eq(z, x**2)), witness={x: 2, z: 1}, **ROOTED)
+    exact = say(Eq(y, x**2 + z), condition=Condition(Eq(z, 0)), witness={x: 2, z: 1}, **ROOTED)
     assert (exact.verdict, exact.exact) == ("qualified", True)
     only_if = say(FALSE, condition=Condition(Eq(x, 0)), witness={x: 2}, **ROOTED)
     assert (only_if.verdict, only_if.exact) == ("qualified", False)
@@ -144,9 +147,55 @@ def test_a_witness_at_which_the_correction_fails_too_is_refused(say: Say) -> Non
         say(printed, edits=right, witness={x: 0}, **ROOTED)
 
 
-def test_a_condition_that_cannot_be_met_is_refused() -> None:
+def test_a_condition_that_cannot_be_met_is_refused(say: Say) -> None:
     with pytest.raises(ValueError, match="can be met"):
         Condition(Eq(Abs(z), -1, evaluate=False))
+    never = Condition(And(Gt(theta, 1), Lt(theta, x)))
+    for given in ((never, Condition(Lt(x, 0))), (Condition(Eq(sin(x), 2)),)):
+        with pytest.raises(CannotJudgeError, match="no point was found that meets"):
+            say(Eq(y, x * x), given=given)
+
+
+def test_a_condition_has_a_quantity_on_its_left() -> None:
+    for holds in (Lt(1, theta, evaluate=False), Eq(1, x, evaluate=False), Xor(x > 1, z > 1)):
+        with pytest.raises(ValueError, match="quantity on the left"):
+            Condition(holds)
+
+
+def test_a_condition_that_says_the_statement_is_refused(say: Say) -> None:
+    meaning = reading({y: x**2, OTHER: z})
+    for statement, holds in (
+        (Eq(y, z), Eq(z, x**2)),
+        (Eq(y, z), Eq(y, z)),
+        (Eq(y, z), Eq(OTHER, y)),
+        (Eq(y, 2 * z), Eq(y - OTHER, z)),
+    ):
+        with pytest.raises(CannotJudgeError, match="says what the statement says"):
+            say(statement, read=meaning, condition=Condition(holds), witness={x: 2, z: 1}, **ROOTED)
+    unequal = Condition(Ne(y, OTHER))
+    with pytest.raises(CannotJudgeError, match="says what the statement says"):
+        say(Ne(x**2, z), read=meaning, given=(unequal,))
+
+
+def test_what_is_given_or_a_condition_says_no_more_than_is_needed(say: Say) -> None:
+    with pytest.raises(CannotJudgeError, match="holds with less than"):
+        say(Eq(y, x * x), given=(Condition(Gt(z, 0)),))
+    more = Condition(And(Eq(x, 1), Gt(z, 0)))
+    with pytest.raises(CannotJudgeError, match="holds with less than"):
+        say(FALSE, condition=more, witness={x: 2, z: -1}, **ROOTED)
+    needed = Step("So.", Eq(Abs(z), z))
+    assert say(Eq(y, x * x), given=(Condition(Gt(z, 0)),), steps=(needed,)).verdict == "proved"
+
+
+def test_a_witness_shows_more_than_a_division_by_zero(say: Say) -> None:
+    quotient = Eq(y * x / x, x**2, evaluate=False)
+    not_zero: Bring = {"condition": Condition(Ne(x, 0)), "witness": {x: 0}}
+    with pytest.raises(CannotJudgeError, match="it has no value"):
+        say(
+            Eq(y / (x - 1), x**2 / (x - 1)), condition=Condition(Ne(x, 1)), witness={x: 1}, **ROOTED
+        )
+    with pytest.raises(CannotJudgeError, match=r"it has no value|does not show"):
+        say(quotient, **not_zero, **ROOTED)
 
 
 def test_a_condition_and_a_correction_together_are_refused(say: Say) -> None:
@@ -155,21 +204,55 @@ def test_a_condition_and_a_correction_together_are_refused(say: Say) -> None:
         say(FALSE, witness={x: 2}, **both, **ROOTED)
 
 
+BY_NAME = READ.also({NAME: Defined("tried.1.1")})
+USED = Eq(NAME, x)
+
+
 def test_a_definition_introduces_a_name(say: Say) -> None:
-    assert say(Eq(NAME, x)).verdict == "definition"
-    assert say(Eq(NAME, x), Eq(OTHER, NAME), of=2).verdict == "definition"
+    definition = say(Eq(NAME, x), USED, read=BY_NAME, definition=True)
+    assert definition.verdict == "definition"
+    assert say(Eq(NAME, x), USED, read=BY_NAME, of=2).verdict == "proved"
+
+
+def test_a_name_without_a_meaning_is_no_definition_by_itself(say: Say) -> None:
+    with pytest.raises(CannotJudgeError, match="a name without a meaning"):
+        say(Eq(NAME, x))
+    with pytest.raises(CannotJudgeError, match="a name without a meaning"):
+        say(Eq(NAME, x), USED, read=BY_NAME)
+
+
+def test_a_definition_is_read_by_another_statement(say: Say) -> None:
+    for others in ((), (Eq(OTHER, x),)):
+        with pytest.raises(CannotJudgeError, match="no statement is read by it"):
+            say(Eq(NAME, x), *others, read=BY_NAME, definition=True)
+    with pytest.raises(CannotJudgeError, match="no statement is read by it"):
+        say(Eq(NAME, x), USED, definition=True)
+
+
+def test_a_definition_brings_nothing_else(say: Say) -> None:
+    more: Bring = {"edits": (Edit(x, x**2),), "witness": {x: 2}, **ROOTED}
+    with pytest.raises(CannotJudgeError, match="gives no new name"):
+        say(Eq(NAME, x), USED, read=BY_NAME, definition=True, **more)
+    with pytest.raises(CannotJudgeError, match="no statement is read by it"):
+        say(Eq(y, x * x), Eq(y, x**2), definition=True)
 
 
 def test_a_name_with_a_meaning_is_not_defined_once_more(say: Say) -> None:
-    again = (Eq(NAME, x), Eq(NAME, 2 * x))
-    with pytest.raises(CannotJudgeError, match="not proved as printed"):
-        say(*again, of=2)
-    assert say(*again, of=2, replaces="tried.1.1").verdict == "definition"
+    again = (Eq(NAME, x), Eq(NAME, 2 * x), Eq(2 * NAME, 4 * x))
+    second: Bring = {"of": 2, "read": reading({NAME: Defined("tried.1.2")}), "definition": True}
+    with pytest.raises(CannotJudgeError, match="gives no new name"):
+        say(*again, **second)
+    assert say(*again, **second, replaces="tried.1.1").verdict == "definition"
+    for other in ("tried.1.2", "tried.1.3", "tried.1.9", "euler.5.5"):
+        with pytest.raises(CannotJudgeError, match="expected to replace an earlier meaning"):
+            say(*again, **second, replaces=other)
+    with pytest.raises(CannotJudgeError, match="expected to replace an earlier meaning"):
+        say(Eq(OTHER, x), *again[1:], **second, replaces="tried.1.1")
+    with pytest.raises(CannotJudgeError, match="expected to replace an earlier meaning"):
+        say(Eq(y, x * x), Eq(y, x**2), of=2, replaces="tried.1.1")
     with pytest.raises(CannotJudgeError, match="not proved as printed"):
         say(Eq(NAME, x), read=reading({NAME: x**2}))
     assert say(Eq(NAME, x), read=reading({NAME: x})).verdict == "proved"
-    own = reading({NAME: Defined("tried.1.1")})
-    assert say(Eq(NAME, x), read=own).verdict == "definition"
     with pytest.raises(CannotJudgeError, match="not proved as printed"):
         say(Eq(NAME, NAME + x, evaluate=False))
 
@@ -187,6 +270,10 @@ def test_a_reported_fact_is_written_down_twice(say: Say) -> None:
         say(fact, reported=Eq(words("weight of the product"), 8, evaluate=False))
     with pytest.raises(CannotJudgeError, match="is derived"):
         say(Eq(y, 7), reported=Eq(y, 7))
+    weight = words("weight of the product")
+    for mathematics in (Eq(z, 7), Eq(2, 3, evaluate=False), Eq(weight, z), Eq(2 * weight, 7)):
+        with pytest.raises(CannotJudgeError, match="has mathematics to check"):
+            say(mathematics, reported=mathematics)
 
 
 def test_root_and_weight_go_with_what_does_not_hold(say: Say) -> None:
