@@ -80,6 +80,7 @@ class Rows:
         self.name, self._general = general.__name__, general
         arrays, self._result = SHAPES[self.name]
         self._names, self._lasts = tuple(arrays), tuple(arrays.values())
+        self._axes = tuple(map(len, self._lasts))
         self._rotation, self._scaled, self._degree = rotation, scaled, degree
         self.use(kernel(self.name))
 
@@ -146,7 +147,7 @@ class Rows:
     ) -> tuple[Floats, Locked]:
         """Check and compute what the kernel has left: some rows, or all."""
         arrays = [floats(n, g, *last) for n, g, last in zip(names, given, self._lasts, strict=True)]
-        leading = common_shape(*zip(names, arrays, map(len, self._lasts), strict=True))
+        leading = common_shape(*zip(names, arrays, self._axes, strict=True))
         shape = (*leading, *self._result)
         if out is not None:
             check_out(out, shape)
@@ -178,29 +179,33 @@ class Rows:
         count = prod(leading)
         flat = result.reshape(count, *self._result)
         odd = None if left is None else np.frombuffer(left, dtype=np.bool_)
-        locked, places = 0, list[Places]()
+        locked = 0
+        places: list[Places] = []
         with np.errstate(all="ignore"):
             for start in range(0, count, BLOCK):
-                block: slice | Places = slice(start, min(start + BLOCK, count))
+                block: slice | Places = slice(start, start + BLOCK)
                 if odd is not None:
                     block = start + np.flatnonzero(odd[block])
                     if not block.size:
                         continue
-                whole = odd is None and count <= BLOCK
-                parts = [a if whole or len(a) == 1 else a[block] for a in rows]
+                parts = [array if len(array) == 1 else array[block] for array in rows]
                 values = flat[block]  # a view, but where rows were picked
                 try:
                     lock = self._block(parts, values)
                 except _WrongRow as wrong:
                     several = len(rows[0]) > 1
-                    index = np.unravel_index(np.r_[block][wrong.row], leading) if several else ()
+                    index = (
+                        np.unravel_index(np.arange(count)[block][wrong.row], leading)
+                        if several
+                        else ()
+                    )
                     msg = wrong.message.format(f"{name}: ", tuple(map(int, index)))
                     raise ValueError(msg) from None
                 if odd is not None:
                     flat[block] = values
                 if lock is not None and lock.any():
                     if every_place or not places:
-                        places.append(np.r_[block][lock][: None if every_place else 1])
+                        places.append(np.arange(count)[block][lock][: None if every_place else 1])
                     locked += int(np.count_nonzero(lock))
         return Locked(locked, np.concatenate(places)) if places else NONE_LOCKED
 
@@ -284,7 +289,7 @@ def _missing(parts: list[Floats]) -> Bools | None:
     """Say which rows have NaN: what comes of them is NaN as a whole. None where no row has."""
     # A sum is NaN where a number is; nothing is lost if infinities make one too. (The product of
     # a row with itself is faster for few, but BLAS calls other threads for many.)
-    if isfinite(sum(np.add.reduce(part, axis=None) for part in parts)):
+    if isfinite(sum([np.add.reduce(part, axis=None) for part in parts])):
         return None
     each = [np.isnan(part).reshape(len(part), -1).any(axis=1) for part in parts]
     return np.asarray(reduce(np.logical_or, each))
