@@ -183,7 +183,7 @@ class Rows:
         places: list[Places] = []
         with np.errstate(all="ignore"):
             for start in range(0, count, BLOCK):
-                block: slice | Places = slice(start, start + BLOCK)
+                block: slice | Places = slice(start, min(start + BLOCK, count))
                 if odd is not None:
                     block = start + np.flatnonzero(odd[block])
                     if not block.size:
@@ -194,18 +194,14 @@ class Rows:
                     lock = self._block(parts, values)
                 except _WrongRow as wrong:
                     several = len(rows[0]) > 1
-                    index = (
-                        np.unravel_index(np.arange(count)[block][wrong.row], leading)
-                        if several
-                        else ()
-                    )
+                    index = np.unravel_index(np.r_[block][wrong.row], leading) if several else ()
                     msg = wrong.message.format(f"{name}: ", tuple(map(int, index)))
                     raise ValueError(msg) from None
                 if odd is not None:
                     flat[block] = values
                 if lock is not None and lock.any():
                     if every_place or not places:
-                        places.append(np.arange(count)[block][lock][: None if every_place else 1])
+                        places.append(np.r_[block][lock][: None if every_place else 1])
                     locked += int(np.count_nonzero(lock))
         return Locked(locked, np.concatenate(places)) if places else NONE_LOCKED
 

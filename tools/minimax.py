@@ -53,7 +53,7 @@ class Wanted:
 QUARTER, EIGHTH = (mp.pi / 4) ** 2 * WIDER, mp.tan(mp.pi / 8) ** 2 * WIDER
 WANTED = (
     Wanted(
-        "near_sine",
+        "sine_tail",
         lambda z: (mp.sin(mp.sqrt(z)) / mp.sqrt(z) - 1) / z,
         mpf(-1) / 6,
         lambda z: z + mpf("1e-9"),
@@ -61,7 +61,7 @@ WANTED = (
         6,
     ),
     Wanted(
-        "near_cosine",
+        "cosine_of_square",
         lambda z: ((mp.cos(mp.sqrt(z)) - 1) / z + mpf(1) / 2) / z,
         mpf(1) / 24,
         lambda z: z * z + mpf("1e-9"),
@@ -69,7 +69,7 @@ WANTED = (
         6,
     ),
     Wanted(
-        "near_arctangent_less",
+        "arctangent_tail",
         lambda z: (mp.atan(mp.sqrt(z)) / mp.sqrt(z) - 1) / z,
         mpf(-1) / 3,
         lambda z: z + mpf("1e-9"),

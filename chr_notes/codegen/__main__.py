@@ -2,13 +2,15 @@
 
 import argparse
 import sys
+from dataclasses import replace
 from hashlib import sha256
 from pathlib import Path
 
 from chr_notes.codegen import arrays, c, javascript, kernels, python
 from chr_notes.codegen.header import COMMAND, made_how
 from chr_notes.codegen.lowering import Program, lower
-from chr_notes.codegen.rewriting import by_library, for_columns, for_kernels
+from chr_notes.codegen.rewriting import by_library, for_columns, for_kernels, without_roots
+from chr_notes.codegen.target import Target
 from chr_notes.codegen.targets import TARGETS
 
 FOLDER = Path(__file__).resolve().parents[1] / "generated"
@@ -28,7 +30,9 @@ def files() -> dict[str, str]:
     columns = tuple(lower(target, for_columns) for target in rows)
     checked = tuple(lower(target, for_kernels, checked=True) for target in rows)
     steps = tuple(program for program in programs if program.target.over_samples)
-    compiled = kernels.source(checked, steps)
+    compiled = kernels.source(
+        checked, tuple(lower(_of_squares(step.target), by_library) for step in steps)
+    )
     made = {
         "__init__.py": '"""Generated code; `python -m chr_notes.codegen` writes it."""\n',
         "scalar/__init__.py": '"""Functions of floats, for one attitude at a time."""\n',
@@ -55,6 +59,11 @@ def _stamps(compiled: str) -> dict[str, str]:
         "stamp.py": f'"""{made_how(())[0]}"""\n\nSTAMP = "{stamp}"\n',
         "c/stamp.h": f'/* {made_how(())[0]} */\n#define STAMP "{stamp}"\n',
     }
+
+
+def _of_squares(target: Target) -> Target:
+    formula = target.formula()
+    return replace(target, formula=lambda: without_roots(formula))  # of steps, all computations
 
 
 def _of_topic(programs: tuple[Program, ...], topic: str) -> tuple[Program, ...]:

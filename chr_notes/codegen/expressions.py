@@ -139,6 +139,17 @@ class StepC(ColumnC):
 
     functions = "step"
 
+    _print_cos_of_root = _print_sinc_of_root = ColumnC._print_own  # noqa: SLF001 (SymPy's protocol)
+    _print_cos_of_share = _print_sin_of_share = ColumnC._print_own  # noqa: SLF001
+
+    def _print_Add(self, value: Add, order: str | None = None) -> str:
+        """Add up in pairs: fewer sums wait for others."""
+        terms = self._as_ordered_terms(value, order=order)
+        if len(terms) != 4:  # noqa: PLR2004
+            return str(super()._print_Add(value, order=order))
+        first, second = (Add(*terms[at : at + 2], evaluate=False) for at in (0, 2))
+        return f"({self._print(first)}) + ({self._print(second)})"
+
 
 class JavaScript(Spelling, JavascriptCodePrinter):
     """JavaScript."""

@@ -1,12 +1,13 @@
 """How functions of an angle are computed: each once, under a name that says what it is."""
 
 from collections.abc import Callable
+from dataclasses import replace
 
-from sympy import Abs, Basic, Expr, Function, Pow, Symbol, atan2, cos, sin, sqrt, tan
+from sympy import Abs, Basic, Expr, Function, Pow, Symbol, Wild, atan2, cos, sin, sqrt, tan
 from sympy.codegen.cfunctions import hypot
 
 from chr_notes.codegen.names import name_of
-from chr_notes.derivations.computation import Let
+from chr_notes.derivations.computation import Choice, Computation, Let, map_step
 
 Rewriting = Callable[[tuple[Basic, ...]], tuple[tuple[Let, ...], dict[Basic, Expr]]]
 
@@ -72,6 +73,52 @@ def for_kernels(values: tuple[Basic, ...]) -> tuple[tuple[Let, ...], dict[Basic,
     }
     lets, replaced = for_columns(tuple(value.xreplace(turned) for value in values))
     return lets, replaced | turned
+
+
+class cos_of_root(Function):  # noqa: N801 (its name in C)
+    """Cosine of a factor times a root."""
+
+
+class sinc_of_root(Function):  # noqa: N801
+    """Sine of a factor times a root, divided by the angle."""
+
+
+class cos_of_share(Function):  # noqa: N801
+    """Cosine of a share of the angle that a root and a number make."""
+
+
+class sin_of_share(Function):  # noqa: N801
+    """Sine of it, divided by the root."""
+
+
+def without_roots(computation: Computation) -> Computation:
+    """Leave the roots to the kernels' own functions, which need none for a small angle.
+
+    A step of a filter waits for the one before it, and longest for roots and quotients.
+    """
+    values = {step.name: step.value for step in computation.steps if isinstance(step, Let)}
+    known: dict[Basic, Expr] = {}
+    factor, square, x = Wild("factor"), Wild("square"), Wild("x")
+    for name, value in values.items():
+        root = value.match(factor * sqrt(square))
+        share = value.match(factor * atan2(square, x))
+        if root and not root[factor].has(Pow):
+            known[cos(name)] = cos_of_root(root[factor], root[square])
+            known[sin(name) / name] = sinc_of_root(root[factor], root[square])
+        elif share and isinstance(values.get(share[square]), Pow):
+            length = share[square]
+            given = (share[factor], values[length].base, share[x])
+            known[cos(name)] = cos_of_share(*given)
+            known[sin(name) / length] = sin_of_share(*given)
+    steps: list[Let | Choice] = []
+    for step in computation.steps:
+        # Their own functions know what comes of a zero.
+        if isinstance(step, Choice) and all(value in known for value in step.branches[0][1]):
+            pairs = zip(step.names, step.branches[0][1], strict=True)
+            steps += [Let(name, known[value]) for name, value in pairs]
+        else:
+            steps.append(map_step(step, lambda value: value.xreplace(known)))
+    return replace(computation, steps=tuple(steps))
 
 
 def root_of_squares(x: Expr, y: Expr) -> Expr:

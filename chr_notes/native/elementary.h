@@ -47,20 +47,39 @@ INLINE double quarter_turns_off(double angle, int64_t *quarters)
  * sum before the next.
  */
 
-/* Sine on [-pi/4, pi/4]. */
-INLINE double near_sine(double x)
+/* What the polynomials below add to the first terms, of squares. */
+INLINE double sine_tail(double z)
 {
-    const double z = x * x, z2 = z * z;
+    const double z2 = z * z;
     const double low = -0x1.5555555555549p-3 + z * 0x1.111111110f87dp-7;
     const double middle = -0x1.a01a019c12029p-13 + z * 0x1.71de357815c43p-19;
     const double high = -0x1.ae5e6687ebf3p-26 + z * 0x1.5d9318300cd1ep-33;
-    return x + x * z * ((low + z2 * middle) + z2 * z2 * high);
+    return (low + z2 * middle) + z2 * z2 * high;
 }
 
-/* Cosine on [-pi/4, pi/4]; what 1 - z/2 loses by rounding is added again. */
-INLINE double near_cosine(double x)
+INLINE double arctangent_tail(double z)
 {
-    const double z = x * x, z2 = z * z, half = 0.5 * z, most = 1.0 - half;
+    const double z2 = z * z, z4 = z2 * z2;
+    const double one = -0x1.555555555553dp-2 + z * 0x1.99999999958ebp-3;
+    const double two = -0x1.24924922b11d2p-3 + z * 0x1.c71c70e7a126dp-4;
+    const double three = -0x1.745cf90afef0cp-4 + z * 0x1.3b111c62e06a8p-4;
+    const double four = -0x1.10ebdd8da9adcp-4 + z * 0x1.df1166a2ad2ecp-5;
+    const double five = -0x1.9cdc233d9077p-5 + z * 0x1.37ed377704b8dp-5;
+    const double six = -0x1.259d3665679fbp-6;
+    return (one + z2 * two) + z4 * ((three + z2 * four) + z4 * (five + z2 * six));
+}
+
+/* Sine on [-pi/4, pi/4]. */
+INLINE double near_sine(double x)
+{
+    const double z = x * x;
+    return x + x * z * sine_tail(z);
+}
+
+/* Cosine of an angle up to pi/4 by its square; what 1 - z/2 loses by rounding is added again. */
+INLINE double cosine_of_square(double z)
+{
+    const double z2 = z * z, half = 0.5 * z, most = 1.0 - half;
     const double low = 0x1.555555555554cp-5 + z * -0x1.6c16c16c15181p-10;
     const double middle = 0x1.a01a019cb216ep-16 + z * -0x1.27e4f80a33e95p-22;
     const double high = 0x1.1ee9ec18bf103p-29 + z * -0x1.8faeb5fdf837bp-37;
@@ -70,14 +89,8 @@ INLINE double near_cosine(double x)
 /* Arctangent on [-tan(pi/8), tan(pi/8)], less its argument. */
 INLINE double near_arctangent_less(double t)
 {
-    const double z = t * t, z2 = z * z, z4 = z2 * z2;
-    const double one = -0x1.555555555553dp-2 + z * 0x1.99999999958ebp-3;
-    const double two = -0x1.24924922b11d2p-3 + z * 0x1.c71c70e7a126dp-4;
-    const double three = -0x1.745cf90afef0cp-4 + z * 0x1.3b111c62e06a8p-4;
-    const double four = -0x1.10ebdd8da9adcp-4 + z * 0x1.df1166a2ad2ecp-5;
-    const double five = -0x1.9cdc233d9077p-5 + z * 0x1.37ed377704b8dp-5;
-    const double six = -0x1.259d3665679fbp-6;
-    return t * z * ((one + z2 * two) + z4 * ((three + z2 * four) + z4 * (five + z2 * six)));
+    const double z = t * t;
+    return t * z * arctangent_tail(z);
 }
 
 /* The second of four signs or values by the quarter: every odd one the other function. */
@@ -97,14 +110,14 @@ INLINE double column_sin(double angle)
 {
     int64_t quarters;
     const double rest = quarter_turns_off(angle, &quarters);
-    return by_quarter(quarters, near_sine(rest), near_cosine(rest));
+    return by_quarter(quarters, near_sine(rest), cosine_of_square(rest * rest));
 }
 
 INLINE double column_cos(double angle)
 {
     int64_t quarters;
     const double rest = quarter_turns_off(angle, &quarters);
-    return by_quarter(quarters + 1, near_sine(rest), near_cosine(rest));
+    return by_quarter(quarters + 1, near_sine(rest), cosine_of_square(rest * rest));
 }
 
 /* What is left of an angle after whole turns, from -pi to pi. */
@@ -154,7 +167,7 @@ INLINE double step_sin(double angle)
 INLINE double step_cos(double angle)
 {
     const double size = fabs(angle);
-    return size < EIGHTH ? near_cosine(angle)
+    return size < EIGHTH ? cosine_of_square(angle * angle)
         : size < LARGEST_ANGLE ? column_cos(angle) : cos(angle);
 }
 
@@ -166,6 +179,50 @@ INLINE double step_atan2(double y, double x)
         return t + near_arctangent_less(t);
     }
     return most - most == 0.0 ? column_atan2(y, x) : atan2(y, x);
+}
+
+/*
+ * The same of factor * sqrt(square), where a small angle needs no root: its cosine, and its sine
+ * divided by it.
+ */
+INLINE double step_cos_of_root(double factor, double square)
+{
+    const double z = factor * factor * square;
+    return z < EIGHTH * EIGHTH ? cosine_of_square(z) : step_cos(factor * sqrt(square));
+}
+
+INLINE double step_sinc_of_root(double factor, double square)
+{
+    const double z = factor * factor * square, angle = factor * sqrt(square);
+    return z < EIGHTH * EIGHTH ? 1.0 + z * sine_tail(z) : step_sin(angle) / angle;
+}
+
+/*
+ * And of share * atan2(sqrt(square), x), with a share of at most 1/2: the cosine, and the sine
+ * divided by the root. A root of zero counts as no angle, whatever x is.
+ */
+INLINE int is_narrow(double square, double x)
+{
+    return x > 0.0 && square <= TAN_SIXTEENTH * TAN_SIXTEENTH * (x * x);
+}
+
+INLINE double step_cos_of_share(double share, double square, double x)
+{
+    if (is_narrow(square, x)) {
+        const double z = square / (x * x), ratio = 1.0 + z * arctangent_tail(z);
+        return cosine_of_square(share * share * z * (ratio * ratio));
+    }
+    return square > 0.0 ? step_cos(share * step_atan2(sqrt(square), x)) : 1.0;
+}
+
+INLINE double step_sin_of_share(double share, double square, double x)
+{
+    if (is_narrow(square, x)) {
+        const double z = square / (x * x), ratio = 1.0 + z * arctangent_tail(z);
+        const double turn = share * share * z * (ratio * ratio);
+        return share / x * ratio * (1.0 + turn * sine_tail(turn));
+    }
+    return square > 0.0 ? step_sin(share * step_atan2(sqrt(square), x)) / sqrt(square) : 0.0;
 }
 
 #endif

@@ -83,7 +83,9 @@ def observer_turn() -> Computation:
     # It stands there multiplied out, and as it is.
     lengths = dict.fromkeys((next(iter(angle.atoms(atan2))).args[0], sqrt(off.dot(off))), length)
     common = (turn[1] / off[0]).subs({angle: half}).subs(lengths)
-    back = ImmutableMatrix([stays, *(factor * name for name in across)])
+    # The turn back is `stays + factor * across`; the product with the second part is ready early.
+    moved = symbols("moved_a moved_b moved_c moved_d", real=True)
+    with_across = hamilton.multiply(ImmutableMatrix(predicted), ImmutableMatrix([0, *across]))
     return Computation(
         (
             *step.steps,
@@ -93,13 +95,14 @@ def observer_turn() -> Computation:
             Let(known, And(size > 0, size <= LARGEST)),
             Choice(reading, ((known, scaled), otherwise(*(0 * element for element in scaled)))),
             *map(Let, across, off),
+            *map(Let, moved, with_across),
             Let(length, sqrt(sum(name**2 for name in across))),
             Let(half, angle.subs(lengths)),
             Choice(
                 (stays, factor), ((length > 0, (cos(half), common)), otherwise(size**0, 0 * size))
             ),
         ),
-        hamilton.multiply(ImmutableMatrix(predicted), back),
+        stays * ImmutableMatrix(predicted) + factor * ImmutableMatrix(moved),
     )
 
 

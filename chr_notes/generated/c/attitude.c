@@ -1258,6 +1258,10 @@ void attitude_observer_turn(double a, double b, double c, double d, double p, do
     const double across_x = -e_y*reading_z + e_z*reading_y;
     const double across_y = e_x*reading_z - e_z*reading_x;
     const double across_z = -e_x*reading_y + e_y*reading_x;
+    const double moved_a = -across_x*predicted_b - across_y*predicted_c - across_z*predicted_d;
+    const double moved_b = across_x*predicted_a - across_y*predicted_d + across_z*predicted_c;
+    const double moved_c = across_x*predicted_d + across_y*predicted_a - across_z*predicted_b;
+    const double moved_d = -across_x*predicted_c + across_y*predicted_b + across_z*predicted_a;
     const double sine_off = sqrt(across_x*across_x + across_y*across_y + across_z*across_z);
     const double half_turn_back = 0.5*gain*atan2(sine_off, e_x*reading_x + e_y*reading_y +
         e_z*reading_z);
@@ -1271,19 +1275,10 @@ void attitude_observer_turn(double a, double b, double c, double d, double p, do
         turn_back_a = 1.0;
         factor = 0.0;
     }
-    const double across_x_factor = across_x*factor;
-    const double factor_predicted_c = factor*predicted_c;
-    const double factor_predicted_d = factor*predicted_d;
-    const double across_y_factor = across_y*factor;
-    const double across_z_factor = across_z*factor;
-    out[0] = -across_x_factor*predicted_b - across_y*factor_predicted_c -
-        across_z*factor_predicted_d + predicted_a*turn_back_a;
-    out[1] = across_x_factor*predicted_a - across_y*factor_predicted_d + across_z*factor_predicted_c
-        + predicted_b*turn_back_a;
-    out[2] = across_x_factor*predicted_d + across_y_factor*predicted_a - across_z_factor*predicted_b
-        + predicted_c*turn_back_a;
-    out[3] = -across_x_factor*predicted_c + across_y_factor*predicted_b +
-        across_z_factor*predicted_a + predicted_d*turn_back_a;
+    out[0] = factor*moved_a + predicted_a*turn_back_a;
+    out[1] = factor*moved_b + predicted_b*turn_back_a;
+    out[2] = factor*moved_c + predicted_c*turn_back_a;
+    out[3] = factor*moved_d + predicted_d*turn_back_a;
 }
 
 void attitude_observer_turn_f(float a, float b, float c, float d, float p, float q, float r,
@@ -1337,6 +1332,10 @@ void attitude_observer_turn_f(float a, float b, float c, float d, float p, float
     const float across_x = -e_y*reading_z + e_z*reading_y;
     const float across_y = e_x*reading_z - e_z*reading_x;
     const float across_z = -e_x*reading_y + e_y*reading_x;
+    const float moved_a = -across_x*predicted_b - across_y*predicted_c - across_z*predicted_d;
+    const float moved_b = across_x*predicted_a - across_y*predicted_d + across_z*predicted_c;
+    const float moved_c = across_x*predicted_d + across_y*predicted_a - across_z*predicted_b;
+    const float moved_d = -across_x*predicted_c + across_y*predicted_b + across_z*predicted_a;
     const float sine_off = sqrtf(across_x*across_x + across_y*across_y + across_z*across_z);
     const float half_turn_back = 0.5f*gain*atan2f(sine_off, e_x*reading_x + e_y*reading_y +
         e_z*reading_z);
@@ -1350,19 +1349,10 @@ void attitude_observer_turn_f(float a, float b, float c, float d, float p, float
         turn_back_a = 1.0f;
         factor = 0.0f;
     }
-    const float across_x_factor = across_x*factor;
-    const float factor_predicted_c = factor*predicted_c;
-    const float factor_predicted_d = factor*predicted_d;
-    const float across_y_factor = across_y*factor;
-    const float across_z_factor = across_z*factor;
-    out[0] = -across_x_factor*predicted_b - across_y*factor_predicted_c -
-        across_z*factor_predicted_d + predicted_a*turn_back_a;
-    out[1] = across_x_factor*predicted_a - across_y*factor_predicted_d + across_z*factor_predicted_c
-        + predicted_b*turn_back_a;
-    out[2] = across_x_factor*predicted_d + across_y_factor*predicted_a - across_z_factor*predicted_b
-        + predicted_c*turn_back_a;
-    out[3] = -across_x_factor*predicted_c + across_y_factor*predicted_b +
-        across_z_factor*predicted_a + predicted_d*turn_back_a;
+    out[0] = factor*moved_a + predicted_a*turn_back_a;
+    out[1] = factor*moved_b + predicted_b*turn_back_a;
+    out[2] = factor*moved_c + predicted_c*turn_back_a;
+    out[3] = factor*moved_d + predicted_d*turn_back_a;
 }
 
 void attitude_observer_step(double roll, double pitch, double yaw, double p, double q, double r,
@@ -1443,6 +1433,10 @@ void attitude_observer_step(double roll, double pitch, double yaw, double p, dou
     const double across_x = -e_y*reading_z + e_z*reading_y;
     const double across_y = e_x*reading_z - e_z*reading_x;
     const double across_z = -e_x*reading_y + e_y*reading_x;
+    const double moved_a = -across_x*predicted_b - across_y*predicted_c - across_z*predicted_d;
+    const double moved_b = across_x*predicted_a - across_y*predicted_d + across_z*predicted_c;
+    const double moved_c = across_x*predicted_d + across_y*predicted_a - across_z*predicted_b;
+    const double moved_d = -across_x*predicted_c + across_y*predicted_b + across_z*predicted_a;
     const double sine_off = sqrt(across_x*across_x + across_y*across_y + across_z*across_z);
     const double half_turn_back = 0.5*gain*atan2(sine_off, e_x*reading_x + e_y*reading_y +
         e_z*reading_z);
@@ -1456,19 +1450,10 @@ void attitude_observer_step(double roll, double pitch, double yaw, double p, dou
         turn_back_a = 1.0;
         factor = 0.0;
     }
-    const double across_x_factor = across_x*factor;
-    const double factor_predicted_c = factor*predicted_c;
-    const double factor_predicted_d = factor*predicted_d;
-    const double end_a = -across_x_factor*predicted_b - across_y*factor_predicted_c -
-        across_z*factor_predicted_d + predicted_a*turn_back_a;
-    const double end_b = across_x_factor*predicted_a - across_y*factor_predicted_d +
-        across_z*factor_predicted_c + predicted_b*turn_back_a;
-    const double across_y_factor = across_y*factor;
-    const double across_z_factor = across_z*factor;
-    const double end_c = across_x_factor*predicted_d + across_y_factor*predicted_a -
-        across_z_factor*predicted_b + predicted_c*turn_back_a;
-    const double end_d = -across_x_factor*predicted_c + across_y_factor*predicted_b +
-        across_z_factor*predicted_a + predicted_d*turn_back_a;
+    const double end_a = factor*moved_a + predicted_a*turn_back_a;
+    const double end_b = factor*moved_b + predicted_b*turn_back_a;
+    const double end_c = factor*moved_c + predicted_c*turn_back_a;
+    const double end_d = factor*moved_d + predicted_d*turn_back_a;
     const double end_a_minus_c = end_a - end_c;
     const double end_b_plus_d = end_b + end_d;
     const double end_a_plus_c = end_a + end_c;
@@ -1574,6 +1559,10 @@ void attitude_observer_step_f(float roll, float pitch, float yaw, float p, float
     const float across_x = -e_y*reading_z + e_z*reading_y;
     const float across_y = e_x*reading_z - e_z*reading_x;
     const float across_z = -e_x*reading_y + e_y*reading_x;
+    const float moved_a = -across_x*predicted_b - across_y*predicted_c - across_z*predicted_d;
+    const float moved_b = across_x*predicted_a - across_y*predicted_d + across_z*predicted_c;
+    const float moved_c = across_x*predicted_d + across_y*predicted_a - across_z*predicted_b;
+    const float moved_d = -across_x*predicted_c + across_y*predicted_b + across_z*predicted_a;
     const float sine_off = sqrtf(across_x*across_x + across_y*across_y + across_z*across_z);
     const float half_turn_back = 0.5f*gain*atan2f(sine_off, e_x*reading_x + e_y*reading_y +
         e_z*reading_z);
@@ -1587,19 +1576,10 @@ void attitude_observer_step_f(float roll, float pitch, float yaw, float p, float
         turn_back_a = 1.0f;
         factor = 0.0f;
     }
-    const float across_x_factor = across_x*factor;
-    const float factor_predicted_c = factor*predicted_c;
-    const float factor_predicted_d = factor*predicted_d;
-    const float end_a = -across_x_factor*predicted_b - across_y*factor_predicted_c -
-        across_z*factor_predicted_d + predicted_a*turn_back_a;
-    const float end_b = across_x_factor*predicted_a - across_y*factor_predicted_d +
-        across_z*factor_predicted_c + predicted_b*turn_back_a;
-    const float across_y_factor = across_y*factor;
-    const float across_z_factor = across_z*factor;
-    const float end_c = across_x_factor*predicted_d + across_y_factor*predicted_a -
-        across_z_factor*predicted_b + predicted_c*turn_back_a;
-    const float end_d = -across_x_factor*predicted_c + across_y_factor*predicted_b +
-        across_z_factor*predicted_a + predicted_d*turn_back_a;
+    const float end_a = factor*moved_a + predicted_a*turn_back_a;
+    const float end_b = factor*moved_b + predicted_b*turn_back_a;
+    const float end_c = factor*moved_c + predicted_c*turn_back_a;
+    const float end_d = factor*moved_d + predicted_d*turn_back_a;
     const float end_a_minus_c = end_a - end_c;
     const float end_b_plus_d = end_b + end_d;
     const float end_a_plus_c = end_a + end_c;
@@ -1971,6 +1951,10 @@ void attitude_monitored_turn(double a, double b, double c, double d, double abov
     const double across_x = -e_y*reading_z + e_z*reading_y;
     const double across_y = e_x*reading_z - e_z*reading_x;
     const double across_z = -e_x*reading_y + e_y*reading_x;
+    const double moved_a = -across_x*predicted_b - across_y*predicted_c - across_z*predicted_d;
+    const double moved_b = across_x*predicted_a - across_y*predicted_d + across_z*predicted_c;
+    const double moved_c = across_x*predicted_d + across_y*predicted_a - across_z*predicted_b;
+    const double moved_d = -across_x*predicted_c + across_y*predicted_b + across_z*predicted_a;
     const double sine_off = sqrt(across_x*across_x + across_y*across_y + across_z*across_z);
     const double half_turn_back = 0.5*chosen_gain*atan2(sine_off, e_x*reading_x + e_y*reading_y +
         e_z*reading_z);
@@ -1984,19 +1968,10 @@ void attitude_monitored_turn(double a, double b, double c, double d, double abov
         turn_back_a = 1.0;
         factor = 0.0;
     }
-    const double across_x_factor = across_x*factor;
-    const double factor_predicted_c = factor*predicted_c;
-    const double factor_predicted_d = factor*predicted_d;
-    const double after_a = -across_x_factor*predicted_b - across_y*factor_predicted_c -
-        across_z*factor_predicted_d + predicted_a*turn_back_a;
-    const double after_b = across_x_factor*predicted_a - across_y*factor_predicted_d +
-        across_z*factor_predicted_c + predicted_b*turn_back_a;
-    const double across_y_factor = across_y*factor;
-    const double across_z_factor = across_z*factor;
-    const double after_c = across_x_factor*predicted_d + across_y_factor*predicted_a -
-        across_z_factor*predicted_b + predicted_c*turn_back_a;
-    const double after_d = -across_x_factor*predicted_c + across_y_factor*predicted_b +
-        across_z_factor*predicted_a + predicted_d*turn_back_a;
+    const double after_a = factor*moved_a + predicted_a*turn_back_a;
+    const double after_b = factor*moved_b + predicted_b*turn_back_a;
+    const double after_c = factor*moved_c + predicted_c*turn_back_a;
+    const double after_d = factor*moved_d + predicted_d*turn_back_a;
     const double field_size = fabs(mag_x) + fabs(mag_y) + fabs(mag_z);
     const int field_has_direction = field_size <= 1.7976931348623157e+308 && field_size > 0.0;
     double field_reading_x, field_reading_y, field_reading_z;
@@ -2099,6 +2074,10 @@ void attitude_monitored_turn_f(float a, float b, float c, float d, float above, 
     const float across_x = -e_y*reading_z + e_z*reading_y;
     const float across_y = e_x*reading_z - e_z*reading_x;
     const float across_z = -e_x*reading_y + e_y*reading_x;
+    const float moved_a = -across_x*predicted_b - across_y*predicted_c - across_z*predicted_d;
+    const float moved_b = across_x*predicted_a - across_y*predicted_d + across_z*predicted_c;
+    const float moved_c = across_x*predicted_d + across_y*predicted_a - across_z*predicted_b;
+    const float moved_d = -across_x*predicted_c + across_y*predicted_b + across_z*predicted_a;
     const float sine_off = sqrtf(across_x*across_x + across_y*across_y + across_z*across_z);
     const float half_turn_back = 0.5f*chosen_gain*atan2f(sine_off, e_x*reading_x + e_y*reading_y +
         e_z*reading_z);
@@ -2112,19 +2091,10 @@ void attitude_monitored_turn_f(float a, float b, float c, float d, float above, 
         turn_back_a = 1.0f;
         factor = 0.0f;
     }
-    const float across_x_factor = across_x*factor;
-    const float factor_predicted_c = factor*predicted_c;
-    const float factor_predicted_d = factor*predicted_d;
-    const float after_a = -across_x_factor*predicted_b - across_y*factor_predicted_c -
-        across_z*factor_predicted_d + predicted_a*turn_back_a;
-    const float after_b = across_x_factor*predicted_a - across_y*factor_predicted_d +
-        across_z*factor_predicted_c + predicted_b*turn_back_a;
-    const float across_y_factor = across_y*factor;
-    const float across_z_factor = across_z*factor;
-    const float after_c = across_x_factor*predicted_d + across_y_factor*predicted_a -
-        across_z_factor*predicted_b + predicted_c*turn_back_a;
-    const float after_d = -across_x_factor*predicted_c + across_y_factor*predicted_b +
-        across_z_factor*predicted_a + predicted_d*turn_back_a;
+    const float after_a = factor*moved_a + predicted_a*turn_back_a;
+    const float after_b = factor*moved_b + predicted_b*turn_back_a;
+    const float after_c = factor*moved_c + predicted_c*turn_back_a;
+    const float after_d = factor*moved_d + predicted_d*turn_back_a;
     const float field_size = fabsf(mag_x) + fabsf(mag_y) + fabsf(mag_z);
     const int field_has_direction = field_size <= 3.4028234663852886e+38f && field_size > 0.0f;
     float field_reading_x, field_reading_y, field_reading_z;

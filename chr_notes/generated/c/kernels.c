@@ -1869,19 +1869,17 @@ static int64_t gyro_turn
         const double rate_x = moves ? p : 0.0;
         const double rate_y = moves ? q : 0.0;
         const double rate_z = moves ? r : 0.0;
-        const double half_turn = 0.5*dt*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
-        const double sin_half_turn = step_sin(half_turn);
-        const double ratio = half_turn > 0.0 ? sin_half_turn/half_turn : 1.0;
-        const double cos_half_turn = step_cos(half_turn);
-        const double turn_a = cos_half_turn;
-        const double common_5 = 0.5*dt*ratio;
-        const double turn_b = common_5*rate_x;
-        const double turn_c = common_5*rate_y;
-        const double turn_d = common_5*rate_z;
-        const double next_a = a*turn_a - b*turn_b - c*turn_c - d*turn_d;
-        const double next_b = a*turn_b + b*turn_a + c*turn_d - d*turn_c;
-        const double next_c = a*turn_c - b*turn_d + c*turn_a + d*turn_b;
-        const double next_d = a*turn_d + b*turn_c - c*turn_b + d*turn_a;
+        const double common_3 = rate_x*rate_x + rate_y*rate_y + rate_z*rate_z;
+        const double ratio = step_sinc_of_root(0.5*dt, common_3);
+        const double turn_a = step_cos_of_root(0.5*dt, common_3);
+        const double common_4 = 0.5*dt*ratio;
+        const double turn_b = common_4*rate_x;
+        const double turn_c = common_4*rate_y;
+        const double turn_d = common_4*rate_z;
+        const double next_a = (a*turn_a - b*turn_b) + (-c*turn_c - d*turn_d);
+        const double next_b = (a*turn_b + b*turn_a) + (c*turn_d - d*turn_c);
+        const double next_c = (a*turn_c - b*turn_d) + (c*turn_a + d*turn_b);
+        const double next_d = (a*turn_d + b*turn_c) + (-c*turn_b + d*turn_a);
         out[row * 4 + 0] = a = next_a;
         out[row * 4 + 1] = b = next_b;
         out[row * 4 + 2] = c = next_c;
@@ -1917,23 +1915,21 @@ static int64_t observer_turn
         const double rate_x = moves ? p : 0.0;
         const double rate_y = moves ? q : 0.0;
         const double rate_z = moves ? r : 0.0;
-        const double half_turn = 0.5*dt*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
-        const double sin_half_turn = step_sin(half_turn);
-        const double ratio = half_turn > 0.0 ? sin_half_turn/half_turn : 1.0;
-        const double cos_half_turn = step_cos(half_turn);
-        const double turn_a = cos_half_turn;
-        const double common_7 = 0.5*dt*ratio;
-        const double turn_b = common_7*rate_x;
-        const double turn_c = common_7*rate_y;
-        const double turn_d = common_7*rate_z;
-        const double predicted_a = a*turn_a - b*turn_b - c*turn_c - d*turn_d;
-        const double predicted_b = a*turn_b + b*turn_a + c*turn_d - d*turn_c;
-        const double predicted_c = a*turn_c - b*turn_d + c*turn_a + d*turn_b;
-        const double predicted_d = a*turn_d + b*turn_c - c*turn_b + d*turn_a;
+        const double common_3 = rate_x*rate_x + rate_y*rate_y + rate_z*rate_z;
+        const double ratio = step_sinc_of_root(0.5*dt, common_3);
+        const double turn_a = step_cos_of_root(0.5*dt, common_3);
+        const double common_4 = 0.5*dt*ratio;
+        const double turn_b = common_4*rate_x;
+        const double turn_c = common_4*rate_y;
+        const double turn_d = common_4*rate_z;
+        const double predicted_a = (a*turn_a - b*turn_b) + (-c*turn_c - d*turn_d);
+        const double predicted_b = (a*turn_b + b*turn_a) + (c*turn_d - d*turn_c);
+        const double predicted_c = (a*turn_c - b*turn_d) + (c*turn_a + d*turn_b);
+        const double predicted_d = (a*turn_d + b*turn_c) + (-c*turn_b + d*turn_a);
         const double e_x = 2.0*predicted_a*predicted_c - 2.0*predicted_b*predicted_d;
         const double e_y = -2.0*predicted_a*predicted_b - 2.0*predicted_c*predicted_d;
-        const double e_z = -(predicted_a*predicted_a) + predicted_b*predicted_b +
-            predicted_c*predicted_c - (predicted_d*predicted_d);
+        const double e_z = (-(predicted_a*predicted_a) + predicted_b*predicted_b) +
+            (predicted_c*predicted_c - (predicted_d*predicted_d));
         const double size = fabs(accel_x) + fabs(accel_y) + fabs(accel_z);
         const int has_direction = (size <= 1.7976931348623157e+308) & (size > 0.0);
         const double reading_x = has_direction ? accel_x/size : 0.0;
@@ -1942,26 +1938,18 @@ static int64_t observer_turn
         const double across_x = -e_y*reading_z + e_z*reading_y;
         const double across_y = e_x*reading_z - e_z*reading_x;
         const double across_z = -e_x*reading_y + e_y*reading_x;
-        const double sine_off = sqrt(across_x*across_x + across_y*across_y + across_z*across_z);
-        const double half_turn_back = 0.5*gain*step_atan2(sine_off, e_x*reading_x + e_y*reading_y +
-            e_z*reading_z);
-        const double cos_half_turn_back = step_cos(half_turn_back);
-        const double sin_half_turn_back = step_sin(half_turn_back);
-        const double turn_back_a = sine_off > 0.0 ? cos_half_turn_back : 1.0;
-        const double factor = sine_off > 0.0 ? sin_half_turn_back/sine_off : 0.0;
-        const double across_x_factor = across_x*factor;
-        const double factor_predicted_c = factor*predicted_c;
-        const double factor_predicted_d = factor*predicted_d;
-        const double across_y_factor = across_y*factor;
-        const double across_z_factor = across_z*factor;
-        const double next_a = -across_x_factor*predicted_b - across_y*factor_predicted_c -
-            across_z*factor_predicted_d + predicted_a*turn_back_a;
-        const double next_b = across_x_factor*predicted_a - across_y*factor_predicted_d +
-            across_z*factor_predicted_c + predicted_b*turn_back_a;
-        const double next_c = across_x_factor*predicted_d + across_y_factor*predicted_a -
-            across_z_factor*predicted_b + predicted_c*turn_back_a;
-        const double next_d = -across_x_factor*predicted_c + across_y_factor*predicted_b +
-            across_z_factor*predicted_a + predicted_d*turn_back_a;
+        const double moved_a = -across_x*predicted_b - across_y*predicted_c - across_z*predicted_d;
+        const double moved_b = across_x*predicted_a - across_y*predicted_d + across_z*predicted_c;
+        const double moved_c = across_x*predicted_d + across_y*predicted_a - across_z*predicted_b;
+        const double moved_d = -across_x*predicted_c + across_y*predicted_b + across_z*predicted_a;
+        const double common_5 = across_x*across_x + across_y*across_y + across_z*across_z;
+        const double common_6 = e_x*reading_x + e_y*reading_y + e_z*reading_z;
+        const double turn_back_a = step_cos_of_share(0.5*gain, common_5, common_6);
+        const double factor = step_sin_of_share(0.5*gain, common_5, common_6);
+        const double next_a = factor*moved_a + predicted_a*turn_back_a;
+        const double next_b = factor*moved_b + predicted_b*turn_back_a;
+        const double next_c = factor*moved_c + predicted_c*turn_back_a;
+        const double next_d = factor*moved_d + predicted_d*turn_back_a;
         out[row * 4 + 0] = a = next_a;
         out[row * 4 + 1] = b = next_b;
         out[row * 4 + 2] = c = next_c;
@@ -2015,31 +2003,29 @@ static int64_t observer_step
         const double rate_x = moves ? p : 0.0;
         const double rate_y = moves ? q : 0.0;
         const double rate_z = moves ? r : 0.0;
-        const double half_turn = 0.5*dt*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
-        const double sin_half_turn = step_sin(half_turn);
-        const double ratio = half_turn > 0.0 ? sin_half_turn/half_turn : 1.0;
-        const double cos_half_turn = step_cos(half_turn);
-        const double turn_a = cos_half_turn;
-        const double common_17 = 0.5*dt*ratio;
-        const double turn_b = common_17*rate_x;
-        const double turn_c = common_17*rate_y;
-        const double turn_d = common_17*rate_z;
+        const double common_13 = rate_x*rate_x + rate_y*rate_y + rate_z*rate_z;
+        const double ratio = step_sinc_of_root(0.5*dt, common_13);
+        const double turn_a = step_cos_of_root(0.5*dt, common_13);
+        const double common_14 = 0.5*dt*ratio;
+        const double turn_b = common_14*rate_x;
+        const double turn_c = common_14*rate_y;
+        const double turn_d = common_14*rate_z;
         const double start_b_start_sign = start_b*start_sign;
         const double start_c_start_sign = start_c*start_sign;
         const double start_d_start_sign = start_d*start_sign;
-        const double predicted_a = start_a*start_sign*turn_a - start_b_start_sign*turn_b -
-            start_c_start_sign*turn_c - start_d_start_sign*turn_d;
+        const double predicted_a = (start_a*start_sign*turn_a - start_b_start_sign*turn_b) +
+            (-start_c_start_sign*turn_c - start_d_start_sign*turn_d);
         const double start_a_start_sign = start_a*start_sign;
-        const double predicted_b = start_a_start_sign*turn_b + start_b_start_sign*turn_a +
-            start_c_start_sign*turn_d - start_d_start_sign*turn_c;
-        const double predicted_c = start_a_start_sign*turn_c - start_b_start_sign*turn_d +
-            start_c_start_sign*turn_a + start_d_start_sign*turn_b;
-        const double predicted_d = start_a_start_sign*turn_d + start_b_start_sign*turn_c -
-            start_c_start_sign*turn_b + start_d_start_sign*turn_a;
+        const double predicted_b = (start_a_start_sign*turn_b + start_b_start_sign*turn_a) +
+            (start_c_start_sign*turn_d - start_d_start_sign*turn_c);
+        const double predicted_c = (start_a_start_sign*turn_c - start_b_start_sign*turn_d) +
+            (start_c_start_sign*turn_a + start_d_start_sign*turn_b);
+        const double predicted_d = (start_a_start_sign*turn_d + start_b_start_sign*turn_c) +
+            (-start_c_start_sign*turn_b + start_d_start_sign*turn_a);
         const double e_x = 2.0*predicted_a*predicted_c - 2.0*predicted_b*predicted_d;
         const double e_y = -2.0*predicted_a*predicted_b - 2.0*predicted_c*predicted_d;
-        const double e_z = -(predicted_a*predicted_a) + predicted_b*predicted_b +
-            predicted_c*predicted_c - (predicted_d*predicted_d);
+        const double e_z = (-(predicted_a*predicted_a) + predicted_b*predicted_b) +
+            (predicted_c*predicted_c - (predicted_d*predicted_d));
         const double size = fabs(accel_x) + fabs(accel_y) + fabs(accel_z);
         const int has_direction = (size <= 1.7976931348623157e+308) & (size > 0.0);
         const double reading_x = has_direction ? accel_x/size : 0.0;
@@ -2048,26 +2034,18 @@ static int64_t observer_step
         const double across_x = -e_y*reading_z + e_z*reading_y;
         const double across_y = e_x*reading_z - e_z*reading_x;
         const double across_z = -e_x*reading_y + e_y*reading_x;
-        const double sine_off = sqrt(across_x*across_x + across_y*across_y + across_z*across_z);
-        const double half_turn_back = 0.5*gain*step_atan2(sine_off, e_x*reading_x + e_y*reading_y +
-            e_z*reading_z);
-        const double cos_half_turn_back = step_cos(half_turn_back);
-        const double sin_half_turn_back = step_sin(half_turn_back);
-        const double turn_back_a = sine_off > 0.0 ? cos_half_turn_back : 1.0;
-        const double factor = sine_off > 0.0 ? sin_half_turn_back/sine_off : 0.0;
-        const double across_x_factor = across_x*factor;
-        const double factor_predicted_c = factor*predicted_c;
-        const double factor_predicted_d = factor*predicted_d;
-        const double end_a = -across_x_factor*predicted_b - across_y*factor_predicted_c -
-            across_z*factor_predicted_d + predicted_a*turn_back_a;
-        const double end_b = across_x_factor*predicted_a - across_y*factor_predicted_d +
-            across_z*factor_predicted_c + predicted_b*turn_back_a;
-        const double across_y_factor = across_y*factor;
-        const double across_z_factor = across_z*factor;
-        const double end_c = across_x_factor*predicted_d + across_y_factor*predicted_a -
-            across_z_factor*predicted_b + predicted_c*turn_back_a;
-        const double end_d = -across_x_factor*predicted_c + across_y_factor*predicted_b +
-            across_z_factor*predicted_a + predicted_d*turn_back_a;
+        const double moved_a = -across_x*predicted_b - across_y*predicted_c - across_z*predicted_d;
+        const double moved_b = across_x*predicted_a - across_y*predicted_d + across_z*predicted_c;
+        const double moved_c = across_x*predicted_d + across_y*predicted_a - across_z*predicted_b;
+        const double moved_d = -across_x*predicted_c + across_y*predicted_b + across_z*predicted_a;
+        const double common_19 = across_x*across_x + across_y*across_y + across_z*across_z;
+        const double common_20 = e_x*reading_x + e_y*reading_y + e_z*reading_z;
+        const double turn_back_a = step_cos_of_share(0.5*gain, common_19, common_20);
+        const double factor = step_sin_of_share(0.5*gain, common_19, common_20);
+        const double end_a = factor*moved_a + predicted_a*turn_back_a;
+        const double end_b = factor*moved_b + predicted_b*turn_back_a;
+        const double end_c = factor*moved_c + predicted_c*turn_back_a;
+        const double end_d = factor*moved_d + predicted_d*turn_back_a;
         const double end_a_minus_c = end_a - end_c;
         const double end_b_plus_d = end_b + end_d;
         const double end_a_plus_c = end_a + end_c;
@@ -2084,8 +2062,8 @@ static int64_t observer_step
         const double end_roll = !end_locked ? step_atan2(end_product_1 - end_product_2,
             end_product_3 + end_product_4) : 0.0;
         const double end_yaw = !end_locked ? step_atan2(end_product_1 + end_product_2, end_product_3
-            - end_product_4) : step_atan2(2.0*end_a*end_d - 2.0*end_b*end_c, end_a*end_a -
-            (end_b*end_b) + end_c*end_c - (end_d*end_d));
+            - end_product_4) : step_atan2(2.0*end_a*end_d - 2.0*end_b*end_c, (end_a*end_a -
+            (end_b*end_b)) + (end_c*end_c - (end_d*end_d)));
         const double next_roll = end_roll;
         const double next_pitch = end_pitch;
         const double next_yaw = end_yaw;
@@ -2192,23 +2170,21 @@ static int64_t monitored_turn
         const double rate_x = moves ? p : 0.0;
         const double rate_y = moves ? q : 0.0;
         const double rate_z = moves ? r : 0.0;
-        const double half_turn = 0.5*dt*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
-        const double sin_half_turn = step_sin(half_turn);
-        const double ratio = half_turn > 0.0 ? sin_half_turn/half_turn : 1.0;
-        const double cos_half_turn = step_cos(half_turn);
-        const double turn_a = cos_half_turn;
-        const double common_7 = 0.5*dt*ratio;
-        const double turn_b = common_7*rate_x;
-        const double turn_c = common_7*rate_y;
-        const double turn_d = common_7*rate_z;
-        const double predicted_a = a*turn_a - b*turn_b - c*turn_c - d*turn_d;
-        const double predicted_b = a*turn_b + b*turn_a + c*turn_d - d*turn_c;
-        const double predicted_c = a*turn_c - b*turn_d + c*turn_a + d*turn_b;
-        const double predicted_d = a*turn_d + b*turn_c - c*turn_b + d*turn_a;
+        const double common_3 = rate_x*rate_x + rate_y*rate_y + rate_z*rate_z;
+        const double ratio = step_sinc_of_root(0.5*dt, common_3);
+        const double turn_a = step_cos_of_root(0.5*dt, common_3);
+        const double common_4 = 0.5*dt*ratio;
+        const double turn_b = common_4*rate_x;
+        const double turn_c = common_4*rate_y;
+        const double turn_d = common_4*rate_z;
+        const double predicted_a = (a*turn_a - b*turn_b) + (-c*turn_c - d*turn_d);
+        const double predicted_b = (a*turn_b + b*turn_a) + (c*turn_d - d*turn_c);
+        const double predicted_c = (a*turn_c - b*turn_d) + (c*turn_a + d*turn_b);
+        const double predicted_d = (a*turn_d + b*turn_c) + (-c*turn_b + d*turn_a);
         const double e_x = 2.0*predicted_a*predicted_c - 2.0*predicted_b*predicted_d;
         const double e_y = -2.0*predicted_a*predicted_b - 2.0*predicted_c*predicted_d;
-        const double e_z = -(predicted_a*predicted_a) + predicted_b*predicted_b +
-            predicted_c*predicted_c - (predicted_d*predicted_d);
+        const double e_z = (-(predicted_a*predicted_a) + predicted_b*predicted_b) +
+            (predicted_c*predicted_c - (predicted_d*predicted_d));
         const double size = fabs(accel_x) + fabs(accel_y) + fabs(accel_z);
         const int has_direction = (size <= 1.7976931348623157e+308) & (size > 0.0);
         const double reading_x = has_direction ? accel_x/size : 0.0;
@@ -2217,26 +2193,18 @@ static int64_t monitored_turn
         const double across_x = -e_y*reading_z + e_z*reading_y;
         const double across_y = e_x*reading_z - e_z*reading_x;
         const double across_z = -e_x*reading_y + e_y*reading_x;
-        const double sine_off = sqrt(across_x*across_x + across_y*across_y + across_z*across_z);
-        const double half_turn_back = 0.5*chosen_gain*step_atan2(sine_off, e_x*reading_x +
-            e_y*reading_y + e_z*reading_z);
-        const double cos_half_turn_back = step_cos(half_turn_back);
-        const double sin_half_turn_back = step_sin(half_turn_back);
-        const double turn_back_a = sine_off > 0.0 ? cos_half_turn_back : 1.0;
-        const double factor = sine_off > 0.0 ? sin_half_turn_back/sine_off : 0.0;
-        const double across_x_factor = across_x*factor;
-        const double factor_predicted_c = factor*predicted_c;
-        const double factor_predicted_d = factor*predicted_d;
-        const double after_a = -across_x_factor*predicted_b - across_y*factor_predicted_c -
-            across_z*factor_predicted_d + predicted_a*turn_back_a;
-        const double after_b = across_x_factor*predicted_a - across_y*factor_predicted_d +
-            across_z*factor_predicted_c + predicted_b*turn_back_a;
-        const double across_y_factor = across_y*factor;
-        const double across_z_factor = across_z*factor;
-        const double after_c = across_x_factor*predicted_d + across_y_factor*predicted_a -
-            across_z_factor*predicted_b + predicted_c*turn_back_a;
-        const double after_d = -across_x_factor*predicted_c + across_y_factor*predicted_b +
-            across_z_factor*predicted_a + predicted_d*turn_back_a;
+        const double moved_a = -across_x*predicted_b - across_y*predicted_c - across_z*predicted_d;
+        const double moved_b = across_x*predicted_a - across_y*predicted_d + across_z*predicted_c;
+        const double moved_c = across_x*predicted_d + across_y*predicted_a - across_z*predicted_b;
+        const double moved_d = -across_x*predicted_c + across_y*predicted_b + across_z*predicted_a;
+        const double common_5 = across_x*across_x + across_y*across_y + across_z*across_z;
+        const double common_6 = e_x*reading_x + e_y*reading_y + e_z*reading_z;
+        const double turn_back_a = step_cos_of_share(0.5*chosen_gain, common_5, common_6);
+        const double factor = step_sin_of_share(0.5*chosen_gain, common_5, common_6);
+        const double after_a = factor*moved_a + predicted_a*turn_back_a;
+        const double after_b = factor*moved_b + predicted_b*turn_back_a;
+        const double after_c = factor*moved_c + predicted_c*turn_back_a;
+        const double after_d = factor*moved_d + predicted_d*turn_back_a;
         const double field_size = fabs(mag_x) + fabs(mag_y) + fabs(mag_z);
         const int field_has_direction = (field_size <= 1.7976931348623157e+308) & (field_size >
             0.0);

@@ -1199,6 +1199,10 @@ export function observerTurn(a, b, c, d, p, q, r, accelX, accelY, accelZ, dt, ga
   const acrossX = -eY*readingZ + eZ*readingY;
   const acrossY = eX*readingZ - eZ*readingX;
   const acrossZ = -eX*readingY + eY*readingX;
+  const movedA = -acrossX*predictedB - acrossY*predictedC - acrossZ*predictedD;
+  const movedB = acrossX*predictedA - acrossY*predictedD + acrossZ*predictedC;
+  const movedC = acrossX*predictedD + acrossY*predictedA - acrossZ*predictedB;
+  const movedD = -acrossX*predictedC + acrossY*predictedB + acrossZ*predictedA;
   const sineOff = Math.sqrt(acrossX*acrossX + acrossY*acrossY + acrossZ*acrossZ);
   const halfTurnBack = 0.5*gain*Math.atan2(sineOff, eX*readingX + eY*readingY + eZ*readingZ);
   const cosHalfTurnBack = Math.cos(halfTurnBack);
@@ -1211,20 +1215,11 @@ export function observerTurn(a, b, c, d, p, q, r, accelX, accelY, accelZ, dt, ga
     turnBackA = 1;
     factor = 0;
   }
-  const acrossXFactor = acrossX*factor;
-  const factorPredictedC = factor*predictedC;
-  const factorPredictedD = factor*predictedD;
-  const acrossYFactor = acrossY*factor;
-  const acrossZFactor = acrossZ*factor;
   return [
-    -acrossXFactor*predictedB - acrossY*factorPredictedC - acrossZ*factorPredictedD +
-        predictedA*turnBackA,
-    acrossXFactor*predictedA - acrossY*factorPredictedD + acrossZ*factorPredictedC +
-        predictedB*turnBackA,
-    acrossXFactor*predictedD + acrossYFactor*predictedA - acrossZFactor*predictedB +
-        predictedC*turnBackA,
-    -acrossXFactor*predictedC + acrossYFactor*predictedB + acrossZFactor*predictedA +
-        predictedD*turnBackA,
+    factor*movedA + predictedA*turnBackA,
+    factor*movedB + predictedB*turnBackA,
+    factor*movedC + predictedC*turnBackA,
+    factor*movedD + predictedD*turnBackA,
   ];
 }
 
@@ -1319,6 +1314,10 @@ export function observerStep(roll, pitch, yaw, p, q, r, accelX, accelY, accelZ, 
   const acrossX = -eY*readingZ + eZ*readingY;
   const acrossY = eX*readingZ - eZ*readingX;
   const acrossZ = -eX*readingY + eY*readingX;
+  const movedA = -acrossX*predictedB - acrossY*predictedC - acrossZ*predictedD;
+  const movedB = acrossX*predictedA - acrossY*predictedD + acrossZ*predictedC;
+  const movedC = acrossX*predictedD + acrossY*predictedA - acrossZ*predictedB;
+  const movedD = -acrossX*predictedC + acrossY*predictedB + acrossZ*predictedA;
   const sineOff = Math.sqrt(acrossX*acrossX + acrossY*acrossY + acrossZ*acrossZ);
   const halfTurnBack = 0.5*gain*Math.atan2(sineOff, eX*readingX + eY*readingY + eZ*readingZ);
   const cosHalfTurnBack = Math.cos(halfTurnBack);
@@ -1331,19 +1330,10 @@ export function observerStep(roll, pitch, yaw, p, q, r, accelX, accelY, accelZ, 
     turnBackA = 1;
     factor = 0;
   }
-  const acrossXFactor = acrossX*factor;
-  const factorPredictedC = factor*predictedC;
-  const factorPredictedD = factor*predictedD;
-  const endA = -acrossXFactor*predictedB - acrossY*factorPredictedC - acrossZ*factorPredictedD +
-      predictedA*turnBackA;
-  const endB = acrossXFactor*predictedA - acrossY*factorPredictedD + acrossZ*factorPredictedC +
-      predictedB*turnBackA;
-  const acrossYFactor = acrossY*factor;
-  const acrossZFactor = acrossZ*factor;
-  const endC = acrossXFactor*predictedD + acrossYFactor*predictedA - acrossZFactor*predictedB +
-      predictedC*turnBackA;
-  const endD = -acrossXFactor*predictedC + acrossYFactor*predictedB + acrossZFactor*predictedA +
-      predictedD*turnBackA;
+  const endA = factor*movedA + predictedA*turnBackA;
+  const endB = factor*movedB + predictedB*turnBackA;
+  const endC = factor*movedC + predictedC*turnBackA;
+  const endD = factor*movedD + predictedD*turnBackA;
   const endAMinusC = endA - endC;
   const endBPlusD = endB + endD;
   const endAPlusC = endA + endC;
@@ -1671,6 +1661,10 @@ export function monitoredTurn(
   const acrossX = -eY*readingZ + eZ*readingY;
   const acrossY = eX*readingZ - eZ*readingX;
   const acrossZ = -eX*readingY + eY*readingX;
+  const movedA = -acrossX*predictedB - acrossY*predictedC - acrossZ*predictedD;
+  const movedB = acrossX*predictedA - acrossY*predictedD + acrossZ*predictedC;
+  const movedC = acrossX*predictedD + acrossY*predictedA - acrossZ*predictedB;
+  const movedD = -acrossX*predictedC + acrossY*predictedB + acrossZ*predictedA;
   const sineOff = Math.sqrt(acrossX*acrossX + acrossY*acrossY + acrossZ*acrossZ);
   const halfTurnBack = 0.5*chosenGain*Math.atan2(sineOff, eX*readingX + eY*readingY + eZ*readingZ);
   const cosHalfTurnBack = Math.cos(halfTurnBack);
@@ -1683,19 +1677,10 @@ export function monitoredTurn(
     turnBackA = 1;
     factor = 0;
   }
-  const acrossXFactor = acrossX*factor;
-  const factorPredictedC = factor*predictedC;
-  const factorPredictedD = factor*predictedD;
-  const afterA = -acrossXFactor*predictedB - acrossY*factorPredictedC - acrossZ*factorPredictedD +
-      predictedA*turnBackA;
-  const afterB = acrossXFactor*predictedA - acrossY*factorPredictedD + acrossZ*factorPredictedC +
-      predictedB*turnBackA;
-  const acrossYFactor = acrossY*factor;
-  const acrossZFactor = acrossZ*factor;
-  const afterC = acrossXFactor*predictedD + acrossYFactor*predictedA - acrossZFactor*predictedB +
-      predictedC*turnBackA;
-  const afterD = -acrossXFactor*predictedC + acrossYFactor*predictedB + acrossZFactor*predictedA +
-      predictedD*turnBackA;
+  const afterA = factor*movedA + predictedA*turnBackA;
+  const afterB = factor*movedB + predictedB*turnBackA;
+  const afterC = factor*movedC + predictedC*turnBackA;
+  const afterD = factor*movedD + predictedD*turnBackA;
   const fieldSize = Math.abs(magX) + Math.abs(magY) + Math.abs(magZ);
   const fieldHasDirection = fieldSize <= 1.7976931348623157e+308 && fieldSize > 0;
   let fieldReadingX, fieldReadingY, fieldReadingZ;

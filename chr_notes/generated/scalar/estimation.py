@@ -207,6 +207,10 @@ def observer_turn(
     across_x = -e_y*reading_z + e_z*reading_y
     across_y = e_x*reading_z - e_z*reading_x
     across_z = -e_x*reading_y + e_y*reading_x
+    moved_a = -across_x*predicted_b - across_y*predicted_c - across_z*predicted_d
+    moved_b = across_x*predicted_a - across_y*predicted_d + across_z*predicted_c
+    moved_c = across_x*predicted_d + across_y*predicted_a - across_z*predicted_b
+    moved_d = -across_x*predicted_c + across_y*predicted_b + across_z*predicted_a
     sine_off = sqrt(across_x*across_x + across_y*across_y + across_z*across_z)
     half_turn_back = 0.5*gain*atan2(sine_off, e_x*reading_x + e_y*reading_y + e_z*reading_z)
     cos_half_turn_back = cos(half_turn_back)
@@ -217,20 +221,11 @@ def observer_turn(
     else:
         turn_back_a = 1.0
         factor = 0.0
-    across_x_factor = across_x*factor
-    factor_predicted_c = factor*predicted_c
-    factor_predicted_d = factor*predicted_d
-    across_y_factor = across_y*factor
-    across_z_factor = across_z*factor
     return (
-        -across_x_factor*predicted_b - across_y*factor_predicted_c - across_z*factor_predicted_d +
-            predicted_a*turn_back_a,
-        across_x_factor*predicted_a - across_y*factor_predicted_d + across_z*factor_predicted_c +
-            predicted_b*turn_back_a,
-        across_x_factor*predicted_d + across_y_factor*predicted_a - across_z_factor*predicted_b +
-            predicted_c*turn_back_a,
-        -across_x_factor*predicted_c + across_y_factor*predicted_b + across_z_factor*predicted_a +
-            predicted_d*turn_back_a,
+        factor*moved_a + predicted_a*turn_back_a,
+        factor*moved_b + predicted_b*turn_back_a,
+        factor*moved_c + predicted_c*turn_back_a,
+        factor*moved_d + predicted_d*turn_back_a,
     )
 
 
@@ -343,6 +338,10 @@ def observer_step(
     across_x = -e_y*reading_z + e_z*reading_y
     across_y = e_x*reading_z - e_z*reading_x
     across_z = -e_x*reading_y + e_y*reading_x
+    moved_a = -across_x*predicted_b - across_y*predicted_c - across_z*predicted_d
+    moved_b = across_x*predicted_a - across_y*predicted_d + across_z*predicted_c
+    moved_c = across_x*predicted_d + across_y*predicted_a - across_z*predicted_b
+    moved_d = -across_x*predicted_c + across_y*predicted_b + across_z*predicted_a
     sine_off = sqrt(across_x*across_x + across_y*across_y + across_z*across_z)
     half_turn_back = 0.5*gain*atan2(sine_off, e_x*reading_x + e_y*reading_y + e_z*reading_z)
     cos_half_turn_back = cos(half_turn_back)
@@ -353,27 +352,10 @@ def observer_step(
     else:
         turn_back_a = 1.0
         factor = 0.0
-    across_x_factor = across_x*factor
-    factor_predicted_c = factor*predicted_c
-    factor_predicted_d = factor*predicted_d
-    end_a = (
-        -across_x_factor*predicted_b - across_y*factor_predicted_c - across_z*factor_predicted_d +
-            predicted_a*turn_back_a
-    )
-    end_b = (
-        across_x_factor*predicted_a - across_y*factor_predicted_d + across_z*factor_predicted_c +
-            predicted_b*turn_back_a
-    )
-    across_y_factor = across_y*factor
-    across_z_factor = across_z*factor
-    end_c = (
-        across_x_factor*predicted_d + across_y_factor*predicted_a - across_z_factor*predicted_b +
-            predicted_c*turn_back_a
-    )
-    end_d = (
-        -across_x_factor*predicted_c + across_y_factor*predicted_b + across_z_factor*predicted_a +
-            predicted_d*turn_back_a
-    )
+    end_a = factor*moved_a + predicted_a*turn_back_a
+    end_b = factor*moved_b + predicted_b*turn_back_a
+    end_c = factor*moved_c + predicted_c*turn_back_a
+    end_d = factor*moved_d + predicted_d*turn_back_a
     end_a_minus_c = end_a - end_c
     end_b_plus_d = end_b + end_d
     end_a_plus_c = end_a + end_c

@@ -213,6 +213,10 @@ def monitored_turn(
     across_x = -e_y*reading_z + e_z*reading_y
     across_y = e_x*reading_z - e_z*reading_x
     across_z = -e_x*reading_y + e_y*reading_x
+    moved_a = -across_x*predicted_b - across_y*predicted_c - across_z*predicted_d
+    moved_b = across_x*predicted_a - across_y*predicted_d + across_z*predicted_c
+    moved_c = across_x*predicted_d + across_y*predicted_a - across_z*predicted_b
+    moved_d = -across_x*predicted_c + across_y*predicted_b + across_z*predicted_a
     sine_off = sqrt(across_x*across_x + across_y*across_y + across_z*across_z)
     half_turn_back = 0.5*chosen_gain*atan2(sine_off, e_x*reading_x + e_y*reading_y + e_z*reading_z)
     cos_half_turn_back = cos(half_turn_back)
@@ -223,27 +227,10 @@ def monitored_turn(
     else:
         turn_back_a = 1.0
         factor = 0.0
-    across_x_factor = across_x*factor
-    factor_predicted_c = factor*predicted_c
-    factor_predicted_d = factor*predicted_d
-    after_a = (
-        -across_x_factor*predicted_b - across_y*factor_predicted_c - across_z*factor_predicted_d +
-            predicted_a*turn_back_a
-    )
-    after_b = (
-        across_x_factor*predicted_a - across_y*factor_predicted_d + across_z*factor_predicted_c +
-            predicted_b*turn_back_a
-    )
-    across_y_factor = across_y*factor
-    across_z_factor = across_z*factor
-    after_c = (
-        across_x_factor*predicted_d + across_y_factor*predicted_a - across_z_factor*predicted_b +
-            predicted_c*turn_back_a
-    )
-    after_d = (
-        -across_x_factor*predicted_c + across_y_factor*predicted_b + across_z_factor*predicted_a +
-            predicted_d*turn_back_a
-    )
+    after_a = factor*moved_a + predicted_a*turn_back_a
+    after_b = factor*moved_b + predicted_b*turn_back_a
+    after_c = factor*moved_c + predicted_c*turn_back_a
+    after_d = factor*moved_d + predicted_d*turn_back_a
     field_size = abs(mag_x) + abs(mag_y) + abs(mag_z)
     field_has_direction = field_size <= 1.7976931348623157e+308 and field_size > 0.0
     if field_has_direction:
