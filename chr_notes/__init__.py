@@ -25,7 +25,15 @@ from chr_notes.errors import (
     GimbalLockWarning,
     UnitWarning,
 )
+from chr_notes.estimation.averaging import (
+    Averaged,
+    averaged_attitude,
+    averaging_bound,
+    averaging_observer,
+)
+from chr_notes.estimation.averaging_stream import observe_averaging
 from chr_notes.estimation.doubt import Doubts, accelerated, doubtful_sensors
+from chr_notes.estimation.earth_field import EarthField
 from chr_notes.estimation.fixed_gain import fixed_gain_observer, rejected_samples
 from chr_notes.estimation.gains import gain_from_time_constant, time_constant_from_gain
 from chr_notes.estimation.gyro import integrate_gyro
@@ -78,10 +86,12 @@ __version__ = "0.1.0"
 
 __all__ = [
     "STANDARD_GRAVITY",
+    "Averaged",
     "AxesRelation",
     "CalibrationWarning",
     "Doubts",
     "DriftBudget",
+    "EarthField",
     "Ellipsoid",
     "Estimate",
     "GimbalLockError",
@@ -100,6 +110,9 @@ __all__ = [
     "accelerometer_from_acceleration",
     "angle_between_attitudes",
     "angle_between_verticals",
+    "averaged_attitude",
+    "averaging_bound",
+    "averaging_observer",
     "axis_angle_from_quaternion",
     "body_rates_from_euler_rates",
     "change_angles",
@@ -134,6 +147,7 @@ __all__ = [
     "matrix_from_quaternion",
     "monitored_observer",
     "observe",
+    "observe_averaging",
     "observe_sample",
     "quaternion_conjugate",
     "quaternion_from_axis_angle",

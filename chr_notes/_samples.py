@@ -124,6 +124,28 @@ def number(name: str, value: ArrayLike | float) -> float:
     return float(array)
 
 
+def positive(name: str, value: float) -> None:
+    """Refuse what is not a positive number."""
+    if not 0 < number(name, value) < np.inf:
+        msg = f"{name}: expected a positive number, got {value}"
+        raise ValueError(msg)
+
+
+def horizontal(name: str, value: ArrayLike) -> tuple[float, float]:
+    """Take a horizontal field, north and east, as two of Python's numbers.
+
+    Raises
+    ------
+    ValueError
+        If the shape is not (2,), or the field is zero or not finite.
+    """
+    north, east = floats(name, value, 2).T.tolist() if np.ndim(value) == 1 else (np.nan, np.nan)
+    if not (isfinite(north) and isfinite(east) and (north or east)):
+        msg = f"{name}: expected a horizontal field, north and east, got {value!r}"
+        raise ValueError(msg)
+    return north, east
+
+
 def same_length(*recordings: tuple[str, Floats]) -> int:
     """Count the samples of recordings that belong together.
 

@@ -4,8 +4,9 @@ No formula stands here: each target names the derivation that it comes from.
 """
 
 from chr_notes.codegen import arguments as given
+from chr_notes.codegen import averaging_arguments as own
 from chr_notes.codegen.target import Target
-from chr_notes.derivations.forms import gains
+from chr_notes.derivations.forms import averaging, gains, heading, rest
 
 TARGETS = (
     Target(
@@ -23,5 +24,122 @@ TARGETS = (
         (given.GAIN, given.PERIOD),
         gains.time_constant_from_gain,
         arrays=(("gain", (given.GAIN,)), ("dt", (given.PERIOD,))),
+    ),
+    Target(
+        "averaging_turn",
+        "estimation",
+        "Attitude quaternion and state of the averaging filter after one more sample",
+        (
+            *own.AVERAGING,
+            *given.RATES,
+            *given.ACCEL,
+            given.PERIOD,
+            given.TIME_CONSTANT,
+            own.LONGEST_STEP,
+        ),
+        averaging.turn,
+        arrays=(
+            ("state", own.AVERAGING),
+            ("body_rates", given.RATES),
+            ("accel", given.ACCEL),
+            ("dt", (given.PERIOD,)),
+            ("time_constant", (given.TIME_CONSTANT,)),
+            ("longest_step", (own.LONGEST_STEP,)),
+        ),
+        over_samples=True,
+    ),
+    Target(
+        "averaging_heading_turn",
+        "estimation",
+        "The same with a heading, and what is known of the magnetic field",
+        (
+            *own.AVERAGING,
+            *own.HEADING,
+            *given.RATES,
+            *given.ACCEL,
+            *given.MAG,
+            given.PERIOD,
+            given.TIME_CONSTANT,
+            own.LONGEST_STEP,
+            own.HEADING_TIME_CONSTANT,
+            given.NORTH,
+            given.EAST,
+            own.FIELD_TOLERANCE,
+            own.FIELD_PATIENCE,
+        ),
+        heading.turn,
+        arrays=(
+            ("state", (*own.AVERAGING, *own.HEADING)),
+            ("body_rates", given.RATES),
+            ("accel", given.ACCEL),
+            ("mag", given.MAG),
+            ("dt", (given.PERIOD,)),
+            ("time_constant", (given.TIME_CONSTANT,)),
+            ("longest_step", (own.LONGEST_STEP,)),
+            ("heading_time_constant", (own.HEADING_TIME_CONSTANT,)),
+            ("north", (given.NORTH,)),
+            ("east", (given.EAST,)),
+            ("field_tolerance", (own.FIELD_TOLERANCE,)),
+            ("field_patience", (own.FIELD_PATIENCE,)),
+        ),
+        over_samples=True,
+    ),
+    Target(
+        "observer_heading_turn",
+        "estimation",
+        "Attitude quaternion one period later, two sensors heard with fixed gains",
+        (
+            *given.QUATERNION_ARGUMENTS,
+            *given.RATES,
+            *given.ACCEL,
+            *given.MAG,
+            given.PERIOD,
+            given.GAIN,
+            own.HEADING_GAIN,
+            given.NORTH,
+            given.EAST,
+        ),
+        heading.observer_turn,
+        arrays=(
+            ("q", given.QUATERNION_ARGUMENTS),
+            ("body_rates", given.RATES),
+            ("accel", given.ACCEL),
+            ("mag", given.MAG),
+            ("dt", (given.PERIOD,)),
+            ("gain", (given.GAIN,)),
+            ("heading_gain", (own.HEADING_GAIN,)),
+            ("north", (given.NORTH,)),
+            ("east", (given.EAST,)),
+        ),
+        over_samples=True,
+    ),
+    Target(
+        "bias_at_rest",
+        "estimation",
+        "Means over a rest so far, for how long it has been one, and the gyro bias learnt last",
+        (*own.RESTS, *given.RATES, *given.ACCEL, given.PERIOD, own.REST, own.LONGEST_STEP),
+        rest.bias,
+        arrays=(
+            ("state", own.RESTS),
+            ("body_rates", given.RATES),
+            ("accel", given.ACCEL),
+            ("dt", (given.PERIOD,)),
+            ("rest", (own.REST,)),
+            ("longest_step", (own.LONGEST_STEP,)),
+        ),
+        over_samples=True,
+    ),
+    Target(
+        "averaging_bound",
+        "estimation",
+        "Bound of the angle between true and estimated vertical, radians",
+        (*own.AVERAGING[8:9], given.TIME_CONSTANT, own.SPEED, own.BIAS_BOUND),
+        averaging.bound,
+        arrays=(
+            ("averaged", own.AVERAGING[8:9]),
+            ("time_constant", (given.TIME_CONSTANT,)),
+            ("speed", (own.SPEED,)),
+            ("bias_bound", (own.BIAS_BOUND,)),
+        ),
     ),
 )

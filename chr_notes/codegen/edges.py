@@ -62,6 +62,7 @@ NOT_HEARD = "A reading that is zero, or has NaN or infinity, gives NaN."
 HELD_OUT = (
     "Rates with NaN or infinity, or of 1e12 rad/s and more, are held out: the body stands still."
 )
+GAP = "Through a step longer than the longest the body stands still too."
 ALONE = "Readings that are zero, or have NaN or infinity, are not heard: the gyros go on alone."
 
 OF_NAN = {
@@ -73,6 +74,11 @@ OF_NAN = {
     "observer_turn": (HELD_OUT, ALONE),
     "observer_step": (HELD_OUT, ALONE, "At gimbal lock roll is set to 0 and yaw has the rest."),
     "euler_observer_step": (HELD_OUT, ALONE, "Angles grow past half a turn."),
+    "averaging_turn": (HELD_OUT, GAP, ALONE),
+    "averaging_heading_turn": (HELD_OUT, GAP, ALONE),
+    "observer_heading_turn": (HELD_OUT, ALONE),
+    "bias_at_rest": ("A sample with a reading that is none changes nothing.",),
+    "averaging_bound": ("Nothing averaged, or more than pi, gives pi.",),
     "monitor_gain": ("NaN for the count gives the gain otherwise.",),
     "monitor_count": ("A factor of NaN leaves the count as it was.",),
     "monitored_turn": (HELD_OUT, ALONE, "A field that is zero or has NaN leaves the count."),

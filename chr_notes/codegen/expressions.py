@@ -77,6 +77,11 @@ class Spelling(CodePrinter):
         return str(super()._print_Pow(value))
 
 
+def _or_in_c(printer: Spelling, value: Or) -> str:
+    """Write `or` with brackets about each `and` in it, without which compilers warn."""
+    return " || ".join(printer.parenthesize(part, PRECEDENCE["Atom"]) for part in value.args)
+
+
 def _prepared(value: Basic) -> Basic:
     """Work out every part that is a number but not whole, and write powers as products."""
     if value.is_number and not value.is_Integer:
@@ -102,6 +107,8 @@ class C(Spelling, C99CodePrinter):
     def __init__(self) -> None:
         super().__init__()
 
+    _print_Or = _or_in_c
+
 
 class SingleC(Spelling, C99CodePrinter):
     """C in single precision."""
@@ -111,6 +118,8 @@ class SingleC(Spelling, C99CodePrinter):
 
     def __init__(self) -> None:
         super().__init__({"type_aliases": {real: float32}})
+
+    _print_Or = _or_in_c
 
     def _print_Float(self, value: Float) -> str:
         return f"{number(value)}f"

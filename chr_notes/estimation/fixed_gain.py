@@ -18,13 +18,13 @@ from chr_notes._recordings import run
 from chr_notes._samples import (
     WILD_RATE,
     complete,
-    number,
+    horizontal,
     periods,
     same_length,
     samples,
-    start,
 )
 from chr_notes.estimation.gyro import attitudes_in_range, in_range
+from chr_notes.estimation.starts import canonical, check_gain, first_tilt, with_heading
 from chr_notes.generated.scalar import estimation as steps
 from chr_notes.generated.scalar.quaternions import euler_from_quaternion, quaternion_from_euler
 
@@ -124,13 +124,17 @@ def fixed_gain_observer(  # noqa: PLR0913 (a recording, and how to run through i
     initial: ArrayLike | None = None,
     *,
     method: Method = "quaternion",
+    mag: ArrayLike | None = None,
+    heading_gain: float = 1.0,
+    reference: ArrayLike = (1.0, 0.0),
 ) -> Floats:
     """Run a complementary filter: predict by gyros, correct roll and pitch by the accelerometer.
 
     Each sample turns the attitude by the gyros. If the accelerometer then reads gravity from
     elsewhere than the attitude says, the attitude is turned towards it, about a level axis, by
-    the gain times the angle between the two. Nothing corrects the turn about the vertical: yaw
-    comes from the gyros.
+    the gain times the angle between the two. The turn about the vertical is corrected by a
+    magnetometer, if there is one: yaw is turned towards the heading that it shows, by its own gain
+    times the angle between the two. Without one yaw comes from the gyros.
 
     Parameters
     ----------
@@ -149,7 +153,14 @@ def fixed_gain_observer(  # noqa: PLR0913 (a recording, and how to run through i
         "quaternion" does as said, exactly, in every attitude. "euler" is the note's own step:
         the angles go on by their rates, and roll and pitch are moved towards those that the
         accelerometer shows, each by the gain times its difference, the shorter way round. It is
-        off by the square of the step, and fails near a pitch of ±90°.
+        off by the square of the step, fails near a pitch of ±90°, and takes no magnetometer.
+    mag
+        Magnetic field in any unit, shape (N, 3). Without an initial attitude the first tilt comes
+        with the heading that it shows.
+    heading_gain
+        From 0, yaw by the gyros alone, to 1, by the magnetometer alone, as the paper has it.
+    reference
+        As for `heading_from_magnetometer`, shape (2,).
 
     Returns
     -------
@@ -162,32 +173,61 @@ def fixed_gain_observer(  # noqa: PLR0913 (a recording, and how to run through i
     ------
     ValueError
         If a shape is wrong, a time step is negative or no number, the gain is not from 0 to 1,
-        the initial attitude is not finite, or no accelerometer sample can stand in for it.
+        the initial attitude is not finite, or no accelerometer sample can stand in for it; if the
+        reference is zero, or there is a magnetometer for the method "euler".
 
     See Also
     --------
     rejected_samples : The rows of which something was left out.
     observe : The same on a stream.
+    gain_from_time_constant : A gain that has the same effect at every rate.
+    averaging_observer : What true acceleration does not lead astray.
 
     Notes
     -----
     Ledger: estimation.4.1, estimation.4.2, estimation.4.3, estimation.4.4, validation.10,
-    validation.11.
+    validation.11, validation.16.
+
+    Examples
+    --------
+    A body lies at a roll of 0.1 rad and a yaw of 0.5; its gyros have a bias, and its magnetometer
+    reads a field that points north and down.
+
+    >>> import numpy as np
+    >>> from chr_notes import accelerometer_at_rest, matrix_from_euler
+    >>> rates = np.full((2000, 3), 0.01)
+    >>> accel = np.tile(accelerometer_at_rest([0.1, 0.0, 0.5]), (2000, 1))
+    >>> mag = np.tile(matrix_from_euler([0.1, 0.0, 0.5]) @ [0.4, 0.0, 0.9], (2000, 1))
+    >>> fixed_gain_observer(rates, accel, 0.01, 0.02)[-1].round(3)
+    array([0.105, 0.004, 0.219])
+    >>> fixed_gain_observer(rates, accel, 0.01, 0.02, mag=mag, heading_gain=0.02)[-1].round(3)
+    array([0.105, 0.004, 0.51 ])
     """
     way, share = way_of(method), np.array(check_gain("gain", gain))
     rates, forces = samples("body_rates", body_rates), samples("accel", accel)
-    count = same_length(("body_rates", rates), ("accel", forces))
+    field = [] if mag is None else [samples("mag", mag)]
+    count = same_length(("body_rates", rates), ("accel", forces), *(("mag", f) for f in field))
     dt = periods(dt, count)
+    step, constants, level = way.step, [share], (1.0, 0.0)
+    if field:
+        if method == "euler":
+            msg = 'mag: expected none for the method "euler", which has no step for it'
+            raise ValueError(msg)
+        level = horizontal("reference", reference)
+        step = steps.observer_heading_turn
+        constants += map(np.array, (check_gain("heading_gain", heading_gain), *level))
     if initial is None:
         begin, first = first_tilt(forces)
+        if field and count:
+            first = with_heading(first, field[0][begin].tolist(), level)
         before = np.full((min(begin + 1, count), 3), np.nan)
         before[begin:] = first
     else:
         before, first = np.empty((0, 3)), canonical("initial", initial)
     rest = slice(len(before), None)
     each = dt[rest] if dt.ndim else dt
-    given = (rates[rest], forces[rest], each, share)
-    out = run(way.step, way.begin(*first), *given, finish=way.end)
+    given = (rates[rest], forces[rest], *(array[rest] for array in field), each)
+    out = run(step, way.begin(*first), *given, *constants, finish=way.end)
     if len(before):
         out = np.concatenate([before, out])
     out[~complete(rates, WILD_RATE)] = np.nan
@@ -218,50 +258,3 @@ def rejected_samples(body_rates: ArrayLike, accel: ArrayLike) -> NDArray[np.bool
     rates, forces = samples("body_rates", body_rates), samples("accel", accel)
     same_length(("body_rates", rates), ("accel", forces))
     return ~(complete(rates, WILD_RATE) & complete(forces) & forces.any(axis=1))
-
-
-def first_tilt(forces: Floats) -> tuple[int, Sequence[float]]:
-    """Find the first tilt that is known.
-
-    Parameters
-    ----------
-    forces
-        Specific force, shape (N, 3).
-
-    Returns
-    -------
-    sample
-        Where it is.
-    euler
-        It, with a yaw of 0.
-
-    Raises
-    ------
-    ValueError
-        If there are samples and none shows a tilt.
-    """
-    for sample, force in enumerate(forces):
-        roll, pitch = steps.tilt_from_accelerometer(*force.tolist())
-        if roll == roll:  # noqa: PLR0124 (NaN is not itself)
-            return sample, (roll, pitch, 0.0)
-    if len(forces):
-        msg = "accel: expected a sample that shows a tilt to start from, got none; pass initial"
-        raise ValueError(msg)
-    return 0, (0.0, 0.0, 0.0)
-
-
-def canonical(name: str, euler: ArrayLike) -> list[float]:
-    """Take an attitude to start from, with pitch in [-pi/2, pi/2] and roll and yaw in [-pi, pi).
-
-    Corrections go towards a tilt that is in these ranges, so the start has to be too.
-    """
-    return list(in_range(np.array([start(name, euler)]))[0].tolist())
-
-
-def check_gain(name: str, gain: float) -> float:
-    """Take a gain; refuse one that is not from 0 to 1."""
-    checked = gain if isinstance(gain, float) else number(name, gain)
-    if not 0 <= checked <= 1:
-        msg = f"{name}: expected a number from 0 to 1, got {checked}"
-        raise ValueError(msg)
-    return checked

@@ -10,8 +10,9 @@ from chr_notes._arrays import Floats
 from chr_notes._recordings import run
 from chr_notes._rows import Rows
 from chr_notes._samples import WILD_RATE, complete, number, periods, same_length, samples
-from chr_notes.estimation.fixed_gain import check_gain, first_tilt, way_of
+from chr_notes.estimation.fixed_gain import way_of
 from chr_notes.estimation.gyro import attitudes_in_range
+from chr_notes.estimation.starts import check_gain, first_tilt
 from chr_notes.generated.arrays import validation as generated
 from chr_notes.generated.scalar.validation import monitor_count, monitor_gain, monitored_turn
 from chr_notes.validation import part_down, validation_factor

@@ -12,14 +12,8 @@ from numpy.typing import ArrayLike
 
 from chr_notes._arrays import Floats
 from chr_notes._samples import WILD_RATE, one_sample, period, start
-from chr_notes.estimation.fixed_gain import (
-    Method,
-    angles_in_range,
-    canonical,
-    check_gain,
-    is_in_range,
-    way_of,
-)
+from chr_notes.estimation.fixed_gain import Method, angles_in_range, is_in_range, way_of
+from chr_notes.estimation.starts import canonical, check_gain
 from chr_notes.generated.scalar import estimation as steps
 
 

@@ -51,6 +51,9 @@ def scale(vector: Vector, epsilon: float) -> float:
     if target.name == "observer_step":
         # Roll and yaw are turned apart near the pole, by how near it is.
         largest /= max(abs(math.cos(vector.results[1])), epsilon)
+    if target.name in ("averaging_turn", "averaging_heading_turn", "observer_heading_turn"):
+        # They take the quaternion for a unit one, and turn by it what they add up.
+        largest *= max(1.0, sum(number**2 for number in vector.arguments[:4]))
     return largest
 
 

@@ -14,6 +14,22 @@ from chr_notes.codegen.targets import TARGETS
 from .reference import Reference
 
 RANDOM_VECTORS = 12
+POSITIVE = (
+    "dt",
+    "gravity",
+    "time",
+    "gain",
+    "time_constant",
+    "heading_time_constant",
+    "longest_step",
+    "averaged",
+    "heading_averaged",
+    "settled",
+    "mean_length",
+    "field_length",
+    "field_known",
+    "still",
+)
 ANGLE_NAMES = ("roll", "pitch", "yaw", "angle", "angle_error")
 
 
@@ -74,7 +90,7 @@ def arguments(
 def _draw(name: str, source: random.Random) -> float:
     if name in ANGLE_NAMES:
         return source.uniform(-3.0, 3.0)
-    if name in ("dt", "gravity", "time", "gain"):
+    if name in POSITIVE:
         return source.uniform(0.1, 1.0)
     # Off zero, so that a quotient is as exact as its parts.
     return source.choice((-1, 1)) * source.uniform(0.3, 1.2)

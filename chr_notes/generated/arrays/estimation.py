@@ -56,3 +56,23 @@ def time_constant_from_gain(gain: Floats, dt: Floats, out: Floats) -> None:
     logarithm_of_what_is_kept = where((gain > 0.0) & (gain < 1.0), log1p(-gain), nan)
     result = -dt/logarithm_of_what_is_kept
     out[...] = result
+
+
+def averaging_bound(
+    averaged: Floats, time_constant: Floats, speed: Floats, bias_bound: Floats, out: Floats
+) -> None:
+    """Bound of the angle between true and estimated vertical, radians.
+
+    averaged: time that the mean stands for, s, shape (...)
+    time_constant: mean age of what is averaged, s, shape (...)
+    speed: that the body stays below, m/s, shape (...)
+    bias_bound: that a gyro's bias stays below, rad/s, shape (...)
+    out: for the result, shape (...)
+    """
+    bound_told = (
+        where(averaged <= 0.0, 3.141592653589793, where(averaged < time_constant,
+            averaged*bias_bound + 0.20394324259558566*speed/averaged, where(time_constant > 0.0,
+            bias_bound*time_constant + 0.13744070696307817*speed/time_constant, nan)))
+    )
+    bound = where(bound_told > 3.141592653589793, 3.141592653589793, bound_told)
+    out[...] = bound

@@ -56,6 +56,7 @@ SHAPES: dict[str, tuple[dict[str, tuple[int, ...]], tuple[int, ...]]] = {
     ),
     "gain_from_time_constant": ({"time_constant": (), "dt": ()}, ()),
     "time_constant_from_gain": ({"gain": (), "dt": ()}, ()),
+    "averaging_bound": ({"averaged": (), "time_constant": (), "speed": (), "bias_bound": ()}, ()),
     "gyro_step": ({"euler": (3,), "body_rates": (3,), "dt": ()}, (3,)),
     "gyro_turn": ({"q": (4,), "body_rates": (3,), "dt": ()}, (4,)),
     "observer_turn": ({"q": (4,), "body_rates": (3,), "accel": (3,), "dt": (), "gain": ()}, (4,)),
@@ -71,4 +72,25 @@ SHAPES: dict[str, tuple[dict[str, tuple[int, ...]], tuple[int, ...]]] = {
         (5,),
     ),
     "dead_reckoning_held": ({"state": (6,), "acceleration": (3,), "dt": ()}, (6,)),
+    "averaging_turn": (
+        {"state": (10,), "body_rates": (3,), "accel": (3,), "dt": (), "time_constant": (),
+            "longest_step": ()},
+        (10,),
+    ),
+    "averaging_heading_turn": (
+        {"state": (14,), "body_rates": (3,), "accel": (3,), "mag": (3,), "dt": (), "time_constant":
+            (), "longest_step": (), "heading_time_constant": (), "north": (), "east": (),
+            "field_tolerance": (), "field_patience": ()},
+        (14,),
+    ),
+    "observer_heading_turn": (
+        {"q": (4,), "body_rates": (3,), "accel": (3,), "mag": (3,), "dt": (), "gain": (),
+            "heading_gain": (), "north": (), "east": ()},
+        (4,),
+    ),
+    "bias_at_rest": (
+        {"state": (10,), "body_rates": (3,), "accel": (3,), "dt": (), "rest": (), "longest_step":
+            ()},
+        (10,),
+    ),
 }

@@ -2414,3 +2414,1468 @@ float attitude_time_constant_from_gain_f(float gain, float dt)
     const float result = -dt/logarithm_of_what_is_kept;
     return result;
 }
+
+void attitude_averaging_turn(double a, double b, double c, double d, double mean_length,
+    double slope_n, double slope_e, double slope_d, double averaged, double settled, double p,
+    double q, double r, double accel_x, double accel_y, double accel_z, double dt,
+    double time_constant, double longest_step, double out[10])
+{
+    double step_seen, step_counted;
+    if (dt <= longest_step) {
+        step_seen = dt;
+        step_counted = dt;
+    } else {
+        step_seen = 0.0;
+        step_counted = longest_step;
+    }
+    const double abs_p = fabs(p);
+    const double abs_q = fabs(q);
+    const double abs_r = fabs(r);
+    const double whole_turn = step_seen*(abs_p + abs_q + abs_r);
+    const int moves = whole_turn <= 1.7976931348623157e+308 && abs_p < 1000000000000.0 && abs_q <
+        1000000000000.0 && abs_r < 1000000000000.0;
+    double rate_x, rate_y, rate_z;
+    if (moves) {
+        rate_x = p;
+        rate_y = q;
+        rate_z = r;
+    } else {
+        rate_x = 0.0;
+        rate_y = 0.0;
+        rate_z = 0.0;
+    }
+    const double half_turn = 0.5*step_seen*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
+    const double sin_half_turn = sin(half_turn);
+    const double ratio = half_turn > 0.0 ? sin_half_turn/half_turn : 1.0;
+    const double cos_half_turn = cos(half_turn);
+    const double turn_a = cos_half_turn;
+    const double common_7 = 0.5*ratio*step_seen;
+    const double turn_b = common_7*rate_x;
+    const double turn_c = common_7*rate_y;
+    const double turn_d = common_7*rate_z;
+    const int rates_known = moves && dt <= longest_step;
+    const double predicted_a = a*turn_a - b*turn_b - c*turn_c - d*turn_d;
+    const double predicted_b = a*turn_b + b*turn_a + c*turn_d - d*turn_c;
+    const double predicted_c = a*turn_c - b*turn_d + c*turn_a + d*turn_b;
+    const double predicted_d = a*turn_d + b*turn_c - c*turn_b + d*turn_a;
+    const double force_size = fabs(accel_x) + fabs(accel_y) + fabs(accel_z);
+    const int force_heard = force_size > 1e-12 && force_size < 1000000000000.0;
+    const double largest_size = 50.0*mean_length;
+    double force_scale;
+    if (force_size > largest_size && mean_length > 0.0) {
+        force_scale = largest_size/force_size;
+    } else {
+        force_scale = 1.0;
+    }
+    double reading_x, reading_y, reading_z;
+    if (force_heard) {
+        reading_x = accel_x*force_scale;
+        reading_y = accel_y*force_scale;
+        reading_z = accel_z*force_scale;
+    } else {
+        reading_x = 0.0;
+        reading_y = 0.0;
+        reading_z = 0.0;
+    }
+    const double predicted_a_squared = predicted_a*predicted_a;
+    const double predicted_b_squared = predicted_b*predicted_b;
+    const double twice_predicted_a_reading_z = 2.0*predicted_a*reading_z;
+    const double twice_predicted_a_predicted_d = 2.0*predicted_a*predicted_d;
+    const double twice_predicted_b_predicted_c = 2.0*predicted_b*predicted_c;
+    const double predicted_d_reading_z = predicted_d*reading_z;
+    const double predicted_c_squared = predicted_c*predicted_c;
+    const double predicted_d_squared = predicted_d*predicted_d;
+    const double force_n = predicted_a_squared*reading_x + 2.0*predicted_b*predicted_d_reading_z +
+        predicted_b_squared*reading_x + predicted_c*twice_predicted_a_reading_z -
+        predicted_c_squared*reading_x - predicted_d_squared*reading_x -
+        reading_y*twice_predicted_a_predicted_d + reading_y*twice_predicted_b_predicted_c;
+    const double force_e = predicted_a_squared*reading_y - predicted_b*twice_predicted_a_reading_z -
+        predicted_b_squared*reading_y + 2.0*predicted_c*predicted_d_reading_z +
+        predicted_c_squared*reading_y - predicted_d_squared*reading_y +
+        reading_x*twice_predicted_a_predicted_d + reading_x*twice_predicted_b_predicted_c;
+    const double force_d = 2.0*predicted_a*predicted_b*reading_y -
+        2.0*predicted_a*predicted_c*reading_x + predicted_a_squared*reading_z +
+        2.0*predicted_b*predicted_d*reading_x - predicted_b_squared*reading_z +
+        2.0*predicted_c*predicted_d*reading_y - predicted_c_squared*reading_z +
+        predicted_d_squared*reading_z;
+    double turn_unseen;
+    if (force_heard && rates_known) {
+        turn_unseen = 0.0;
+    } else if (rates_known) {
+        turn_unseen = 0.005*dt;
+    } else {
+        turn_unseen = dt;
+    }
+    const double averaged_left = 2.0*averaged/(9.80665*averaged*turn_unseen + 2.0);
+    const double length_of_mean = averaged_left + step_counted;
+    double low_pass;
+    if (2.0*averaged_left >= time_constant && settled > 0.0) {
+        low_pass = 1.0;
+    } else {
+        low_pass = 0.0;
+    }
+    double periods;
+    if (time_constant > 0.0) {
+        periods = step_counted/time_constant;
+    } else {
+        periods = (double)NAN;
+    }
+    const double decay = exp(-periods);
+    double share;
+    if (length_of_mean > 0.0) {
+        share = step_counted/length_of_mean;
+    } else {
+        share = 1.0;
+    }
+    const double sin_periods = sin(periods);
+    const double cos_periods = cos(periods);
+    double nearer, by_slope, bent, steeper;
+    if (force_heard && low_pass > 0.0) {
+        nearer = decay*(-cos_periods - sin_periods) + 1.0;
+        by_slope = decay*sin_periods;
+        bent = decay*(cos_periods - sin_periods);
+        steeper = 2.0*decay*sin_periods;
+    } else if (force_heard) {
+        nearer = share;
+        by_slope = 0.0;
+        bent = 0.0;
+        steeper = 0.0;
+    } else {
+        nearer = 0.0;
+        by_slope = 0.0;
+        bent = low_pass;
+        steeper = 0.0;
+    }
+    const double off_n = force_n;
+    const double off_e = force_e;
+    const double off_d = force_d + mean_length;
+    const double mean_n = by_slope*slope_n + nearer*off_n;
+    const double mean_e = by_slope*slope_e + nearer*off_e;
+    const double mean_d = by_slope*slope_d - mean_length + nearer*off_d;
+    const double slope_after_n = bent*slope_n + off_n*steeper;
+    const double slope_after_e = bent*slope_e + off_e*steeper;
+    const double slope_after_d = bent*slope_d + off_d*steeper;
+    const double mean_e_squared_plus_mean_n_squared = mean_e*mean_e + mean_n*mean_n;
+    const double mean_length_after = sqrt(mean_e_squared_plus_mean_n_squared + mean_d*mean_d);
+    const double upright = -mean_d + mean_length_after;
+    const double level_size = sqrt(mean_e_squared_plus_mean_n_squared + upright*upright);
+    double level_a, level_b, level_c;
+    if (level_size > 0.0) {
+        level_a = upright/level_size;
+        level_b = -mean_e/level_size;
+        level_c = mean_n/level_size;
+    } else if (mean_length_after > 0.0) {
+        level_a = 0.0;
+        level_b = 1.0;
+        level_c = 0.0;
+    } else {
+        level_a = 1.0;
+        level_b = 0.0;
+        level_c = 0.0;
+    }
+    double averaged_after, settled_after;
+    if (force_heard && length_of_mean >= time_constant) {
+        averaged_after = time_constant;
+        settled_after = 1.0;
+    } else if (force_heard) {
+        averaged_after = length_of_mean;
+        settled_after = low_pass;
+    } else {
+        averaged_after = averaged_left;
+        settled_after = low_pass;
+    }
+    const double level_a_squared = level_a*level_a;
+    const double level_b_squared = level_b*level_b;
+    const double level_a_slope_after_d = level_a*slope_after_d;
+    const double twice_level_b_level_c = 2.0*level_b*level_c;
+    const double level_c_squared = level_c*level_c;
+    out[0] = level_a*predicted_a - level_b*predicted_b - level_c*predicted_c;
+    out[1] = level_a*predicted_b + level_b*predicted_a + level_c*predicted_d;
+    out[2] = level_a*predicted_c - level_b*predicted_d + level_c*predicted_a;
+    out[3] = level_a*predicted_d + level_b*predicted_c - level_c*predicted_b;
+    out[4] = mean_length_after;
+    out[5] = 2.0*level_a_slope_after_d*level_c + level_a_squared*slope_after_n +
+        level_b_squared*slope_after_n - level_c_squared*slope_after_n +
+        slope_after_e*twice_level_b_level_c;
+    out[6] = -2.0*level_a_slope_after_d*level_b + level_a_squared*slope_after_e -
+        level_b_squared*slope_after_e + level_c_squared*slope_after_e +
+        slope_after_n*twice_level_b_level_c;
+    out[7] = 2.0*level_a*level_b*slope_after_e - 2.0*level_a*level_c*slope_after_n +
+        level_a_squared*slope_after_d - level_b_squared*slope_after_d -
+        level_c_squared*slope_after_d;
+    out[8] = averaged_after;
+    out[9] = settled_after;
+}
+
+void attitude_averaging_turn_f(float a, float b, float c, float d, float mean_length, float slope_n,
+    float slope_e, float slope_d, float averaged, float settled, float p, float q, float r,
+    float accel_x, float accel_y, float accel_z, float dt, float time_constant, float longest_step,
+    float out[10])
+{
+    float step_seen, step_counted;
+    if (dt <= longest_step) {
+        step_seen = dt;
+        step_counted = dt;
+    } else {
+        step_seen = 0.0f;
+        step_counted = longest_step;
+    }
+    const float abs_p = fabsf(p);
+    const float abs_q = fabsf(q);
+    const float abs_r = fabsf(r);
+    const float whole_turn = step_seen*(abs_p + abs_q + abs_r);
+    const int moves = whole_turn <= 3.4028234663852886e+38f && abs_p < 1000000000000.0f && abs_q <
+        1000000000000.0f && abs_r < 1000000000000.0f;
+    float rate_x, rate_y, rate_z;
+    if (moves) {
+        rate_x = p;
+        rate_y = q;
+        rate_z = r;
+    } else {
+        rate_x = 0.0f;
+        rate_y = 0.0f;
+        rate_z = 0.0f;
+    }
+    const float half_turn = 0.5f*step_seen*sqrtf(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
+    const float sin_half_turn = sinf(half_turn);
+    const float ratio = half_turn > 0.0f ? sin_half_turn/half_turn : 1.0f;
+    const float cos_half_turn = cosf(half_turn);
+    const float turn_a = cos_half_turn;
+    const float common_7 = 0.5f*ratio*step_seen;
+    const float turn_b = common_7*rate_x;
+    const float turn_c = common_7*rate_y;
+    const float turn_d = common_7*rate_z;
+    const int rates_known = moves && dt <= longest_step;
+    const float predicted_a = a*turn_a - b*turn_b - c*turn_c - d*turn_d;
+    const float predicted_b = a*turn_b + b*turn_a + c*turn_d - d*turn_c;
+    const float predicted_c = a*turn_c - b*turn_d + c*turn_a + d*turn_b;
+    const float predicted_d = a*turn_d + b*turn_c - c*turn_b + d*turn_a;
+    const float force_size = fabsf(accel_x) + fabsf(accel_y) + fabsf(accel_z);
+    const int force_heard = force_size > 1e-12f && force_size < 1000000000000.0f;
+    const float largest_size = 50.0f*mean_length;
+    float force_scale;
+    if (force_size > largest_size && mean_length > 0.0f) {
+        force_scale = largest_size/force_size;
+    } else {
+        force_scale = 1.0f;
+    }
+    float reading_x, reading_y, reading_z;
+    if (force_heard) {
+        reading_x = accel_x*force_scale;
+        reading_y = accel_y*force_scale;
+        reading_z = accel_z*force_scale;
+    } else {
+        reading_x = 0.0f;
+        reading_y = 0.0f;
+        reading_z = 0.0f;
+    }
+    const float predicted_a_squared = predicted_a*predicted_a;
+    const float predicted_b_squared = predicted_b*predicted_b;
+    const float twice_predicted_a_reading_z = 2.0f*predicted_a*reading_z;
+    const float twice_predicted_a_predicted_d = 2.0f*predicted_a*predicted_d;
+    const float twice_predicted_b_predicted_c = 2.0f*predicted_b*predicted_c;
+    const float predicted_d_reading_z = predicted_d*reading_z;
+    const float predicted_c_squared = predicted_c*predicted_c;
+    const float predicted_d_squared = predicted_d*predicted_d;
+    const float force_n = predicted_a_squared*reading_x + 2.0f*predicted_b*predicted_d_reading_z +
+        predicted_b_squared*reading_x + predicted_c*twice_predicted_a_reading_z -
+        predicted_c_squared*reading_x - predicted_d_squared*reading_x -
+        reading_y*twice_predicted_a_predicted_d + reading_y*twice_predicted_b_predicted_c;
+    const float force_e = predicted_a_squared*reading_y - predicted_b*twice_predicted_a_reading_z -
+        predicted_b_squared*reading_y + 2.0f*predicted_c*predicted_d_reading_z +
+        predicted_c_squared*reading_y - predicted_d_squared*reading_y +
+        reading_x*twice_predicted_a_predicted_d + reading_x*twice_predicted_b_predicted_c;
+    const float force_d = 2.0f*predicted_a*predicted_b*reading_y -
+        2.0f*predicted_a*predicted_c*reading_x + predicted_a_squared*reading_z +
+        2.0f*predicted_b*predicted_d*reading_x - predicted_b_squared*reading_z +
+        2.0f*predicted_c*predicted_d*reading_y - predicted_c_squared*reading_z +
+        predicted_d_squared*reading_z;
+    float turn_unseen;
+    if (force_heard && rates_known) {
+        turn_unseen = 0.0f;
+    } else if (rates_known) {
+        turn_unseen = 0.005f*dt;
+    } else {
+        turn_unseen = dt;
+    }
+    const float averaged_left = 2.0f*averaged/(9.80665f*averaged*turn_unseen + 2.0f);
+    const float length_of_mean = averaged_left + step_counted;
+    float low_pass;
+    if (2.0f*averaged_left >= time_constant && settled > 0.0f) {
+        low_pass = 1.0f;
+    } else {
+        low_pass = 0.0f;
+    }
+    float periods;
+    if (time_constant > 0.0f) {
+        periods = step_counted/time_constant;
+    } else {
+        periods = NAN;
+    }
+    const float decay = expf(-periods);
+    float share;
+    if (length_of_mean > 0.0f) {
+        share = step_counted/length_of_mean;
+    } else {
+        share = 1.0f;
+    }
+    const float sin_periods = sinf(periods);
+    const float cos_periods = cosf(periods);
+    float nearer, by_slope, bent, steeper;
+    if (force_heard && low_pass > 0.0f) {
+        nearer = decay*(-cos_periods - sin_periods) + 1.0f;
+        by_slope = decay*sin_periods;
+        bent = decay*(cos_periods - sin_periods);
+        steeper = 2.0f*decay*sin_periods;
+    } else if (force_heard) {
+        nearer = share;
+        by_slope = 0.0f;
+        bent = 0.0f;
+        steeper = 0.0f;
+    } else {
+        nearer = 0.0f;
+        by_slope = 0.0f;
+        bent = low_pass;
+        steeper = 0.0f;
+    }
+    const float off_n = force_n;
+    const float off_e = force_e;
+    const float off_d = force_d + mean_length;
+    const float mean_n = by_slope*slope_n + nearer*off_n;
+    const float mean_e = by_slope*slope_e + nearer*off_e;
+    const float mean_d = by_slope*slope_d - mean_length + nearer*off_d;
+    const float slope_after_n = bent*slope_n + off_n*steeper;
+    const float slope_after_e = bent*slope_e + off_e*steeper;
+    const float slope_after_d = bent*slope_d + off_d*steeper;
+    const float mean_e_squared_plus_mean_n_squared = mean_e*mean_e + mean_n*mean_n;
+    const float mean_length_after = sqrtf(mean_e_squared_plus_mean_n_squared + mean_d*mean_d);
+    const float upright = -mean_d + mean_length_after;
+    const float level_size = sqrtf(mean_e_squared_plus_mean_n_squared + upright*upright);
+    float level_a, level_b, level_c;
+    if (level_size > 0.0f) {
+        level_a = upright/level_size;
+        level_b = -mean_e/level_size;
+        level_c = mean_n/level_size;
+    } else if (mean_length_after > 0.0f) {
+        level_a = 0.0f;
+        level_b = 1.0f;
+        level_c = 0.0f;
+    } else {
+        level_a = 1.0f;
+        level_b = 0.0f;
+        level_c = 0.0f;
+    }
+    float averaged_after, settled_after;
+    if (force_heard && length_of_mean >= time_constant) {
+        averaged_after = time_constant;
+        settled_after = 1.0f;
+    } else if (force_heard) {
+        averaged_after = length_of_mean;
+        settled_after = low_pass;
+    } else {
+        averaged_after = averaged_left;
+        settled_after = low_pass;
+    }
+    const float level_a_squared = level_a*level_a;
+    const float level_b_squared = level_b*level_b;
+    const float level_a_slope_after_d = level_a*slope_after_d;
+    const float twice_level_b_level_c = 2.0f*level_b*level_c;
+    const float level_c_squared = level_c*level_c;
+    out[0] = level_a*predicted_a - level_b*predicted_b - level_c*predicted_c;
+    out[1] = level_a*predicted_b + level_b*predicted_a + level_c*predicted_d;
+    out[2] = level_a*predicted_c - level_b*predicted_d + level_c*predicted_a;
+    out[3] = level_a*predicted_d + level_b*predicted_c - level_c*predicted_b;
+    out[4] = mean_length_after;
+    out[5] = 2.0f*level_a_slope_after_d*level_c + level_a_squared*slope_after_n +
+        level_b_squared*slope_after_n - level_c_squared*slope_after_n +
+        slope_after_e*twice_level_b_level_c;
+    out[6] = -2.0f*level_a_slope_after_d*level_b + level_a_squared*slope_after_e -
+        level_b_squared*slope_after_e + level_c_squared*slope_after_e +
+        slope_after_n*twice_level_b_level_c;
+    out[7] = 2.0f*level_a*level_b*slope_after_e - 2.0f*level_a*level_c*slope_after_n +
+        level_a_squared*slope_after_d - level_b_squared*slope_after_d -
+        level_c_squared*slope_after_d;
+    out[8] = averaged_after;
+    out[9] = settled_after;
+}
+
+void attitude_averaging_heading_turn(double a, double b, double c, double d, double mean_length,
+    double slope_n, double slope_e, double slope_d, double averaged, double settled,
+    double heading_averaged, double field_length, double field_down, double field_known, double p,
+    double q, double r, double accel_x, double accel_y, double accel_z, double mag_x, double mag_y,
+    double mag_z, double dt, double time_constant, double longest_step,
+    double heading_time_constant, double north, double east, double field_tolerance,
+    double field_patience, double out[14])
+{
+    double step_seen, step_counted;
+    if (dt <= longest_step) {
+        step_seen = dt;
+        step_counted = dt;
+    } else {
+        step_seen = 0.0;
+        step_counted = longest_step;
+    }
+    const double abs_p = fabs(p);
+    const double abs_q = fabs(q);
+    const double abs_r = fabs(r);
+    const double whole_turn = step_seen*(abs_p + abs_q + abs_r);
+    const int moves = whole_turn <= 1.7976931348623157e+308 && abs_p < 1000000000000.0 && abs_q <
+        1000000000000.0 && abs_r < 1000000000000.0;
+    double rate_x, rate_y, rate_z;
+    if (moves) {
+        rate_x = p;
+        rate_y = q;
+        rate_z = r;
+    } else {
+        rate_x = 0.0;
+        rate_y = 0.0;
+        rate_z = 0.0;
+    }
+    const double half_turn = 0.5*step_seen*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
+    const double sin_half_turn = sin(half_turn);
+    const double ratio = half_turn > 0.0 ? sin_half_turn/half_turn : 1.0;
+    const double cos_half_turn = cos(half_turn);
+    const double turn_a = cos_half_turn;
+    const double common_9 = 0.5*ratio*step_seen;
+    const double turn_b = common_9*rate_x;
+    const double turn_c = common_9*rate_y;
+    const double turn_d = common_9*rate_z;
+    const int rates_known = moves && dt <= longest_step;
+    const double predicted_a = a*turn_a - b*turn_b - c*turn_c - d*turn_d;
+    const double predicted_b = a*turn_b + b*turn_a + c*turn_d - d*turn_c;
+    const double predicted_c = a*turn_c - b*turn_d + c*turn_a + d*turn_b;
+    const double predicted_d = a*turn_d + b*turn_c - c*turn_b + d*turn_a;
+    const double force_size = fabs(accel_x) + fabs(accel_y) + fabs(accel_z);
+    const int force_heard = force_size > 1e-12 && force_size < 1000000000000.0;
+    const double largest_size = 50.0*mean_length;
+    double force_scale;
+    if (force_size > largest_size && mean_length > 0.0) {
+        force_scale = largest_size/force_size;
+    } else {
+        force_scale = 1.0;
+    }
+    double reading_x, reading_y, reading_z;
+    if (force_heard) {
+        reading_x = accel_x*force_scale;
+        reading_y = accel_y*force_scale;
+        reading_z = accel_z*force_scale;
+    } else {
+        reading_x = 0.0;
+        reading_y = 0.0;
+        reading_z = 0.0;
+    }
+    const double predicted_a_squared = predicted_a*predicted_a;
+    const double predicted_b_squared = predicted_b*predicted_b;
+    const double twice_predicted_a_reading_z = 2.0*predicted_a*reading_z;
+    const double twice_predicted_a_predicted_d = 2.0*predicted_a*predicted_d;
+    const double twice_predicted_b_predicted_c = 2.0*predicted_b*predicted_c;
+    const double predicted_d_reading_z = predicted_d*reading_z;
+    const double predicted_c_squared = predicted_c*predicted_c;
+    const double predicted_d_squared = predicted_d*predicted_d;
+    const double force_n = predicted_a_squared*reading_x + 2.0*predicted_b*predicted_d_reading_z +
+        predicted_b_squared*reading_x + predicted_c*twice_predicted_a_reading_z -
+        predicted_c_squared*reading_x - predicted_d_squared*reading_x -
+        reading_y*twice_predicted_a_predicted_d + reading_y*twice_predicted_b_predicted_c;
+    const double force_e = predicted_a_squared*reading_y - predicted_b*twice_predicted_a_reading_z -
+        predicted_b_squared*reading_y + 2.0*predicted_c*predicted_d_reading_z +
+        predicted_c_squared*reading_y - predicted_d_squared*reading_y +
+        reading_x*twice_predicted_a_predicted_d + reading_x*twice_predicted_b_predicted_c;
+    const double force_d = 2.0*predicted_a*predicted_b*reading_y -
+        2.0*predicted_a*predicted_c*reading_x + predicted_a_squared*reading_z +
+        2.0*predicted_b*predicted_d*reading_x - predicted_b_squared*reading_z +
+        2.0*predicted_c*predicted_d*reading_y - predicted_c_squared*reading_z +
+        predicted_d_squared*reading_z;
+    double turn_unseen;
+    if (force_heard && rates_known) {
+        turn_unseen = 0.0;
+    } else if (rates_known) {
+        turn_unseen = 0.005*dt;
+    } else {
+        turn_unseen = dt;
+    }
+    const double averaged_left = 2.0*averaged/(9.80665*averaged*turn_unseen + 2.0);
+    const double length_of_mean = averaged_left + step_counted;
+    double low_pass;
+    if (2.0*averaged_left >= time_constant && settled > 0.0) {
+        low_pass = 1.0;
+    } else {
+        low_pass = 0.0;
+    }
+    double periods;
+    if (time_constant > 0.0) {
+        periods = step_counted/time_constant;
+    } else {
+        periods = (double)NAN;
+    }
+    const double decay = exp(-periods);
+    double share;
+    if (length_of_mean > 0.0) {
+        share = step_counted/length_of_mean;
+    } else {
+        share = 1.0;
+    }
+    const double sin_periods = sin(periods);
+    const double cos_periods = cos(periods);
+    double nearer, by_slope, bent, steeper;
+    if (force_heard && low_pass > 0.0) {
+        nearer = decay*(-cos_periods - sin_periods) + 1.0;
+        by_slope = decay*sin_periods;
+        bent = decay*(cos_periods - sin_periods);
+        steeper = 2.0*decay*sin_periods;
+    } else if (force_heard) {
+        nearer = share;
+        by_slope = 0.0;
+        bent = 0.0;
+        steeper = 0.0;
+    } else {
+        nearer = 0.0;
+        by_slope = 0.0;
+        bent = low_pass;
+        steeper = 0.0;
+    }
+    const double off_n = force_n;
+    const double off_e = force_e;
+    const double off_d = force_d + mean_length;
+    const double mean_n = by_slope*slope_n + nearer*off_n;
+    const double mean_e = by_slope*slope_e + nearer*off_e;
+    const double mean_d = by_slope*slope_d - mean_length + nearer*off_d;
+    const double slope_after_n = bent*slope_n + off_n*steeper;
+    const double slope_after_e = bent*slope_e + off_e*steeper;
+    const double slope_after_d = bent*slope_d + off_d*steeper;
+    const double mean_e_squared_plus_mean_n_squared = mean_e*mean_e + mean_n*mean_n;
+    const double mean_length_after = sqrt(mean_e_squared_plus_mean_n_squared + mean_d*mean_d);
+    const double upright = -mean_d + mean_length_after;
+    const double level_size = sqrt(mean_e_squared_plus_mean_n_squared + upright*upright);
+    double level_a, level_b, level_c;
+    if (level_size > 0.0) {
+        level_a = upright/level_size;
+        level_b = -mean_e/level_size;
+        level_c = mean_n/level_size;
+    } else if (mean_length_after > 0.0) {
+        level_a = 0.0;
+        level_b = 1.0;
+        level_c = 0.0;
+    } else {
+        level_a = 1.0;
+        level_b = 0.0;
+        level_c = 0.0;
+    }
+    double averaged_after, settled_after;
+    if (force_heard && length_of_mean >= time_constant) {
+        averaged_after = time_constant;
+        settled_after = 1.0;
+    } else if (force_heard) {
+        averaged_after = length_of_mean;
+        settled_after = low_pass;
+    } else {
+        averaged_after = averaged_left;
+        settled_after = low_pass;
+    }
+    const double level_attitude_a = level_a*predicted_a - level_b*predicted_b - level_c*predicted_c;
+    const double level_attitude_b = level_a*predicted_b + level_b*predicted_a + level_c*predicted_d;
+    const double level_attitude_c = level_a*predicted_c - level_b*predicted_d + level_c*predicted_a;
+    const double level_attitude_d = level_a*predicted_d + level_b*predicted_c - level_c*predicted_b;
+    const double level_a_squared = level_a*level_a;
+    const double level_b_squared = level_b*level_b;
+    const double level_a_slope_after_d = level_a*slope_after_d;
+    const double twice_level_b_level_c = 2.0*level_b*level_c;
+    const double level_c_squared = level_c*level_c;
+    const double level_slope_n = 2.0*level_a_slope_after_d*level_c + level_a_squared*slope_after_n +
+        level_b_squared*slope_after_n - level_c_squared*slope_after_n +
+        slope_after_e*twice_level_b_level_c;
+    const double level_slope_e = -2.0*level_a_slope_after_d*level_b + level_a_squared*slope_after_e
+        - level_b_squared*slope_after_e + level_c_squared*slope_after_e +
+        slope_after_n*twice_level_b_level_c;
+    const double level_slope_d = 2.0*level_a*level_b*slope_after_e -
+        2.0*level_a*level_c*slope_after_n + level_a_squared*slope_after_d -
+        level_b_squared*slope_after_d - level_c_squared*slope_after_d;
+    const double field_size = fabs(mag_x) + fabs(mag_y) + fabs(mag_z);
+    const int field_heard = field_size > 1e-12 && field_size < 1000000000000.0;
+    double field_x, field_y, field_z;
+    if (field_heard) {
+        field_x = mag_x/field_size;
+        field_y = mag_y/field_size;
+        field_z = mag_z/field_size;
+    } else {
+        field_x = 0.0;
+        field_y = 0.0;
+        field_z = 0.0;
+    }
+    const double level_attitude_a_squared = level_attitude_a*level_attitude_a;
+    const double level_attitude_b_squared = level_attitude_b*level_attitude_b;
+    const double level_attitude_a_level_attitude_d = level_attitude_a*level_attitude_d;
+    const double level_attitude_b_level_attitude_c = level_attitude_b*level_attitude_c;
+    const double twice_field_z_level_attitude_a = 2.0*field_z*level_attitude_a;
+    const double twice_field_z_level_attitude_d = 2.0*field_z*level_attitude_d;
+    const double level_attitude_c_squared = level_attitude_c*level_attitude_c;
+    const double level_attitude_d_squared = level_attitude_d*level_attitude_d;
+    const double field_n = field_x*level_attitude_a_squared + field_x*level_attitude_b_squared -
+        field_x*level_attitude_c_squared - field_x*level_attitude_d_squared -
+        2.0*field_y*level_attitude_a_level_attitude_d +
+        2.0*field_y*level_attitude_b_level_attitude_c +
+        level_attitude_b*twice_field_z_level_attitude_d +
+        level_attitude_c*twice_field_z_level_attitude_a;
+    const double field_e = 2.0*field_x*level_attitude_a_level_attitude_d +
+        2.0*field_x*level_attitude_b_level_attitude_c + field_y*level_attitude_a_squared -
+        field_y*level_attitude_b_squared + field_y*level_attitude_c_squared -
+        field_y*level_attitude_d_squared - level_attitude_b*twice_field_z_level_attitude_a +
+        level_attitude_c*twice_field_z_level_attitude_d;
+    const double field_d = -2.0*field_x*level_attitude_a*level_attitude_c +
+        2.0*field_x*level_attitude_b*level_attitude_d +
+        2.0*field_y*level_attitude_a*level_attitude_b +
+        2.0*field_y*level_attitude_c*level_attitude_d + field_z*level_attitude_a_squared -
+        field_z*level_attitude_b_squared - field_z*level_attitude_c_squared +
+        field_z*level_attitude_d_squared;
+    const double heading_off = atan2(east*field_n - field_e*north, east*field_e + field_n*north);
+    double field_unit_size;
+    if (field_heard) {
+        field_unit_size = sqrt(field_d*field_d + field_e*field_e + field_n*field_n);
+    } else {
+        field_unit_size = 1.0;
+    }
+    const double length_now = field_size*field_unit_size;
+    const double down_now = field_d/field_unit_size;
+    const int field_is_the_same = field_heard && ((field_known <= 0.0) || (fabs(down_now -
+        field_down) <= field_tolerance && fabs(field_length - length_now) <=
+        field_length*field_tolerance));
+    double field_known_after;
+    if (field_is_the_same && field_known + step_counted <= field_patience) {
+        field_known_after = field_known + step_counted;
+    } else if ((field_is_the_same) || (!field_heard)) {
+        field_known_after = field_known;
+    } else if (field_known - step_counted > 0.0) {
+        field_known_after = field_known - step_counted;
+    } else {
+        field_known_after = 0.0;
+    }
+    double field_share;
+    if (field_known + step_counted > 0.0) {
+        field_share = step_counted/(field_known + step_counted);
+    } else {
+        field_share = 1.0;
+    }
+    double field_length_after, field_down_after;
+    if (field_is_the_same) {
+        field_length_after = field_length + field_share*(-field_length + length_now);
+        field_down_after = field_down + field_share*(down_now - field_down);
+    } else {
+        field_length_after = field_length;
+        field_down_after = field_down;
+    }
+    const int field_used = field_is_the_same && ((field_known_after >= 1.0) || (heading_averaged <=
+        0.0));
+    double heading_unseen;
+    if (field_used && rates_known) {
+        heading_unseen = 0.0;
+    } else if (rates_known) {
+        heading_unseen = 0.005*dt;
+    } else {
+        heading_unseen = dt;
+    }
+    const double heading_left = 2.0*heading_averaged/(9.80665*heading_averaged*heading_unseen +
+        2.0);
+    const double heading_length = heading_left + step_counted;
+    double least_share;
+    if (heading_time_constant > 0.0) {
+        least_share = -expm1(-step_counted/heading_time_constant);
+    } else {
+        least_share = (double)NAN;
+    }
+    double mean_share;
+    if (heading_length > 0.0) {
+        mean_share = step_counted/heading_length;
+    } else {
+        mean_share = 1.0;
+    }
+    double heading_share;
+    if (!field_used) {
+        heading_share = 0.0;
+    } else if (mean_share > least_share) {
+        heading_share = mean_share;
+    } else {
+        heading_share = least_share;
+    }
+    double heading_averaged_after;
+    if (!field_used) {
+        heading_averaged_after = heading_left;
+    } else if (heading_length <= heading_time_constant) {
+        heading_averaged_after = heading_length;
+    } else {
+        heading_averaged_after = heading_time_constant;
+    }
+    const double half_heading_turn = 0.5*heading_off*heading_share;
+    const double cos_half_heading_turn = cos(half_heading_turn);
+    const double heading_a = cos_half_heading_turn;
+    const double sin_half_heading_turn = sin(half_heading_turn);
+    const double heading_d = sin_half_heading_turn;
+    const double heading_d_squared = heading_d*heading_d;
+    const double twice_heading_a_heading_d = 2.0*heading_a*heading_d;
+    const double heading_a_squared = heading_a*heading_a;
+    out[0] = heading_a*level_attitude_a - heading_d*level_attitude_d;
+    out[1] = heading_a*level_attitude_b - heading_d*level_attitude_c;
+    out[2] = heading_a*level_attitude_c + heading_d*level_attitude_b;
+    out[3] = heading_a*level_attitude_d + heading_d*level_attitude_a;
+    out[4] = mean_length_after;
+    out[5] = heading_a_squared*level_slope_n - heading_d_squared*level_slope_n -
+        level_slope_e*twice_heading_a_heading_d;
+    out[6] = heading_a_squared*level_slope_e - heading_d_squared*level_slope_e +
+        level_slope_n*twice_heading_a_heading_d;
+    out[7] = heading_a_squared*level_slope_d + heading_d_squared*level_slope_d;
+    out[8] = averaged_after;
+    out[9] = settled_after;
+    out[10] = heading_averaged_after;
+    out[11] = field_length_after;
+    out[12] = field_down_after;
+    out[13] = field_known_after;
+}
+
+void attitude_averaging_heading_turn_f(float a, float b, float c, float d, float mean_length,
+    float slope_n, float slope_e, float slope_d, float averaged, float settled,
+    float heading_averaged, float field_length, float field_down, float field_known, float p,
+    float q, float r, float accel_x, float accel_y, float accel_z, float mag_x, float mag_y,
+    float mag_z, float dt, float time_constant, float longest_step, float heading_time_constant,
+    float north, float east, float field_tolerance, float field_patience, float out[14])
+{
+    float step_seen, step_counted;
+    if (dt <= longest_step) {
+        step_seen = dt;
+        step_counted = dt;
+    } else {
+        step_seen = 0.0f;
+        step_counted = longest_step;
+    }
+    const float abs_p = fabsf(p);
+    const float abs_q = fabsf(q);
+    const float abs_r = fabsf(r);
+    const float whole_turn = step_seen*(abs_p + abs_q + abs_r);
+    const int moves = whole_turn <= 3.4028234663852886e+38f && abs_p < 1000000000000.0f && abs_q <
+        1000000000000.0f && abs_r < 1000000000000.0f;
+    float rate_x, rate_y, rate_z;
+    if (moves) {
+        rate_x = p;
+        rate_y = q;
+        rate_z = r;
+    } else {
+        rate_x = 0.0f;
+        rate_y = 0.0f;
+        rate_z = 0.0f;
+    }
+    const float half_turn = 0.5f*step_seen*sqrtf(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
+    const float sin_half_turn = sinf(half_turn);
+    const float ratio = half_turn > 0.0f ? sin_half_turn/half_turn : 1.0f;
+    const float cos_half_turn = cosf(half_turn);
+    const float turn_a = cos_half_turn;
+    const float common_9 = 0.5f*ratio*step_seen;
+    const float turn_b = common_9*rate_x;
+    const float turn_c = common_9*rate_y;
+    const float turn_d = common_9*rate_z;
+    const int rates_known = moves && dt <= longest_step;
+    const float predicted_a = a*turn_a - b*turn_b - c*turn_c - d*turn_d;
+    const float predicted_b = a*turn_b + b*turn_a + c*turn_d - d*turn_c;
+    const float predicted_c = a*turn_c - b*turn_d + c*turn_a + d*turn_b;
+    const float predicted_d = a*turn_d + b*turn_c - c*turn_b + d*turn_a;
+    const float force_size = fabsf(accel_x) + fabsf(accel_y) + fabsf(accel_z);
+    const int force_heard = force_size > 1e-12f && force_size < 1000000000000.0f;
+    const float largest_size = 50.0f*mean_length;
+    float force_scale;
+    if (force_size > largest_size && mean_length > 0.0f) {
+        force_scale = largest_size/force_size;
+    } else {
+        force_scale = 1.0f;
+    }
+    float reading_x, reading_y, reading_z;
+    if (force_heard) {
+        reading_x = accel_x*force_scale;
+        reading_y = accel_y*force_scale;
+        reading_z = accel_z*force_scale;
+    } else {
+        reading_x = 0.0f;
+        reading_y = 0.0f;
+        reading_z = 0.0f;
+    }
+    const float predicted_a_squared = predicted_a*predicted_a;
+    const float predicted_b_squared = predicted_b*predicted_b;
+    const float twice_predicted_a_reading_z = 2.0f*predicted_a*reading_z;
+    const float twice_predicted_a_predicted_d = 2.0f*predicted_a*predicted_d;
+    const float twice_predicted_b_predicted_c = 2.0f*predicted_b*predicted_c;
+    const float predicted_d_reading_z = predicted_d*reading_z;
+    const float predicted_c_squared = predicted_c*predicted_c;
+    const float predicted_d_squared = predicted_d*predicted_d;
+    const float force_n = predicted_a_squared*reading_x + 2.0f*predicted_b*predicted_d_reading_z +
+        predicted_b_squared*reading_x + predicted_c*twice_predicted_a_reading_z -
+        predicted_c_squared*reading_x - predicted_d_squared*reading_x -
+        reading_y*twice_predicted_a_predicted_d + reading_y*twice_predicted_b_predicted_c;
+    const float force_e = predicted_a_squared*reading_y - predicted_b*twice_predicted_a_reading_z -
+        predicted_b_squared*reading_y + 2.0f*predicted_c*predicted_d_reading_z +
+        predicted_c_squared*reading_y - predicted_d_squared*reading_y +
+        reading_x*twice_predicted_a_predicted_d + reading_x*twice_predicted_b_predicted_c;
+    const float force_d = 2.0f*predicted_a*predicted_b*reading_y -
+        2.0f*predicted_a*predicted_c*reading_x + predicted_a_squared*reading_z +
+        2.0f*predicted_b*predicted_d*reading_x - predicted_b_squared*reading_z +
+        2.0f*predicted_c*predicted_d*reading_y - predicted_c_squared*reading_z +
+        predicted_d_squared*reading_z;
+    float turn_unseen;
+    if (force_heard && rates_known) {
+        turn_unseen = 0.0f;
+    } else if (rates_known) {
+        turn_unseen = 0.005f*dt;
+    } else {
+        turn_unseen = dt;
+    }
+    const float averaged_left = 2.0f*averaged/(9.80665f*averaged*turn_unseen + 2.0f);
+    const float length_of_mean = averaged_left + step_counted;
+    float low_pass;
+    if (2.0f*averaged_left >= time_constant && settled > 0.0f) {
+        low_pass = 1.0f;
+    } else {
+        low_pass = 0.0f;
+    }
+    float periods;
+    if (time_constant > 0.0f) {
+        periods = step_counted/time_constant;
+    } else {
+        periods = NAN;
+    }
+    const float decay = expf(-periods);
+    float share;
+    if (length_of_mean > 0.0f) {
+        share = step_counted/length_of_mean;
+    } else {
+        share = 1.0f;
+    }
+    const float sin_periods = sinf(periods);
+    const float cos_periods = cosf(periods);
+    float nearer, by_slope, bent, steeper;
+    if (force_heard && low_pass > 0.0f) {
+        nearer = decay*(-cos_periods - sin_periods) + 1.0f;
+        by_slope = decay*sin_periods;
+        bent = decay*(cos_periods - sin_periods);
+        steeper = 2.0f*decay*sin_periods;
+    } else if (force_heard) {
+        nearer = share;
+        by_slope = 0.0f;
+        bent = 0.0f;
+        steeper = 0.0f;
+    } else {
+        nearer = 0.0f;
+        by_slope = 0.0f;
+        bent = low_pass;
+        steeper = 0.0f;
+    }
+    const float off_n = force_n;
+    const float off_e = force_e;
+    const float off_d = force_d + mean_length;
+    const float mean_n = by_slope*slope_n + nearer*off_n;
+    const float mean_e = by_slope*slope_e + nearer*off_e;
+    const float mean_d = by_slope*slope_d - mean_length + nearer*off_d;
+    const float slope_after_n = bent*slope_n + off_n*steeper;
+    const float slope_after_e = bent*slope_e + off_e*steeper;
+    const float slope_after_d = bent*slope_d + off_d*steeper;
+    const float mean_e_squared_plus_mean_n_squared = mean_e*mean_e + mean_n*mean_n;
+    const float mean_length_after = sqrtf(mean_e_squared_plus_mean_n_squared + mean_d*mean_d);
+    const float upright = -mean_d + mean_length_after;
+    const float level_size = sqrtf(mean_e_squared_plus_mean_n_squared + upright*upright);
+    float level_a, level_b, level_c;
+    if (level_size > 0.0f) {
+        level_a = upright/level_size;
+        level_b = -mean_e/level_size;
+        level_c = mean_n/level_size;
+    } else if (mean_length_after > 0.0f) {
+        level_a = 0.0f;
+        level_b = 1.0f;
+        level_c = 0.0f;
+    } else {
+        level_a = 1.0f;
+        level_b = 0.0f;
+        level_c = 0.0f;
+    }
+    float averaged_after, settled_after;
+    if (force_heard && length_of_mean >= time_constant) {
+        averaged_after = time_constant;
+        settled_after = 1.0f;
+    } else if (force_heard) {
+        averaged_after = length_of_mean;
+        settled_after = low_pass;
+    } else {
+        averaged_after = averaged_left;
+        settled_after = low_pass;
+    }
+    const float level_attitude_a = level_a*predicted_a - level_b*predicted_b - level_c*predicted_c;
+    const float level_attitude_b = level_a*predicted_b + level_b*predicted_a + level_c*predicted_d;
+    const float level_attitude_c = level_a*predicted_c - level_b*predicted_d + level_c*predicted_a;
+    const float level_attitude_d = level_a*predicted_d + level_b*predicted_c - level_c*predicted_b;
+    const float level_a_squared = level_a*level_a;
+    const float level_b_squared = level_b*level_b;
+    const float level_a_slope_after_d = level_a*slope_after_d;
+    const float twice_level_b_level_c = 2.0f*level_b*level_c;
+    const float level_c_squared = level_c*level_c;
+    const float level_slope_n = 2.0f*level_a_slope_after_d*level_c + level_a_squared*slope_after_n +
+        level_b_squared*slope_after_n - level_c_squared*slope_after_n +
+        slope_after_e*twice_level_b_level_c;
+    const float level_slope_e = -2.0f*level_a_slope_after_d*level_b + level_a_squared*slope_after_e
+        - level_b_squared*slope_after_e + level_c_squared*slope_after_e +
+        slope_after_n*twice_level_b_level_c;
+    const float level_slope_d = 2.0f*level_a*level_b*slope_after_e -
+        2.0f*level_a*level_c*slope_after_n + level_a_squared*slope_after_d -
+        level_b_squared*slope_after_d - level_c_squared*slope_after_d;
+    const float field_size = fabsf(mag_x) + fabsf(mag_y) + fabsf(mag_z);
+    const int field_heard = field_size > 1e-12f && field_size < 1000000000000.0f;
+    float field_x, field_y, field_z;
+    if (field_heard) {
+        field_x = mag_x/field_size;
+        field_y = mag_y/field_size;
+        field_z = mag_z/field_size;
+    } else {
+        field_x = 0.0f;
+        field_y = 0.0f;
+        field_z = 0.0f;
+    }
+    const float level_attitude_a_squared = level_attitude_a*level_attitude_a;
+    const float level_attitude_b_squared = level_attitude_b*level_attitude_b;
+    const float level_attitude_a_level_attitude_d = level_attitude_a*level_attitude_d;
+    const float level_attitude_b_level_attitude_c = level_attitude_b*level_attitude_c;
+    const float twice_field_z_level_attitude_a = 2.0f*field_z*level_attitude_a;
+    const float twice_field_z_level_attitude_d = 2.0f*field_z*level_attitude_d;
+    const float level_attitude_c_squared = level_attitude_c*level_attitude_c;
+    const float level_attitude_d_squared = level_attitude_d*level_attitude_d;
+    const float field_n = field_x*level_attitude_a_squared + field_x*level_attitude_b_squared -
+        field_x*level_attitude_c_squared - field_x*level_attitude_d_squared -
+        2.0f*field_y*level_attitude_a_level_attitude_d +
+        2.0f*field_y*level_attitude_b_level_attitude_c +
+        level_attitude_b*twice_field_z_level_attitude_d +
+        level_attitude_c*twice_field_z_level_attitude_a;
+    const float field_e = 2.0f*field_x*level_attitude_a_level_attitude_d +
+        2.0f*field_x*level_attitude_b_level_attitude_c + field_y*level_attitude_a_squared -
+        field_y*level_attitude_b_squared + field_y*level_attitude_c_squared -
+        field_y*level_attitude_d_squared - level_attitude_b*twice_field_z_level_attitude_a +
+        level_attitude_c*twice_field_z_level_attitude_d;
+    const float field_d = -2.0f*field_x*level_attitude_a*level_attitude_c +
+        2.0f*field_x*level_attitude_b*level_attitude_d +
+        2.0f*field_y*level_attitude_a*level_attitude_b +
+        2.0f*field_y*level_attitude_c*level_attitude_d + field_z*level_attitude_a_squared -
+        field_z*level_attitude_b_squared - field_z*level_attitude_c_squared +
+        field_z*level_attitude_d_squared;
+    const float heading_off = atan2f(east*field_n - field_e*north, east*field_e + field_n*north);
+    float field_unit_size;
+    if (field_heard) {
+        field_unit_size = sqrtf(field_d*field_d + field_e*field_e + field_n*field_n);
+    } else {
+        field_unit_size = 1.0f;
+    }
+    const float length_now = field_size*field_unit_size;
+    const float down_now = field_d/field_unit_size;
+    const int field_is_the_same = field_heard && ((field_known <= 0.0f) || (fabsf(down_now -
+        field_down) <= field_tolerance && fabsf(field_length - length_now) <=
+        field_length*field_tolerance));
+    float field_known_after;
+    if (field_is_the_same && field_known + step_counted <= field_patience) {
+        field_known_after = field_known + step_counted;
+    } else if ((field_is_the_same) || (!field_heard)) {
+        field_known_after = field_known;
+    } else if (field_known - step_counted > 0.0f) {
+        field_known_after = field_known - step_counted;
+    } else {
+        field_known_after = 0.0f;
+    }
+    float field_share;
+    if (field_known + step_counted > 0.0f) {
+        field_share = step_counted/(field_known + step_counted);
+    } else {
+        field_share = 1.0f;
+    }
+    float field_length_after, field_down_after;
+    if (field_is_the_same) {
+        field_length_after = field_length + field_share*(-field_length + length_now);
+        field_down_after = field_down + field_share*(down_now - field_down);
+    } else {
+        field_length_after = field_length;
+        field_down_after = field_down;
+    }
+    const int field_used = field_is_the_same && ((field_known_after >= 1.0f) || (heading_averaged <=
+        0.0f));
+    float heading_unseen;
+    if (field_used && rates_known) {
+        heading_unseen = 0.0f;
+    } else if (rates_known) {
+        heading_unseen = 0.005f*dt;
+    } else {
+        heading_unseen = dt;
+    }
+    const float heading_left = 2.0f*heading_averaged/(9.80665f*heading_averaged*heading_unseen +
+        2.0f);
+    const float heading_length = heading_left + step_counted;
+    float least_share;
+    if (heading_time_constant > 0.0f) {
+        least_share = -expm1f(-step_counted/heading_time_constant);
+    } else {
+        least_share = NAN;
+    }
+    float mean_share;
+    if (heading_length > 0.0f) {
+        mean_share = step_counted/heading_length;
+    } else {
+        mean_share = 1.0f;
+    }
+    float heading_share;
+    if (!field_used) {
+        heading_share = 0.0f;
+    } else if (mean_share > least_share) {
+        heading_share = mean_share;
+    } else {
+        heading_share = least_share;
+    }
+    float heading_averaged_after;
+    if (!field_used) {
+        heading_averaged_after = heading_left;
+    } else if (heading_length <= heading_time_constant) {
+        heading_averaged_after = heading_length;
+    } else {
+        heading_averaged_after = heading_time_constant;
+    }
+    const float half_heading_turn = 0.5f*heading_off*heading_share;
+    const float cos_half_heading_turn = cosf(half_heading_turn);
+    const float heading_a = cos_half_heading_turn;
+    const float sin_half_heading_turn = sinf(half_heading_turn);
+    const float heading_d = sin_half_heading_turn;
+    const float heading_d_squared = heading_d*heading_d;
+    const float twice_heading_a_heading_d = 2.0f*heading_a*heading_d;
+    const float heading_a_squared = heading_a*heading_a;
+    out[0] = heading_a*level_attitude_a - heading_d*level_attitude_d;
+    out[1] = heading_a*level_attitude_b - heading_d*level_attitude_c;
+    out[2] = heading_a*level_attitude_c + heading_d*level_attitude_b;
+    out[3] = heading_a*level_attitude_d + heading_d*level_attitude_a;
+    out[4] = mean_length_after;
+    out[5] = heading_a_squared*level_slope_n - heading_d_squared*level_slope_n -
+        level_slope_e*twice_heading_a_heading_d;
+    out[6] = heading_a_squared*level_slope_e - heading_d_squared*level_slope_e +
+        level_slope_n*twice_heading_a_heading_d;
+    out[7] = heading_a_squared*level_slope_d + heading_d_squared*level_slope_d;
+    out[8] = averaged_after;
+    out[9] = settled_after;
+    out[10] = heading_averaged_after;
+    out[11] = field_length_after;
+    out[12] = field_down_after;
+    out[13] = field_known_after;
+}
+
+void attitude_observer_heading_turn(double a, double b, double c, double d, double p, double q,
+    double r, double accel_x, double accel_y, double accel_z, double mag_x, double mag_y,
+    double mag_z, double dt, double gain, double heading_gain, double north, double east,
+    double out[4])
+{
+    const double abs_p = fabs(p);
+    const double abs_q = fabs(q);
+    const double abs_r = fabs(r);
+    const double whole_turn = dt*(abs_p + abs_q + abs_r);
+    const int moves = whole_turn <= 1.7976931348623157e+308 && abs_p < 1000000000000.0 && abs_q <
+        1000000000000.0 && abs_r < 1000000000000.0;
+    double rate_x, rate_y, rate_z;
+    if (moves) {
+        rate_x = p;
+        rate_y = q;
+        rate_z = r;
+    } else {
+        rate_x = 0.0;
+        rate_y = 0.0;
+        rate_z = 0.0;
+    }
+    const double half_turn = 0.5*dt*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
+    const double sin_half_turn = sin(half_turn);
+    const double ratio = half_turn > 0.0 ? sin_half_turn/half_turn : 1.0;
+    const double cos_half_turn = cos(half_turn);
+    const double turn_a = cos_half_turn;
+    const double common_9 = 0.5*dt*ratio;
+    const double turn_b = common_9*rate_x;
+    const double turn_c = common_9*rate_y;
+    const double turn_d = common_9*rate_z;
+    const double predicted_a = a*turn_a - b*turn_b - c*turn_c - d*turn_d;
+    const double predicted_b = a*turn_b + b*turn_a + c*turn_d - d*turn_c;
+    const double predicted_c = a*turn_c - b*turn_d + c*turn_a + d*turn_b;
+    const double predicted_d = a*turn_d + b*turn_c - c*turn_b + d*turn_a;
+    const double e_x = 2.0*predicted_a*predicted_c - 2.0*predicted_b*predicted_d;
+    const double e_y = -2.0*predicted_a*predicted_b - 2.0*predicted_c*predicted_d;
+    const double e_z = -(predicted_a*predicted_a) + predicted_b*predicted_b +
+        predicted_c*predicted_c - (predicted_d*predicted_d);
+    const double size = fabs(accel_x) + fabs(accel_y) + fabs(accel_z);
+    const int has_direction = size <= 1.7976931348623157e+308 && size > 0.0;
+    double reading_x, reading_y, reading_z;
+    if (has_direction) {
+        reading_x = accel_x/size;
+        reading_y = accel_y/size;
+        reading_z = accel_z/size;
+    } else {
+        reading_x = 0.0;
+        reading_y = 0.0;
+        reading_z = 0.0;
+    }
+    const double across_x = -e_y*reading_z + e_z*reading_y;
+    const double across_y = e_x*reading_z - e_z*reading_x;
+    const double across_z = -e_x*reading_y + e_y*reading_x;
+    const double moved_a = -across_x*predicted_b - across_y*predicted_c - across_z*predicted_d;
+    const double moved_b = across_x*predicted_a - across_y*predicted_d + across_z*predicted_c;
+    const double moved_c = across_x*predicted_d + across_y*predicted_a - across_z*predicted_b;
+    const double moved_d = -across_x*predicted_c + across_y*predicted_b + across_z*predicted_a;
+    const double sine_off = sqrt(across_x*across_x + across_y*across_y + across_z*across_z);
+    const double half_turn_back = 0.5*gain*atan2(sine_off, e_x*reading_x + e_y*reading_y +
+        e_z*reading_z);
+    const double cos_half_turn_back = cos(half_turn_back);
+    const double sin_half_turn_back = sin(half_turn_back);
+    double turn_back_a, factor;
+    if (sine_off > 0.0) {
+        turn_back_a = cos_half_turn_back;
+        factor = sin_half_turn_back/sine_off;
+    } else {
+        turn_back_a = 1.0;
+        factor = 0.0;
+    }
+    const double level_attitude_a = factor*moved_a + predicted_a*turn_back_a;
+    const double level_attitude_b = factor*moved_b + predicted_b*turn_back_a;
+    const double level_attitude_c = factor*moved_c + predicted_c*turn_back_a;
+    const double level_attitude_d = factor*moved_d + predicted_d*turn_back_a;
+    const double field_size = fabs(mag_x) + fabs(mag_y) + fabs(mag_z);
+    const int field_heard = field_size > 1e-12 && field_size < 1000000000000.0;
+    double field_x, field_y, field_z;
+    if (field_heard) {
+        field_x = mag_x/field_size;
+        field_y = mag_y/field_size;
+        field_z = mag_z/field_size;
+    } else {
+        field_x = 0.0;
+        field_y = 0.0;
+        field_z = 0.0;
+    }
+    const double level_attitude_a_squared = level_attitude_a*level_attitude_a;
+    const double level_attitude_b_squared = level_attitude_b*level_attitude_b;
+    const double level_attitude_a_level_attitude_d = level_attitude_a*level_attitude_d;
+    const double level_attitude_b_level_attitude_c = level_attitude_b*level_attitude_c;
+    const double twice_field_z_level_attitude_a = 2.0*field_z*level_attitude_a;
+    const double twice_field_z_level_attitude_d = 2.0*field_z*level_attitude_d;
+    const double level_attitude_c_squared = level_attitude_c*level_attitude_c;
+    const double level_attitude_d_squared = level_attitude_d*level_attitude_d;
+    const double field_n = field_x*level_attitude_a_squared + field_x*level_attitude_b_squared -
+        field_x*level_attitude_c_squared - field_x*level_attitude_d_squared -
+        2.0*field_y*level_attitude_a_level_attitude_d +
+        2.0*field_y*level_attitude_b_level_attitude_c +
+        level_attitude_b*twice_field_z_level_attitude_d +
+        level_attitude_c*twice_field_z_level_attitude_a;
+    const double field_e = 2.0*field_x*level_attitude_a_level_attitude_d +
+        2.0*field_x*level_attitude_b_level_attitude_c + field_y*level_attitude_a_squared -
+        field_y*level_attitude_b_squared + field_y*level_attitude_c_squared -
+        field_y*level_attitude_d_squared - level_attitude_b*twice_field_z_level_attitude_a +
+        level_attitude_c*twice_field_z_level_attitude_d;
+    const double heading_off = atan2(east*field_n - field_e*north, east*field_e + field_n*north);
+    const double heading_share = field_heard ? heading_gain : 0.0;
+    const double half_heading_turn = 0.5*heading_off*heading_share;
+    const double cos_half_heading_turn = cos(half_heading_turn);
+    const double heading_a = cos_half_heading_turn;
+    const double sin_half_heading_turn = sin(half_heading_turn);
+    const double heading_d = sin_half_heading_turn;
+    out[0] = heading_a*level_attitude_a - heading_d*level_attitude_d;
+    out[1] = heading_a*level_attitude_b - heading_d*level_attitude_c;
+    out[2] = heading_a*level_attitude_c + heading_d*level_attitude_b;
+    out[3] = heading_a*level_attitude_d + heading_d*level_attitude_a;
+}
+
+void attitude_observer_heading_turn_f(float a, float b, float c, float d, float p, float q, float r,
+    float accel_x, float accel_y, float accel_z, float mag_x, float mag_y, float mag_z, float dt,
+    float gain, float heading_gain, float north, float east, float out[4])
+{
+    const float abs_p = fabsf(p);
+    const float abs_q = fabsf(q);
+    const float abs_r = fabsf(r);
+    const float whole_turn = dt*(abs_p + abs_q + abs_r);
+    const int moves = whole_turn <= 3.4028234663852886e+38f && abs_p < 1000000000000.0f && abs_q <
+        1000000000000.0f && abs_r < 1000000000000.0f;
+    float rate_x, rate_y, rate_z;
+    if (moves) {
+        rate_x = p;
+        rate_y = q;
+        rate_z = r;
+    } else {
+        rate_x = 0.0f;
+        rate_y = 0.0f;
+        rate_z = 0.0f;
+    }
+    const float half_turn = 0.5f*dt*sqrtf(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
+    const float sin_half_turn = sinf(half_turn);
+    const float ratio = half_turn > 0.0f ? sin_half_turn/half_turn : 1.0f;
+    const float cos_half_turn = cosf(half_turn);
+    const float turn_a = cos_half_turn;
+    const float common_9 = 0.5f*dt*ratio;
+    const float turn_b = common_9*rate_x;
+    const float turn_c = common_9*rate_y;
+    const float turn_d = common_9*rate_z;
+    const float predicted_a = a*turn_a - b*turn_b - c*turn_c - d*turn_d;
+    const float predicted_b = a*turn_b + b*turn_a + c*turn_d - d*turn_c;
+    const float predicted_c = a*turn_c - b*turn_d + c*turn_a + d*turn_b;
+    const float predicted_d = a*turn_d + b*turn_c - c*turn_b + d*turn_a;
+    const float e_x = 2.0f*predicted_a*predicted_c - 2.0f*predicted_b*predicted_d;
+    const float e_y = -2.0f*predicted_a*predicted_b - 2.0f*predicted_c*predicted_d;
+    const float e_z = -(predicted_a*predicted_a) + predicted_b*predicted_b + predicted_c*predicted_c
+        - (predicted_d*predicted_d);
+    const float size = fabsf(accel_x) + fabsf(accel_y) + fabsf(accel_z);
+    const int has_direction = size <= 3.4028234663852886e+38f && size > 0.0f;
+    float reading_x, reading_y, reading_z;
+    if (has_direction) {
+        reading_x = accel_x/size;
+        reading_y = accel_y/size;
+        reading_z = accel_z/size;
+    } else {
+        reading_x = 0.0f;
+        reading_y = 0.0f;
+        reading_z = 0.0f;
+    }
+    const float across_x = -e_y*reading_z + e_z*reading_y;
+    const float across_y = e_x*reading_z - e_z*reading_x;
+    const float across_z = -e_x*reading_y + e_y*reading_x;
+    const float moved_a = -across_x*predicted_b - across_y*predicted_c - across_z*predicted_d;
+    const float moved_b = across_x*predicted_a - across_y*predicted_d + across_z*predicted_c;
+    const float moved_c = across_x*predicted_d + across_y*predicted_a - across_z*predicted_b;
+    const float moved_d = -across_x*predicted_c + across_y*predicted_b + across_z*predicted_a;
+    const float sine_off = sqrtf(across_x*across_x + across_y*across_y + across_z*across_z);
+    const float half_turn_back = 0.5f*gain*atan2f(sine_off, e_x*reading_x + e_y*reading_y +
+        e_z*reading_z);
+    const float cos_half_turn_back = cosf(half_turn_back);
+    const float sin_half_turn_back = sinf(half_turn_back);
+    float turn_back_a, factor;
+    if (sine_off > 0.0f) {
+        turn_back_a = cos_half_turn_back;
+        factor = sin_half_turn_back/sine_off;
+    } else {
+        turn_back_a = 1.0f;
+        factor = 0.0f;
+    }
+    const float level_attitude_a = factor*moved_a + predicted_a*turn_back_a;
+    const float level_attitude_b = factor*moved_b + predicted_b*turn_back_a;
+    const float level_attitude_c = factor*moved_c + predicted_c*turn_back_a;
+    const float level_attitude_d = factor*moved_d + predicted_d*turn_back_a;
+    const float field_size = fabsf(mag_x) + fabsf(mag_y) + fabsf(mag_z);
+    const int field_heard = field_size > 1e-12f && field_size < 1000000000000.0f;
+    float field_x, field_y, field_z;
+    if (field_heard) {
+        field_x = mag_x/field_size;
+        field_y = mag_y/field_size;
+        field_z = mag_z/field_size;
+    } else {
+        field_x = 0.0f;
+        field_y = 0.0f;
+        field_z = 0.0f;
+    }
+    const float level_attitude_a_squared = level_attitude_a*level_attitude_a;
+    const float level_attitude_b_squared = level_attitude_b*level_attitude_b;
+    const float level_attitude_a_level_attitude_d = level_attitude_a*level_attitude_d;
+    const float level_attitude_b_level_attitude_c = level_attitude_b*level_attitude_c;
+    const float twice_field_z_level_attitude_a = 2.0f*field_z*level_attitude_a;
+    const float twice_field_z_level_attitude_d = 2.0f*field_z*level_attitude_d;
+    const float level_attitude_c_squared = level_attitude_c*level_attitude_c;
+    const float level_attitude_d_squared = level_attitude_d*level_attitude_d;
+    const float field_n = field_x*level_attitude_a_squared + field_x*level_attitude_b_squared -
+        field_x*level_attitude_c_squared - field_x*level_attitude_d_squared -
+        2.0f*field_y*level_attitude_a_level_attitude_d +
+        2.0f*field_y*level_attitude_b_level_attitude_c +
+        level_attitude_b*twice_field_z_level_attitude_d +
+        level_attitude_c*twice_field_z_level_attitude_a;
+    const float field_e = 2.0f*field_x*level_attitude_a_level_attitude_d +
+        2.0f*field_x*level_attitude_b_level_attitude_c + field_y*level_attitude_a_squared -
+        field_y*level_attitude_b_squared + field_y*level_attitude_c_squared -
+        field_y*level_attitude_d_squared - level_attitude_b*twice_field_z_level_attitude_a +
+        level_attitude_c*twice_field_z_level_attitude_d;
+    const float heading_off = atan2f(east*field_n - field_e*north, east*field_e + field_n*north);
+    const float heading_share = field_heard ? heading_gain : 0.0f;
+    const float half_heading_turn = 0.5f*heading_off*heading_share;
+    const float cos_half_heading_turn = cosf(half_heading_turn);
+    const float heading_a = cos_half_heading_turn;
+    const float sin_half_heading_turn = sinf(half_heading_turn);
+    const float heading_d = sin_half_heading_turn;
+    out[0] = heading_a*level_attitude_a - heading_d*level_attitude_d;
+    out[1] = heading_a*level_attitude_b - heading_d*level_attitude_c;
+    out[2] = heading_a*level_attitude_c + heading_d*level_attitude_b;
+    out[3] = heading_a*level_attitude_d + heading_d*level_attitude_a;
+}
+
+void attitude_bias_at_rest(double rest_rate_x, double rest_rate_y, double rest_rate_z,
+    double rest_force_x, double rest_force_y, double rest_force_z, double still, double learnt_x,
+    double learnt_y, double learnt_z, double p, double q, double r, double accel_x, double accel_y,
+    double accel_z, double dt, double rest, double longest_step, double out[10])
+{
+    const double force_size = fabs(accel_x) + fabs(accel_y) + fabs(accel_z);
+    const int sample_known = force_size > 1e-12 && force_size < 1000000000000.0 && fabs(p) <
+        1000000000000.0 && fabs(q) < 1000000000000.0 && fabs(r) < 1000000000000.0;
+    const int stays = sample_known && dt <= longest_step && fabs(accel_x - rest_force_x) +
+        fabs(accel_y - rest_force_y) + fabs(accel_z - rest_force_z) <= 0.05*fabs(rest_force_x) +
+        0.05*fabs(rest_force_y) + 0.05*fabs(rest_force_z) && fabs(p - rest_rate_x) + fabs(q -
+        rest_rate_y) + fabs(r - rest_rate_z) <= 0.035;
+    const double rest_length = dt + still;
+    const double share = rest_length > 0.0 ? dt/rest_length : 1.0;
+    double mean_p, mean_q, mean_r, mean_x, mean_y, mean_z, still_after;
+    if (stays && rest_length <= 10.0*rest) {
+        mean_p = rest_rate_x + share*(p - rest_rate_x);
+        mean_q = rest_rate_y + share*(q - rest_rate_y);
+        mean_r = rest_rate_z + share*(r - rest_rate_z);
+        mean_x = rest_force_x + share*(accel_x - rest_force_x);
+        mean_y = rest_force_y + share*(accel_y - rest_force_y);
+        mean_z = rest_force_z + share*(accel_z - rest_force_z);
+        still_after = rest_length;
+    } else if (stays) {
+        mean_p = rest_rate_x + share*(p - rest_rate_x);
+        mean_q = rest_rate_y + share*(q - rest_rate_y);
+        mean_r = rest_rate_z + share*(r - rest_rate_z);
+        mean_x = rest_force_x + share*(accel_x - rest_force_x);
+        mean_y = rest_force_y + share*(accel_y - rest_force_y);
+        mean_z = rest_force_z + share*(accel_z - rest_force_z);
+        still_after = still;
+    } else if (sample_known) {
+        mean_p = p;
+        mean_q = q;
+        mean_r = r;
+        mean_x = accel_x;
+        mean_y = accel_y;
+        mean_z = accel_z;
+        still_after = 0.0;
+    } else {
+        mean_p = rest_rate_x;
+        mean_q = rest_rate_y;
+        mean_r = rest_rate_z;
+        mean_x = rest_force_x;
+        mean_y = rest_force_y;
+        mean_z = rest_force_z;
+        still_after = still;
+    }
+    const int lasts = stays && still_after >= rest && fabs(mean_p) <= 0.05 && fabs(mean_q) <= 0.05
+        && fabs(mean_r) <= 0.05;
+    double bias_p, bias_q, bias_r;
+    if (lasts) {
+        bias_p = mean_p;
+        bias_q = mean_q;
+        bias_r = mean_r;
+    } else {
+        bias_p = learnt_x;
+        bias_q = learnt_y;
+        bias_r = learnt_z;
+    }
+    out[0] = mean_p;
+    out[1] = mean_q;
+    out[2] = mean_r;
+    out[3] = mean_x;
+    out[4] = mean_y;
+    out[5] = mean_z;
+    out[6] = still_after;
+    out[7] = bias_p;
+    out[8] = bias_q;
+    out[9] = bias_r;
+}
+
+void attitude_bias_at_rest_f(float rest_rate_x, float rest_rate_y, float rest_rate_z,
+    float rest_force_x, float rest_force_y, float rest_force_z, float still, float learnt_x,
+    float learnt_y, float learnt_z, float p, float q, float r, float accel_x, float accel_y,
+    float accel_z, float dt, float rest, float longest_step, float out[10])
+{
+    const float force_size = fabsf(accel_x) + fabsf(accel_y) + fabsf(accel_z);
+    const int sample_known = force_size > 1e-12f && force_size < 1000000000000.0f && fabsf(p) <
+        1000000000000.0f && fabsf(q) < 1000000000000.0f && fabsf(r) < 1000000000000.0f;
+    const int stays = sample_known && dt <= longest_step && fabsf(accel_x - rest_force_x) +
+        fabsf(accel_y - rest_force_y) + fabsf(accel_z - rest_force_z) <= 0.05f*fabsf(rest_force_x) +
+        0.05f*fabsf(rest_force_y) + 0.05f*fabsf(rest_force_z) && fabsf(p - rest_rate_x) + fabsf(q -
+        rest_rate_y) + fabsf(r - rest_rate_z) <= 0.035f;
+    const float rest_length = dt + still;
+    const float share = rest_length > 0.0f ? dt/rest_length : 1.0f;
+    float mean_p, mean_q, mean_r, mean_x, mean_y, mean_z, still_after;
+    if (stays && rest_length <= 10.0f*rest) {
+        mean_p = rest_rate_x + share*(p - rest_rate_x);
+        mean_q = rest_rate_y + share*(q - rest_rate_y);
+        mean_r = rest_rate_z + share*(r - rest_rate_z);
+        mean_x = rest_force_x + share*(accel_x - rest_force_x);
+        mean_y = rest_force_y + share*(accel_y - rest_force_y);
+        mean_z = rest_force_z + share*(accel_z - rest_force_z);
+        still_after = rest_length;
+    } else if (stays) {
+        mean_p = rest_rate_x + share*(p - rest_rate_x);
+        mean_q = rest_rate_y + share*(q - rest_rate_y);
+        mean_r = rest_rate_z + share*(r - rest_rate_z);
+        mean_x = rest_force_x + share*(accel_x - rest_force_x);
+        mean_y = rest_force_y + share*(accel_y - rest_force_y);
+        mean_z = rest_force_z + share*(accel_z - rest_force_z);
+        still_after = still;
+    } else if (sample_known) {
+        mean_p = p;
+        mean_q = q;
+        mean_r = r;
+        mean_x = accel_x;
+        mean_y = accel_y;
+        mean_z = accel_z;
+        still_after = 0.0f;
+    } else {
+        mean_p = rest_rate_x;
+        mean_q = rest_rate_y;
+        mean_r = rest_rate_z;
+        mean_x = rest_force_x;
+        mean_y = rest_force_y;
+        mean_z = rest_force_z;
+        still_after = still;
+    }
+    const int lasts = stays && still_after >= rest && fabsf(mean_p) <= 0.05f && fabsf(mean_q) <=
+        0.05f && fabsf(mean_r) <= 0.05f;
+    float bias_p, bias_q, bias_r;
+    if (lasts) {
+        bias_p = mean_p;
+        bias_q = mean_q;
+        bias_r = mean_r;
+    } else {
+        bias_p = learnt_x;
+        bias_q = learnt_y;
+        bias_r = learnt_z;
+    }
+    out[0] = mean_p;
+    out[1] = mean_q;
+    out[2] = mean_r;
+    out[3] = mean_x;
+    out[4] = mean_y;
+    out[5] = mean_z;
+    out[6] = still_after;
+    out[7] = bias_p;
+    out[8] = bias_q;
+    out[9] = bias_r;
+}
+
+double attitude_averaging_bound(double averaged, double time_constant, double speed,
+    double bias_bound)
+{
+    double bound_told;
+    if (averaged <= 0.0) {
+        bound_told = 3.141592653589793;
+    } else if (averaged < time_constant) {
+        bound_told = averaged*bias_bound + 0.20394324259558566*speed/averaged;
+    } else if (time_constant > 0.0) {
+        bound_told = bias_bound*time_constant + 0.13744070696307817*speed/time_constant;
+    } else {
+        bound_told = (double)NAN;
+    }
+    double bound;
+    if (bound_told > 3.141592653589793) {
+        bound = 3.141592653589793;
+    } else {
+        bound = bound_told;
+    }
+    return bound;
+}
+
+float attitude_averaging_bound_f(float averaged, float time_constant, float speed, float bias_bound)
+{
+    float bound_told;
+    if (averaged <= 0.0f) {
+        bound_told = 3.141592653589793f;
+    } else if (averaged < time_constant) {
+        bound_told = averaged*bias_bound + 0.20394324259558566f*speed/averaged;
+    } else if (time_constant > 0.0f) {
+        bound_told = bias_bound*time_constant + 0.13744070696307817f*speed/time_constant;
+    } else {
+        bound_told = NAN;
+    }
+    float bound;
+    if (bound_told > 3.141592653589793f) {
+        bound = 3.141592653589793f;
+    } else {
+        bound = bound_told;
+    }
+    return bound;
+}

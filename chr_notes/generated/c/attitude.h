@@ -958,6 +958,167 @@ float attitude_gain_from_time_constant_f(float time_constant, float dt);
 double attitude_time_constant_from_gain(double gain, double dt);
 float attitude_time_constant_from_gain_f(float gain, float dt);
 
+/*
+ * Attitude quaternion and state of the averaging filter after one more sample (10).
+ * a: scalar part of the attitude quaternion
+ * b: factor of i of the attitude quaternion
+ * c: factor of j of the attitude quaternion
+ * d: factor of k of the attitude quaternion
+ * mean_length: length of the mean force, in its unit
+ * slope_n: change of the mean north in a time constant
+ * slope_e: change of the mean east in a time constant
+ * slope_d: change of the mean down in a time constant
+ * averaged: time that the mean stands for, s
+ * settled: whether the low-pass has run in, 0 or 1
+ * p: body rate about x, rad/s
+ * q: body rate about y, rad/s
+ * r: body rate about z, rad/s
+ * accel_x: reading of the accelerometer along x, m/s²
+ * accel_y: reading of the accelerometer along y, m/s²
+ * accel_z: reading of the accelerometer along z, m/s²
+ * dt: time that passes, s
+ * time_constant: mean age of what is averaged, s
+ * longest_step: beyond which a step is a gap, s
+ * Rates with NaN or infinity, or of 1e12 rad/s and more, are held out: the body stands still.
+ * Through a step longer than the longest the body stands still too.
+ * Readings that are zero, or have NaN or infinity, are not heard: the gyros go on alone.
+ */
+void attitude_averaging_turn(double a, double b, double c, double d, double mean_length,
+    double slope_n, double slope_e, double slope_d, double averaged, double settled, double p,
+    double q, double r, double accel_x, double accel_y, double accel_z, double dt,
+    double time_constant, double longest_step, double out[10]);
+void attitude_averaging_turn_f(float a, float b, float c, float d, float mean_length, float slope_n,
+    float slope_e, float slope_d, float averaged, float settled, float p, float q, float r,
+    float accel_x, float accel_y, float accel_z, float dt, float time_constant, float longest_step,
+    float out[10]);
+
+/*
+ * The same with a heading, and what is known of the magnetic field (14).
+ * a: scalar part of the attitude quaternion
+ * b: factor of i of the attitude quaternion
+ * c: factor of j of the attitude quaternion
+ * d: factor of k of the attitude quaternion
+ * mean_length: length of the mean force, in its unit
+ * slope_n: change of the mean north in a time constant
+ * slope_e: change of the mean east in a time constant
+ * slope_d: change of the mean down in a time constant
+ * averaged: time that the mean stands for, s
+ * settled: whether the low-pass has run in, 0 or 1
+ * heading_averaged: time that the heading stands for, s
+ * field_length: length of the field so far, any unit
+ * field_down: its part down, the whole field being 1
+ * field_known: time for which the two have held, s
+ * p: body rate about x, rad/s
+ * q: body rate about y, rad/s
+ * r: body rate about z, rad/s
+ * accel_x: reading of the accelerometer along x, m/s²
+ * accel_y: reading of the accelerometer along y, m/s²
+ * accel_z: reading of the accelerometer along z, m/s²
+ * mag_x: reading of the magnetometer along x, any unit
+ * mag_y: reading of the magnetometer along y, any unit
+ * mag_z: reading of the magnetometer along z, any unit
+ * dt: time that passes, s
+ * time_constant: mean age of what is averaged, s
+ * longest_step: beyond which a step is a gap, s
+ * heading_time_constant: mean age of the heading, s
+ * north: horizontal field at yaw 0 along x, any unit
+ * east: horizontal field at yaw 0 along y, any unit
+ * field_tolerance: by which a field may differ, as part of the whole
+ * field_patience: after which a field that differs is the field, s
+ * Rates with NaN or infinity, or of 1e12 rad/s and more, are held out: the body stands still.
+ * Through a step longer than the longest the body stands still too.
+ * Readings that are zero, or have NaN or infinity, are not heard: the gyros go on alone.
+ */
+void attitude_averaging_heading_turn(double a, double b, double c, double d, double mean_length,
+    double slope_n, double slope_e, double slope_d, double averaged, double settled,
+    double heading_averaged, double field_length, double field_down, double field_known, double p,
+    double q, double r, double accel_x, double accel_y, double accel_z, double mag_x, double mag_y,
+    double mag_z, double dt, double time_constant, double longest_step,
+    double heading_time_constant, double north, double east, double field_tolerance,
+    double field_patience, double out[14]);
+void attitude_averaging_heading_turn_f(float a, float b, float c, float d, float mean_length,
+    float slope_n, float slope_e, float slope_d, float averaged, float settled,
+    float heading_averaged, float field_length, float field_down, float field_known, float p,
+    float q, float r, float accel_x, float accel_y, float accel_z, float mag_x, float mag_y,
+    float mag_z, float dt, float time_constant, float longest_step, float heading_time_constant,
+    float north, float east, float field_tolerance, float field_patience, float out[14]);
+
+/*
+ * Attitude quaternion one period later, two sensors heard with fixed gains (4).
+ * a: scalar part of the attitude quaternion
+ * b: factor of i of the attitude quaternion
+ * c: factor of j of the attitude quaternion
+ * d: factor of k of the attitude quaternion
+ * p: body rate about x, rad/s
+ * q: body rate about y, rad/s
+ * r: body rate about z, rad/s
+ * accel_x: reading of the accelerometer along x, m/s²
+ * accel_y: reading of the accelerometer along y, m/s²
+ * accel_z: reading of the accelerometer along z, m/s²
+ * mag_x: reading of the magnetometer along x, any unit
+ * mag_y: reading of the magnetometer along y, any unit
+ * mag_z: reading of the magnetometer along z, any unit
+ * dt: time that passes, s
+ * gain: weight of the accelerometer, from 0 to 1
+ * heading_gain: weight of the magnetometer, from 0 to 1
+ * north: horizontal field at yaw 0 along x, any unit
+ * east: horizontal field at yaw 0 along y, any unit
+ * Rates with NaN or infinity, or of 1e12 rad/s and more, are held out: the body stands still.
+ * Readings that are zero, or have NaN or infinity, are not heard: the gyros go on alone.
+ */
+void attitude_observer_heading_turn(double a, double b, double c, double d, double p, double q,
+    double r, double accel_x, double accel_y, double accel_z, double mag_x, double mag_y,
+    double mag_z, double dt, double gain, double heading_gain, double north, double east,
+    double out[4]);
+void attitude_observer_heading_turn_f(float a, float b, float c, float d, float p, float q, float r,
+    float accel_x, float accel_y, float accel_z, float mag_x, float mag_y, float mag_z, float dt,
+    float gain, float heading_gain, float north, float east, float out[4]);
+
+/*
+ * Means over a rest so far, for how long it has been one, and the gyro bias learnt last (10).
+ * rest_rate_x: mean rate about x over the rest so far, rad/s
+ * rest_rate_y: mean rate about y over the rest so far, rad/s
+ * rest_rate_z: mean rate about z over the rest so far, rad/s
+ * rest_force_x: mean force along x over the rest so far
+ * rest_force_y: mean force along y over the rest so far
+ * rest_force_z: mean force along z over the rest so far
+ * still: for how long it has been one, s
+ * learnt_x: bias about x as learnt last, rad/s
+ * learnt_y: bias about y as learnt last, rad/s
+ * learnt_z: bias about z as learnt last, rad/s
+ * p: body rate about x, rad/s
+ * q: body rate about y, rad/s
+ * r: body rate about z, rad/s
+ * accel_x: reading of the accelerometer along x, m/s²
+ * accel_y: reading of the accelerometer along y, m/s²
+ * accel_z: reading of the accelerometer along z, m/s²
+ * dt: time that passes, s
+ * rest: after which a bias is learnt, s
+ * longest_step: beyond which a step is a gap, s
+ * A sample with a reading that is none changes nothing.
+ */
+void attitude_bias_at_rest(double rest_rate_x, double rest_rate_y, double rest_rate_z,
+    double rest_force_x, double rest_force_y, double rest_force_z, double still, double learnt_x,
+    double learnt_y, double learnt_z, double p, double q, double r, double accel_x, double accel_y,
+    double accel_z, double dt, double rest, double longest_step, double out[10]);
+void attitude_bias_at_rest_f(float rest_rate_x, float rest_rate_y, float rest_rate_z,
+    float rest_force_x, float rest_force_y, float rest_force_z, float still, float learnt_x,
+    float learnt_y, float learnt_z, float p, float q, float r, float accel_x, float accel_y,
+    float accel_z, float dt, float rest, float longest_step, float out[10]);
+
+/*
+ * Bound of the angle between true and estimated vertical, radians.
+ * averaged: time that the mean stands for, s
+ * time_constant: mean age of what is averaged, s
+ * speed: that the body stays below, m/s
+ * bias_bound: that a gyro's bias stays below, rad/s
+ * Nothing averaged, or more than pi, gives pi.
+ */
+double attitude_averaging_bound(double averaged, double time_constant, double speed,
+    double bias_bound);
+float attitude_averaging_bound_f(float averaged, float time_constant, float speed,
+    float bias_bound);
+
 #ifdef __cplusplus
 }
 #endif

@@ -1808,6 +1808,46 @@ EVERY_INSTRUCTION_SET static int64_t time_constant_from_gain
     return any;
 }
 
+EVERY_INSTRUCTION_SET static int64_t averaging_bound
+    (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
+     unsigned char *odd)
+{
+    int64_t any = 0;
+    FOR_EACH_BLOCK(rows) {
+        double averaged_in[1][BLOCK];
+        double time_constant_in[1][BLOCK];
+        double speed_in[1][BLOCK];
+        double bias_bound_in[1][BLOCK];
+        double results[1][BLOCK];
+        int64_t left[BLOCK], some = 0;
+        LOAD(averaged_in, 0, 1)
+        LOAD(time_constant_in, 1, 1)
+        LOAD(speed_in, 2, 1)
+        LOAD(bias_bound_in, 3, 1)
+        for (ptrdiff_t row = 0; row < padded; row++) {
+            const double averaged = averaged_in[0][row];
+            const double time_constant = time_constant_in[0][row];
+            const double speed = speed_in[0][row];
+            const double bias_bound = bias_bound_in[0][row];
+            const double bound_told = averaged <= 0.0 ? 3.141592653589793 : averaged < time_constant
+                ? averaged*bias_bound + 0.20394324259558566*speed/averaged : time_constant > 0.0 ?
+                bias_bound*time_constant + 0.13744070696307817*speed/time_constant : (double)NAN;
+            const double bound = bound_told > 3.141592653589793 ? 3.141592653589793 : bound_told;
+            results[0][row] = bound;
+            left[row] = !(FINITE(averaged + time_constant + speed + bias_bound));
+            some |= left[row];
+        }
+        STORE(results, 1)
+        if (some) {
+            any = 1;
+            for (ptrdiff_t row = 0; row < count; row++)
+                odd[start + row] = left[row] != 0;
+        }
+    }
+    FINISH
+    return any;
+}
+
 static int64_t gyro_step
     (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
      unsigned char *odd)
@@ -2274,6 +2314,613 @@ static int64_t dead_reckoning_held
     return 0;
 }
 
+static int64_t averaging_turn
+    (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
+     unsigned char *odd)
+{
+    double a = in[0][0];
+    double b = in[0][1];
+    double c = in[0][2];
+    double d = in[0][3];
+    double mean_length = in[0][4];
+    double slope_n = in[0][5];
+    double slope_e = in[0][6];
+    double slope_d = in[0][7];
+    double averaged = in[0][8];
+    double settled = in[0][9];
+    (void)odd;
+    for (ptrdiff_t row = 0; row < rows; row++) {
+        const double p = in[1][row * step[1] + 0];
+        const double q = in[1][row * step[1] + 1];
+        const double r = in[1][row * step[1] + 2];
+        const double accel_x = in[2][row * step[2] + 0];
+        const double accel_y = in[2][row * step[2] + 1];
+        const double accel_z = in[2][row * step[2] + 2];
+        const double dt = in[3][row * step[3] + 0];
+        const double time_constant = in[4][row * step[4] + 0];
+        const double longest_step = in[5][row * step[5] + 0];
+        const double step_seen = dt <= longest_step ? dt : 0.0;
+        const double step_counted = dt <= longest_step ? dt : longest_step;
+        const double abs_p = fabs(p);
+        const double abs_q = fabs(q);
+        const double abs_r = fabs(r);
+        const double whole_turn = step_seen*(abs_p + abs_q + abs_r);
+        const int moves = (whole_turn <= 1.7976931348623157e+308) & (abs_p < 1000000000000.0) &
+            (abs_q < 1000000000000.0) & (abs_r < 1000000000000.0);
+        const double rate_x = moves ? p : 0.0;
+        const double rate_y = moves ? q : 0.0;
+        const double rate_z = moves ? r : 0.0;
+        const double common_5 = rate_x*rate_x + rate_y*rate_y + rate_z*rate_z;
+        const double ratio = step_sinc_of_root(0.5*step_seen, common_5);
+        const double turn_a = step_cos_of_root(0.5*step_seen, common_5);
+        const double common_6 = 0.5*ratio*step_seen;
+        const double turn_b = common_6*rate_x;
+        const double turn_c = common_6*rate_y;
+        const double turn_d = common_6*rate_z;
+        const int rates_known = (moves) & (dt <= longest_step);
+        const double predicted_a = (a*turn_a - b*turn_b) + (-c*turn_c - d*turn_d);
+        const double predicted_b = (a*turn_b + b*turn_a) + (c*turn_d - d*turn_c);
+        const double predicted_c = (a*turn_c - b*turn_d) + (c*turn_a + d*turn_b);
+        const double predicted_d = (a*turn_d + b*turn_c) + (-c*turn_b + d*turn_a);
+        const double force_size = fabs(accel_x) + fabs(accel_y) + fabs(accel_z);
+        const int force_heard = (force_size > 1e-12) & (force_size < 1000000000000.0);
+        const double largest_size = 50.0*mean_length;
+        const double force_scale = (force_size > largest_size) & (mean_length > 0.0) ?
+            largest_size/force_size : 1.0;
+        const double reading_x = force_heard ? accel_x*force_scale : 0.0;
+        const double reading_y = force_heard ? accel_y*force_scale : 0.0;
+        const double reading_z = force_heard ? accel_z*force_scale : 0.0;
+        const double predicted_a_squared = predicted_a*predicted_a;
+        const double predicted_b_squared = predicted_b*predicted_b;
+        const double twice_predicted_a_reading_z = 2.0*predicted_a*reading_z;
+        const double twice_predicted_a_predicted_d = 2.0*predicted_a*predicted_d;
+        const double twice_predicted_b_predicted_c = 2.0*predicted_b*predicted_c;
+        const double predicted_d_reading_z = predicted_d*reading_z;
+        const double predicted_c_squared = predicted_c*predicted_c;
+        const double predicted_d_squared = predicted_d*predicted_d;
+        const double force_n = predicted_a_squared*reading_x + 2.0*predicted_b*predicted_d_reading_z
+            + predicted_b_squared*reading_x + predicted_c*twice_predicted_a_reading_z -
+            predicted_c_squared*reading_x - predicted_d_squared*reading_x -
+            reading_y*twice_predicted_a_predicted_d + reading_y*twice_predicted_b_predicted_c;
+        const double force_e = predicted_a_squared*reading_y -
+            predicted_b*twice_predicted_a_reading_z - predicted_b_squared*reading_y +
+            2.0*predicted_c*predicted_d_reading_z + predicted_c_squared*reading_y -
+            predicted_d_squared*reading_y + reading_x*twice_predicted_a_predicted_d +
+            reading_x*twice_predicted_b_predicted_c;
+        const double force_d = 2.0*predicted_a*predicted_b*reading_y -
+            2.0*predicted_a*predicted_c*reading_x + predicted_a_squared*reading_z +
+            2.0*predicted_b*predicted_d*reading_x - predicted_b_squared*reading_z +
+            2.0*predicted_c*predicted_d*reading_y - predicted_c_squared*reading_z +
+            predicted_d_squared*reading_z;
+        const double turn_unseen = (force_heard) & (rates_known) ? 0.0 : rates_known ? 0.005*dt :
+            dt;
+        const double averaged_left = 2.0*averaged/(9.80665*averaged*turn_unseen + 2.0);
+        const double length_of_mean = averaged_left + step_counted;
+        const double low_pass = (settled > 0.0) & (2.0*averaged_left >= time_constant) ? 1.0 : 0.0;
+        const double periods = time_constant > 0.0 ? step_counted/time_constant : (double)NAN;
+        const double decay = exp(-periods);
+        const double share = length_of_mean > 0.0 ? step_counted/length_of_mean : 1.0;
+        const double sin_periods = step_sin(periods);
+        const double cos_periods = step_cos(periods);
+        const double nearer = (force_heard) & (low_pass > 0.0) ? decay*(-cos_periods - sin_periods)
+            + 1.0 : force_heard ? share : 0.0;
+        const double by_slope = (force_heard) & (low_pass > 0.0) ? decay*sin_periods : force_heard ?
+            0.0 : 0.0;
+        const double bent = (force_heard) & (low_pass > 0.0) ? decay*(cos_periods - sin_periods) :
+            force_heard ? 0.0 : low_pass;
+        const double steeper = (force_heard) & (low_pass > 0.0) ? 2.0*decay*sin_periods :
+            force_heard ? 0.0 : 0.0;
+        const double off_n = force_n;
+        const double off_e = force_e;
+        const double off_d = force_d + mean_length;
+        const double mean_n = by_slope*slope_n + nearer*off_n;
+        const double mean_e = by_slope*slope_e + nearer*off_e;
+        const double mean_d = by_slope*slope_d - mean_length + nearer*off_d;
+        const double slope_after_n = bent*slope_n + off_n*steeper;
+        const double slope_after_e = bent*slope_e + off_e*steeper;
+        const double slope_after_d = bent*slope_d + off_d*steeper;
+        const double mean_e_squared_plus_mean_n_squared = mean_e*mean_e + mean_n*mean_n;
+        const double mean_length_after = sqrt(mean_e_squared_plus_mean_n_squared + mean_d*mean_d);
+        const double upright = -mean_d + mean_length_after;
+        const double level_size = sqrt(mean_e_squared_plus_mean_n_squared + upright*upright);
+        const double level_a = level_size > 0.0 ? upright/level_size : mean_length_after > 0.0 ? 0.0
+            : 1.0;
+        const double level_b = level_size > 0.0 ? -mean_e/level_size : mean_length_after > 0.0 ? 1.0
+            : 0.0;
+        const double level_c = level_size > 0.0 ? mean_n/level_size : mean_length_after > 0.0 ? 0.0
+            : 0.0;
+        const double averaged_after = (force_heard) & (length_of_mean >= time_constant) ?
+            time_constant : force_heard ? length_of_mean : averaged_left;
+        const double settled_after = (force_heard) & (length_of_mean >= time_constant) ? 1.0 :
+            force_heard ? low_pass : low_pass;
+        const double level_a_squared = level_a*level_a;
+        const double level_b_squared = level_b*level_b;
+        const double level_a_slope_after_d = level_a*slope_after_d;
+        const double twice_level_b_level_c = 2.0*level_b*level_c;
+        const double level_c_squared = level_c*level_c;
+        const double next_a = level_a*predicted_a - level_b*predicted_b - level_c*predicted_c;
+        const double next_b = level_a*predicted_b + level_b*predicted_a + level_c*predicted_d;
+        const double next_c = level_a*predicted_c - level_b*predicted_d + level_c*predicted_a;
+        const double next_d = level_a*predicted_d + level_b*predicted_c - level_c*predicted_b;
+        const double next_mean_length = mean_length_after;
+        const double next_slope_n = 2.0*level_a_slope_after_d*level_c +
+            level_a_squared*slope_after_n + level_b_squared*slope_after_n -
+            level_c_squared*slope_after_n + slope_after_e*twice_level_b_level_c;
+        const double next_slope_e = -2.0*level_a_slope_after_d*level_b +
+            level_a_squared*slope_after_e - level_b_squared*slope_after_e +
+            level_c_squared*slope_after_e + slope_after_n*twice_level_b_level_c;
+        const double next_slope_d = 2.0*level_a*level_b*slope_after_e -
+            2.0*level_a*level_c*slope_after_n + level_a_squared*slope_after_d -
+            level_b_squared*slope_after_d - level_c_squared*slope_after_d;
+        const double next_averaged = averaged_after;
+        const double next_settled = settled_after;
+        out[row * 10 + 0] = a = next_a;
+        out[row * 10 + 1] = b = next_b;
+        out[row * 10 + 2] = c = next_c;
+        out[row * 10 + 3] = d = next_d;
+        out[row * 10 + 4] = mean_length = next_mean_length;
+        out[row * 10 + 5] = slope_n = next_slope_n;
+        out[row * 10 + 6] = slope_e = next_slope_e;
+        out[row * 10 + 7] = slope_d = next_slope_d;
+        out[row * 10 + 8] = averaged = next_averaged;
+        out[row * 10 + 9] = settled = next_settled;
+    }
+    return 0;
+}
+
+static int64_t averaging_heading_turn
+    (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
+     unsigned char *odd)
+{
+    double a = in[0][0];
+    double b = in[0][1];
+    double c = in[0][2];
+    double d = in[0][3];
+    double mean_length = in[0][4];
+    double slope_n = in[0][5];
+    double slope_e = in[0][6];
+    double slope_d = in[0][7];
+    double averaged = in[0][8];
+    double settled = in[0][9];
+    double heading_averaged = in[0][10];
+    double field_length = in[0][11];
+    double field_down = in[0][12];
+    double field_known = in[0][13];
+    (void)odd;
+    for (ptrdiff_t row = 0; row < rows; row++) {
+        const double p = in[1][row * step[1] + 0];
+        const double q = in[1][row * step[1] + 1];
+        const double r = in[1][row * step[1] + 2];
+        const double accel_x = in[2][row * step[2] + 0];
+        const double accel_y = in[2][row * step[2] + 1];
+        const double accel_z = in[2][row * step[2] + 2];
+        const double mag_x = in[3][row * step[3] + 0];
+        const double mag_y = in[3][row * step[3] + 1];
+        const double mag_z = in[3][row * step[3] + 2];
+        const double dt = in[4][row * step[4] + 0];
+        const double time_constant = in[5][row * step[5] + 0];
+        const double longest_step = in[6][row * step[6] + 0];
+        const double heading_time_constant = in[7][row * step[7] + 0];
+        const double north = in[8][row * step[8] + 0];
+        const double east = in[9][row * step[9] + 0];
+        const double field_tolerance = in[10][row * step[10] + 0];
+        const double field_patience = in[11][row * step[11] + 0];
+        const double step_seen = dt <= longest_step ? dt : 0.0;
+        const double step_counted = dt <= longest_step ? dt : longest_step;
+        const double abs_p = fabs(p);
+        const double abs_q = fabs(q);
+        const double abs_r = fabs(r);
+        const double whole_turn = step_seen*(abs_p + abs_q + abs_r);
+        const int moves = (whole_turn <= 1.7976931348623157e+308) & (abs_p < 1000000000000.0) &
+            (abs_q < 1000000000000.0) & (abs_r < 1000000000000.0);
+        const double rate_x = moves ? p : 0.0;
+        const double rate_y = moves ? q : 0.0;
+        const double rate_z = moves ? r : 0.0;
+        const double common_7 = rate_x*rate_x + rate_y*rate_y + rate_z*rate_z;
+        const double ratio = step_sinc_of_root(0.5*step_seen, common_7);
+        const double turn_a = step_cos_of_root(0.5*step_seen, common_7);
+        const double common_8 = 0.5*ratio*step_seen;
+        const double turn_b = common_8*rate_x;
+        const double turn_c = common_8*rate_y;
+        const double turn_d = common_8*rate_z;
+        const int rates_known = (moves) & (dt <= longest_step);
+        const double predicted_a = (a*turn_a - b*turn_b) + (-c*turn_c - d*turn_d);
+        const double predicted_b = (a*turn_b + b*turn_a) + (c*turn_d - d*turn_c);
+        const double predicted_c = (a*turn_c - b*turn_d) + (c*turn_a + d*turn_b);
+        const double predicted_d = (a*turn_d + b*turn_c) + (-c*turn_b + d*turn_a);
+        const double force_size = fabs(accel_x) + fabs(accel_y) + fabs(accel_z);
+        const int force_heard = (force_size > 1e-12) & (force_size < 1000000000000.0);
+        const double largest_size = 50.0*mean_length;
+        const double force_scale = (force_size > largest_size) & (mean_length > 0.0) ?
+            largest_size/force_size : 1.0;
+        const double reading_x = force_heard ? accel_x*force_scale : 0.0;
+        const double reading_y = force_heard ? accel_y*force_scale : 0.0;
+        const double reading_z = force_heard ? accel_z*force_scale : 0.0;
+        const double predicted_a_squared = predicted_a*predicted_a;
+        const double predicted_b_squared = predicted_b*predicted_b;
+        const double twice_predicted_a_reading_z = 2.0*predicted_a*reading_z;
+        const double twice_predicted_a_predicted_d = 2.0*predicted_a*predicted_d;
+        const double twice_predicted_b_predicted_c = 2.0*predicted_b*predicted_c;
+        const double predicted_d_reading_z = predicted_d*reading_z;
+        const double predicted_c_squared = predicted_c*predicted_c;
+        const double predicted_d_squared = predicted_d*predicted_d;
+        const double force_n = predicted_a_squared*reading_x + 2.0*predicted_b*predicted_d_reading_z
+            + predicted_b_squared*reading_x + predicted_c*twice_predicted_a_reading_z -
+            predicted_c_squared*reading_x - predicted_d_squared*reading_x -
+            reading_y*twice_predicted_a_predicted_d + reading_y*twice_predicted_b_predicted_c;
+        const double force_e = predicted_a_squared*reading_y -
+            predicted_b*twice_predicted_a_reading_z - predicted_b_squared*reading_y +
+            2.0*predicted_c*predicted_d_reading_z + predicted_c_squared*reading_y -
+            predicted_d_squared*reading_y + reading_x*twice_predicted_a_predicted_d +
+            reading_x*twice_predicted_b_predicted_c;
+        const double force_d = 2.0*predicted_a*predicted_b*reading_y -
+            2.0*predicted_a*predicted_c*reading_x + predicted_a_squared*reading_z +
+            2.0*predicted_b*predicted_d*reading_x - predicted_b_squared*reading_z +
+            2.0*predicted_c*predicted_d*reading_y - predicted_c_squared*reading_z +
+            predicted_d_squared*reading_z;
+        const double turn_unseen = (force_heard) & (rates_known) ? 0.0 : rates_known ? 0.005*dt :
+            dt;
+        const double averaged_left = 2.0*averaged/(9.80665*averaged*turn_unseen + 2.0);
+        const double length_of_mean = averaged_left + step_counted;
+        const double low_pass = (settled > 0.0) & (2.0*averaged_left >= time_constant) ? 1.0 : 0.0;
+        const double periods = time_constant > 0.0 ? step_counted/time_constant : (double)NAN;
+        const double decay = exp(-periods);
+        const double share = length_of_mean > 0.0 ? step_counted/length_of_mean : 1.0;
+        const double sin_periods = step_sin(periods);
+        const double cos_periods = step_cos(periods);
+        const double nearer = (force_heard) & (low_pass > 0.0) ? decay*(-cos_periods - sin_periods)
+            + 1.0 : force_heard ? share : 0.0;
+        const double by_slope = (force_heard) & (low_pass > 0.0) ? decay*sin_periods : force_heard ?
+            0.0 : 0.0;
+        const double bent = (force_heard) & (low_pass > 0.0) ? decay*(cos_periods - sin_periods) :
+            force_heard ? 0.0 : low_pass;
+        const double steeper = (force_heard) & (low_pass > 0.0) ? 2.0*decay*sin_periods :
+            force_heard ? 0.0 : 0.0;
+        const double off_n = force_n;
+        const double off_e = force_e;
+        const double off_d = force_d + mean_length;
+        const double mean_n = by_slope*slope_n + nearer*off_n;
+        const double mean_e = by_slope*slope_e + nearer*off_e;
+        const double mean_d = by_slope*slope_d - mean_length + nearer*off_d;
+        const double slope_after_n = bent*slope_n + off_n*steeper;
+        const double slope_after_e = bent*slope_e + off_e*steeper;
+        const double slope_after_d = bent*slope_d + off_d*steeper;
+        const double mean_e_squared_plus_mean_n_squared = mean_e*mean_e + mean_n*mean_n;
+        const double mean_length_after = sqrt(mean_e_squared_plus_mean_n_squared + mean_d*mean_d);
+        const double upright = -mean_d + mean_length_after;
+        const double level_size = sqrt(mean_e_squared_plus_mean_n_squared + upright*upright);
+        const double level_a = level_size > 0.0 ? upright/level_size : mean_length_after > 0.0 ? 0.0
+            : 1.0;
+        const double level_b = level_size > 0.0 ? -mean_e/level_size : mean_length_after > 0.0 ? 1.0
+            : 0.0;
+        const double level_c = level_size > 0.0 ? mean_n/level_size : mean_length_after > 0.0 ? 0.0
+            : 0.0;
+        const double averaged_after = (force_heard) & (length_of_mean >= time_constant) ?
+            time_constant : force_heard ? length_of_mean : averaged_left;
+        const double settled_after = (force_heard) & (length_of_mean >= time_constant) ? 1.0 :
+            force_heard ? low_pass : low_pass;
+        const double level_attitude_a = level_a*predicted_a - level_b*predicted_b -
+            level_c*predicted_c;
+        const double level_attitude_b = level_a*predicted_b + level_b*predicted_a +
+            level_c*predicted_d;
+        const double level_attitude_c = level_a*predicted_c - level_b*predicted_d +
+            level_c*predicted_a;
+        const double level_attitude_d = level_a*predicted_d + level_b*predicted_c -
+            level_c*predicted_b;
+        const double level_a_squared = level_a*level_a;
+        const double level_b_squared = level_b*level_b;
+        const double level_a_slope_after_d = level_a*slope_after_d;
+        const double twice_level_b_level_c = 2.0*level_b*level_c;
+        const double level_c_squared = level_c*level_c;
+        const double level_slope_n = 2.0*level_a_slope_after_d*level_c +
+            level_a_squared*slope_after_n + level_b_squared*slope_after_n -
+            level_c_squared*slope_after_n + slope_after_e*twice_level_b_level_c;
+        const double level_slope_e = -2.0*level_a_slope_after_d*level_b +
+            level_a_squared*slope_after_e - level_b_squared*slope_after_e +
+            level_c_squared*slope_after_e + slope_after_n*twice_level_b_level_c;
+        const double level_slope_d = 2.0*level_a*level_b*slope_after_e -
+            2.0*level_a*level_c*slope_after_n + level_a_squared*slope_after_d -
+            level_b_squared*slope_after_d - level_c_squared*slope_after_d;
+        const double field_size = fabs(mag_x) + fabs(mag_y) + fabs(mag_z);
+        const int field_heard = (field_size > 1e-12) & (field_size < 1000000000000.0);
+        const double field_x = field_heard ? mag_x/field_size : 0.0;
+        const double field_y = field_heard ? mag_y/field_size : 0.0;
+        const double field_z = field_heard ? mag_z/field_size : 0.0;
+        const double level_attitude_a_squared = level_attitude_a*level_attitude_a;
+        const double level_attitude_b_squared = level_attitude_b*level_attitude_b;
+        const double level_attitude_a_level_attitude_d = level_attitude_a*level_attitude_d;
+        const double level_attitude_b_level_attitude_c = level_attitude_b*level_attitude_c;
+        const double twice_field_z_level_attitude_a = 2.0*field_z*level_attitude_a;
+        const double twice_field_z_level_attitude_d = 2.0*field_z*level_attitude_d;
+        const double level_attitude_c_squared = level_attitude_c*level_attitude_c;
+        const double level_attitude_d_squared = level_attitude_d*level_attitude_d;
+        const double field_n = field_x*level_attitude_a_squared + field_x*level_attitude_b_squared -
+            field_x*level_attitude_c_squared - field_x*level_attitude_d_squared -
+            2.0*field_y*level_attitude_a_level_attitude_d +
+            2.0*field_y*level_attitude_b_level_attitude_c +
+            level_attitude_b*twice_field_z_level_attitude_d +
+            level_attitude_c*twice_field_z_level_attitude_a;
+        const double field_e = 2.0*field_x*level_attitude_a_level_attitude_d +
+            2.0*field_x*level_attitude_b_level_attitude_c + field_y*level_attitude_a_squared -
+            field_y*level_attitude_b_squared + field_y*level_attitude_c_squared -
+            field_y*level_attitude_d_squared - level_attitude_b*twice_field_z_level_attitude_a +
+            level_attitude_c*twice_field_z_level_attitude_d;
+        const double field_d = -2.0*field_x*level_attitude_a*level_attitude_c +
+            2.0*field_x*level_attitude_b*level_attitude_d +
+            2.0*field_y*level_attitude_a*level_attitude_b +
+            2.0*field_y*level_attitude_c*level_attitude_d + field_z*level_attitude_a_squared -
+            field_z*level_attitude_b_squared - field_z*level_attitude_c_squared +
+            field_z*level_attitude_d_squared;
+        const double heading_off = step_atan2(east*field_n - field_e*north, east*field_e +
+            field_n*north);
+        const double field_unit_size = field_heard ? sqrt(field_d*field_d + field_e*field_e +
+            field_n*field_n) : 1.0;
+        const double length_now = field_size*field_unit_size;
+        const double down_now = field_d/field_unit_size;
+        const int field_is_the_same = (field_heard) & ((field_known <= 0.0) || ((fabs(down_now -
+            field_down) <= field_tolerance) & (fabs(field_length - length_now) <=
+            field_length*field_tolerance)));
+        const double field_known_after = (field_is_the_same) & (field_known + step_counted <=
+            field_patience) ? field_known + step_counted : (field_is_the_same) || (!field_heard) ?
+            field_known : field_known - step_counted > 0.0 ? field_known - step_counted : 0.0;
+        const double field_share = field_known + step_counted > 0.0 ? step_counted/(field_known +
+            step_counted) : 1.0;
+        const double field_length_after = field_is_the_same ? field_length +
+            field_share*(-field_length + length_now) : field_length;
+        const double field_down_after = field_is_the_same ? field_down + field_share*(down_now -
+            field_down) : field_down;
+        const int field_used = (field_is_the_same) & ((field_known_after >= 1.0) ||
+            (heading_averaged <= 0.0));
+        const double heading_unseen = (field_used) & (rates_known) ? 0.0 : rates_known ? 0.005*dt :
+            dt;
+        const double heading_left = 2.0*heading_averaged/(9.80665*heading_averaged*heading_unseen +
+            2.0);
+        const double heading_length = heading_left + step_counted;
+        const double least_share = heading_time_constant > 0.0 ?
+            -expm1(-step_counted/heading_time_constant) : (double)NAN;
+        const double mean_share = heading_length > 0.0 ? step_counted/heading_length : 1.0;
+        const double heading_share = !field_used ? 0.0 : mean_share > least_share ? mean_share :
+            least_share;
+        const double heading_averaged_after = !field_used ? heading_left : heading_length <=
+            heading_time_constant ? heading_length : heading_time_constant;
+        const double half_heading_turn = 0.5*heading_off*heading_share;
+        const double cos_half_heading_turn = step_cos(half_heading_turn);
+        const double heading_a = cos_half_heading_turn;
+        const double sin_half_heading_turn = step_sin(half_heading_turn);
+        const double heading_d = sin_half_heading_turn;
+        const double heading_d_squared = heading_d*heading_d;
+        const double twice_heading_a_heading_d = 2.0*heading_a*heading_d;
+        const double heading_a_squared = heading_a*heading_a;
+        const double next_a = heading_a*level_attitude_a - heading_d*level_attitude_d;
+        const double next_b = heading_a*level_attitude_b - heading_d*level_attitude_c;
+        const double next_c = heading_a*level_attitude_c + heading_d*level_attitude_b;
+        const double next_d = heading_a*level_attitude_d + heading_d*level_attitude_a;
+        const double next_mean_length = mean_length_after;
+        const double next_slope_n = heading_a_squared*level_slope_n -
+            heading_d_squared*level_slope_n - level_slope_e*twice_heading_a_heading_d;
+        const double next_slope_e = heading_a_squared*level_slope_e -
+            heading_d_squared*level_slope_e + level_slope_n*twice_heading_a_heading_d;
+        const double next_slope_d = heading_a_squared*level_slope_d +
+            heading_d_squared*level_slope_d;
+        const double next_averaged = averaged_after;
+        const double next_settled = settled_after;
+        const double next_heading_averaged = heading_averaged_after;
+        const double next_field_length = field_length_after;
+        const double next_field_down = field_down_after;
+        const double next_field_known = field_known_after;
+        out[row * 14 + 0] = a = next_a;
+        out[row * 14 + 1] = b = next_b;
+        out[row * 14 + 2] = c = next_c;
+        out[row * 14 + 3] = d = next_d;
+        out[row * 14 + 4] = mean_length = next_mean_length;
+        out[row * 14 + 5] = slope_n = next_slope_n;
+        out[row * 14 + 6] = slope_e = next_slope_e;
+        out[row * 14 + 7] = slope_d = next_slope_d;
+        out[row * 14 + 8] = averaged = next_averaged;
+        out[row * 14 + 9] = settled = next_settled;
+        out[row * 14 + 10] = heading_averaged = next_heading_averaged;
+        out[row * 14 + 11] = field_length = next_field_length;
+        out[row * 14 + 12] = field_down = next_field_down;
+        out[row * 14 + 13] = field_known = next_field_known;
+    }
+    return 0;
+}
+
+static int64_t observer_heading_turn
+    (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
+     unsigned char *odd)
+{
+    double a = in[0][0];
+    double b = in[0][1];
+    double c = in[0][2];
+    double d = in[0][3];
+    (void)odd;
+    for (ptrdiff_t row = 0; row < rows; row++) {
+        const double p = in[1][row * step[1] + 0];
+        const double q = in[1][row * step[1] + 1];
+        const double r = in[1][row * step[1] + 2];
+        const double accel_x = in[2][row * step[2] + 0];
+        const double accel_y = in[2][row * step[2] + 1];
+        const double accel_z = in[2][row * step[2] + 2];
+        const double mag_x = in[3][row * step[3] + 0];
+        const double mag_y = in[3][row * step[3] + 1];
+        const double mag_z = in[3][row * step[3] + 2];
+        const double dt = in[4][row * step[4] + 0];
+        const double gain = in[5][row * step[5] + 0];
+        const double heading_gain = in[6][row * step[6] + 0];
+        const double north = in[7][row * step[7] + 0];
+        const double east = in[8][row * step[8] + 0];
+        const double abs_p = fabs(p);
+        const double abs_q = fabs(q);
+        const double abs_r = fabs(r);
+        const double whole_turn = dt*(abs_p + abs_q + abs_r);
+        const int moves = (whole_turn <= 1.7976931348623157e+308) & (abs_p < 1000000000000.0) &
+            (abs_q < 1000000000000.0) & (abs_r < 1000000000000.0);
+        const double rate_x = moves ? p : 0.0;
+        const double rate_y = moves ? q : 0.0;
+        const double rate_z = moves ? r : 0.0;
+        const double common_5 = rate_x*rate_x + rate_y*rate_y + rate_z*rate_z;
+        const double ratio = step_sinc_of_root(0.5*dt, common_5);
+        const double turn_a = step_cos_of_root(0.5*dt, common_5);
+        const double common_6 = 0.5*dt*ratio;
+        const double turn_b = common_6*rate_x;
+        const double turn_c = common_6*rate_y;
+        const double turn_d = common_6*rate_z;
+        const double predicted_a = (a*turn_a - b*turn_b) + (-c*turn_c - d*turn_d);
+        const double predicted_b = (a*turn_b + b*turn_a) + (c*turn_d - d*turn_c);
+        const double predicted_c = (a*turn_c - b*turn_d) + (c*turn_a + d*turn_b);
+        const double predicted_d = (a*turn_d + b*turn_c) + (-c*turn_b + d*turn_a);
+        const double e_x = 2.0*predicted_a*predicted_c - 2.0*predicted_b*predicted_d;
+        const double e_y = -2.0*predicted_a*predicted_b - 2.0*predicted_c*predicted_d;
+        const double e_z = (-(predicted_a*predicted_a) + predicted_b*predicted_b) +
+            (predicted_c*predicted_c - (predicted_d*predicted_d));
+        const double size = fabs(accel_x) + fabs(accel_y) + fabs(accel_z);
+        const int has_direction = (size <= 1.7976931348623157e+308) & (size > 0.0);
+        const double reading_x = has_direction ? accel_x/size : 0.0;
+        const double reading_y = has_direction ? accel_y/size : 0.0;
+        const double reading_z = has_direction ? accel_z/size : 0.0;
+        const double across_x = -e_y*reading_z + e_z*reading_y;
+        const double across_y = e_x*reading_z - e_z*reading_x;
+        const double across_z = -e_x*reading_y + e_y*reading_x;
+        const double moved_a = -across_x*predicted_b - across_y*predicted_c - across_z*predicted_d;
+        const double moved_b = across_x*predicted_a - across_y*predicted_d + across_z*predicted_c;
+        const double moved_c = across_x*predicted_d + across_y*predicted_a - across_z*predicted_b;
+        const double moved_d = -across_x*predicted_c + across_y*predicted_b + across_z*predicted_a;
+        const double common_7 = across_x*across_x + across_y*across_y + across_z*across_z;
+        const double common_8 = e_x*reading_x + e_y*reading_y + e_z*reading_z;
+        const double turn_back_a = step_cos_of_share(0.5*gain, common_7, common_8);
+        const double factor = step_sin_of_share(0.5*gain, common_7, common_8);
+        const double level_attitude_a = factor*moved_a + predicted_a*turn_back_a;
+        const double level_attitude_b = factor*moved_b + predicted_b*turn_back_a;
+        const double level_attitude_c = factor*moved_c + predicted_c*turn_back_a;
+        const double level_attitude_d = factor*moved_d + predicted_d*turn_back_a;
+        const double field_size = fabs(mag_x) + fabs(mag_y) + fabs(mag_z);
+        const int field_heard = (field_size > 1e-12) & (field_size < 1000000000000.0);
+        const double field_x = field_heard ? mag_x/field_size : 0.0;
+        const double field_y = field_heard ? mag_y/field_size : 0.0;
+        const double field_z = field_heard ? mag_z/field_size : 0.0;
+        const double level_attitude_a_squared = level_attitude_a*level_attitude_a;
+        const double level_attitude_b_squared = level_attitude_b*level_attitude_b;
+        const double level_attitude_a_level_attitude_d = level_attitude_a*level_attitude_d;
+        const double level_attitude_b_level_attitude_c = level_attitude_b*level_attitude_c;
+        const double twice_field_z_level_attitude_a = 2.0*field_z*level_attitude_a;
+        const double twice_field_z_level_attitude_d = 2.0*field_z*level_attitude_d;
+        const double level_attitude_c_squared = level_attitude_c*level_attitude_c;
+        const double level_attitude_d_squared = level_attitude_d*level_attitude_d;
+        const double field_n = field_x*level_attitude_a_squared + field_x*level_attitude_b_squared -
+            field_x*level_attitude_c_squared - field_x*level_attitude_d_squared -
+            2.0*field_y*level_attitude_a_level_attitude_d +
+            2.0*field_y*level_attitude_b_level_attitude_c +
+            level_attitude_b*twice_field_z_level_attitude_d +
+            level_attitude_c*twice_field_z_level_attitude_a;
+        const double field_e = 2.0*field_x*level_attitude_a_level_attitude_d +
+            2.0*field_x*level_attitude_b_level_attitude_c + field_y*level_attitude_a_squared -
+            field_y*level_attitude_b_squared + field_y*level_attitude_c_squared -
+            field_y*level_attitude_d_squared - level_attitude_b*twice_field_z_level_attitude_a +
+            level_attitude_c*twice_field_z_level_attitude_d;
+        const double heading_off = step_atan2(east*field_n - field_e*north, east*field_e +
+            field_n*north);
+        const double heading_share = field_heard ? heading_gain : 0.0;
+        const double half_heading_turn = 0.5*heading_off*heading_share;
+        const double cos_half_heading_turn = step_cos(half_heading_turn);
+        const double heading_a = cos_half_heading_turn;
+        const double sin_half_heading_turn = step_sin(half_heading_turn);
+        const double heading_d = sin_half_heading_turn;
+        const double next_a = heading_a*level_attitude_a - heading_d*level_attitude_d;
+        const double next_b = heading_a*level_attitude_b - heading_d*level_attitude_c;
+        const double next_c = heading_a*level_attitude_c + heading_d*level_attitude_b;
+        const double next_d = heading_a*level_attitude_d + heading_d*level_attitude_a;
+        out[row * 4 + 0] = a = next_a;
+        out[row * 4 + 1] = b = next_b;
+        out[row * 4 + 2] = c = next_c;
+        out[row * 4 + 3] = d = next_d;
+    }
+    return 0;
+}
+
+static int64_t bias_at_rest
+    (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
+     unsigned char *odd)
+{
+    double rest_rate_x = in[0][0];
+    double rest_rate_y = in[0][1];
+    double rest_rate_z = in[0][2];
+    double rest_force_x = in[0][3];
+    double rest_force_y = in[0][4];
+    double rest_force_z = in[0][5];
+    double still = in[0][6];
+    double learnt_x = in[0][7];
+    double learnt_y = in[0][8];
+    double learnt_z = in[0][9];
+    (void)odd;
+    for (ptrdiff_t row = 0; row < rows; row++) {
+        const double p = in[1][row * step[1] + 0];
+        const double q = in[1][row * step[1] + 1];
+        const double r = in[1][row * step[1] + 2];
+        const double accel_x = in[2][row * step[2] + 0];
+        const double accel_y = in[2][row * step[2] + 1];
+        const double accel_z = in[2][row * step[2] + 2];
+        const double dt = in[3][row * step[3] + 0];
+        const double rest = in[4][row * step[4] + 0];
+        const double longest_step = in[5][row * step[5] + 0];
+        const double force_size = fabs(accel_x) + fabs(accel_y) + fabs(accel_z);
+        const int sample_known = (force_size > 1e-12) & (force_size < 1000000000000.0) & (fabs(p) <
+            1000000000000.0) & (fabs(q) < 1000000000000.0) & (fabs(r) < 1000000000000.0);
+        const int stays = (sample_known) & (dt <= longest_step) & (fabs(p - rest_rate_x) + fabs(q -
+            rest_rate_y) + fabs(r - rest_rate_z) <= 0.035) & (fabs(accel_x - rest_force_x) +
+            fabs(accel_y - rest_force_y) + fabs(accel_z - rest_force_z) <= 0.05*fabs(rest_force_x) +
+            0.05*fabs(rest_force_y) + 0.05*fabs(rest_force_z));
+        const double rest_length = dt + still;
+        const double share = rest_length > 0.0 ? dt/rest_length : 1.0;
+        const double mean_p = (stays) & (rest_length <= 10.0*rest) ? rest_rate_x + share*(p -
+            rest_rate_x) : stays ? rest_rate_x + share*(p - rest_rate_x) : sample_known ? p :
+            rest_rate_x;
+        const double mean_q = (stays) & (rest_length <= 10.0*rest) ? rest_rate_y + share*(q -
+            rest_rate_y) : stays ? rest_rate_y + share*(q - rest_rate_y) : sample_known ? q :
+            rest_rate_y;
+        const double mean_r = (stays) & (rest_length <= 10.0*rest) ? rest_rate_z + share*(r -
+            rest_rate_z) : stays ? rest_rate_z + share*(r - rest_rate_z) : sample_known ? r :
+            rest_rate_z;
+        const double mean_x = (stays) & (rest_length <= 10.0*rest) ? rest_force_x + share*(accel_x -
+            rest_force_x) : stays ? rest_force_x + share*(accel_x - rest_force_x) : sample_known ?
+            accel_x : rest_force_x;
+        const double mean_y = (stays) & (rest_length <= 10.0*rest) ? rest_force_y + share*(accel_y -
+            rest_force_y) : stays ? rest_force_y + share*(accel_y - rest_force_y) : sample_known ?
+            accel_y : rest_force_y;
+        const double mean_z = (stays) & (rest_length <= 10.0*rest) ? rest_force_z + share*(accel_z -
+            rest_force_z) : stays ? rest_force_z + share*(accel_z - rest_force_z) : sample_known ?
+            accel_z : rest_force_z;
+        const double still_after = (stays) & (rest_length <= 10.0*rest) ? rest_length : stays ?
+            still : sample_known ? 0.0 : still;
+        const int lasts = (stays) & (still_after >= rest) & (fabs(mean_p) <= 0.05) & (fabs(mean_q)
+            <= 0.05) & (fabs(mean_r) <= 0.05);
+        const double bias_p = lasts ? mean_p : learnt_x;
+        const double bias_q = lasts ? mean_q : learnt_y;
+        const double bias_r = lasts ? mean_r : learnt_z;
+        const double next_rest_rate_x = mean_p;
+        const double next_rest_rate_y = mean_q;
+        const double next_rest_rate_z = mean_r;
+        const double next_rest_force_x = mean_x;
+        const double next_rest_force_y = mean_y;
+        const double next_rest_force_z = mean_z;
+        const double next_still = still_after;
+        const double next_learnt_x = bias_p;
+        const double next_learnt_y = bias_q;
+        const double next_learnt_z = bias_r;
+        out[row * 10 + 0] = rest_rate_x = next_rest_rate_x;
+        out[row * 10 + 1] = rest_rate_y = next_rest_rate_y;
+        out[row * 10 + 2] = rest_rate_z = next_rest_rate_z;
+        out[row * 10 + 3] = rest_force_x = next_rest_force_x;
+        out[row * 10 + 4] = rest_force_y = next_rest_force_y;
+        out[row * 10 + 5] = rest_force_z = next_rest_force_z;
+        out[row * 10 + 6] = still = next_still;
+        out[row * 10 + 7] = learnt_x = next_learnt_x;
+        out[row * 10 + 8] = learnt_y = next_learnt_y;
+        out[row * 10 + 9] = learnt_z = next_learnt_z;
+    }
+    return 0;
+}
+
 const Kernel KERNELS[] = {
     {"matrix_from_euler", matrix_from_euler, 9, 1, {3}},
     {"euler_from_matrix", euler_from_matrix, 3, 1, {9}},
@@ -2313,6 +2960,7 @@ const Kernel KERNELS[] = {
     {"position_errors", position_errors, 6, 9, {0, 0, 0, 0, 0, 0, 0, 0, 0}},
     {"gain_from_time_constant", gain_from_time_constant, 0, 2, {0, 0}},
     {"time_constant_from_gain", time_constant_from_gain, 0, 2, {0, 0}},
+    {"averaging_bound", averaging_bound, 0, 4, {0, 0, 0, 0}},
     {"gyro_step", gyro_step, 3, 3, {3, 3, 0}},
     {"gyro_turn", gyro_turn, 4, 3, {4, 3, 0}},
     {"observer_turn", observer_turn, 4, 5, {4, 3, 3, 0, 0}},
@@ -2320,5 +2968,9 @@ const Kernel KERNELS[] = {
     {"euler_observer_step", euler_observer_step, 3, 5, {3, 3, 3, 0, 0}},
     {"monitored_turn", monitored_turn, 5, 11, {5, 3, 3, 3, 0, 0, 0, 0, 0, 0, 0}},
     {"dead_reckoning_held", dead_reckoning_held, 6, 3, {6, 3, 0}},
+    {"averaging_turn", averaging_turn, 10, 6, {10, 3, 3, 0, 0, 0}},
+    {"averaging_heading_turn", averaging_heading_turn, 14, 12, {14, 3, 3, 3, 0, 0, 0, 0, 0, 0, 0, 0}},
+    {"observer_heading_turn", observer_heading_turn, 4, 9, {4, 3, 3, 3, 0, 0, 0, 0, 0}},
+    {"bias_at_rest", bias_at_rest, 10, 6, {10, 3, 3, 0, 0, 0}},
     {0},
 };

@@ -1183,3 +1183,227 @@ export function gainFromTimeConstant(timeConstant: number, dt: number): number;
  * @returns {number}
  */
 export function timeConstantFromGain(gain: number, dt: number): number;
+
+/**
+ * Attitude quaternion and state of the averaging filter after one more sample (10).
+ * Rates with NaN or infinity, or of 1e12 rad/s and more, are held out: the body stands still.
+ * Through a step longer than the longest the body stands still too.
+ * Readings that are zero, or have NaN or infinity, are not heard: the gyros go on alone.
+ * @param {number} a scalar part of the attitude quaternion
+ * @param {number} b factor of i of the attitude quaternion
+ * @param {number} c factor of j of the attitude quaternion
+ * @param {number} d factor of k of the attitude quaternion
+ * @param {number} meanLength length of the mean force, in its unit
+ * @param {number} slopeN change of the mean north in a time constant
+ * @param {number} slopeE change of the mean east in a time constant
+ * @param {number} slopeD change of the mean down in a time constant
+ * @param {number} averaged time that the mean stands for, s
+ * @param {number} settled whether the low-pass has run in, 0 or 1
+ * @param {number} p body rate about x, rad/s
+ * @param {number} q body rate about y, rad/s
+ * @param {number} r body rate about z, rad/s
+ * @param {number} accelX reading of the accelerometer along x, m/s²
+ * @param {number} accelY reading of the accelerometer along y, m/s²
+ * @param {number} accelZ reading of the accelerometer along z, m/s²
+ * @param {number} dt time that passes, s
+ * @param {number} timeConstant mean age of what is averaged, s
+ * @param {number} longestStep beyond which a step is a gap, s
+ * @returns {[number, number, number, number, number, number, number, number, number, number]}
+ */
+export function averagingTurn(
+  a: number,
+  b: number,
+  c: number,
+  d: number,
+  meanLength: number,
+  slopeN: number,
+  slopeE: number,
+  slopeD: number,
+  averaged: number,
+  settled: number,
+  p: number,
+  q: number,
+  r: number,
+  accelX: number,
+  accelY: number,
+  accelZ: number,
+  dt: number,
+  timeConstant: number,
+  longestStep: number,
+): [number, number, number, number, number, number, number, number, number, number];
+
+/**
+ * The same with a heading, and what is known of the magnetic field (14).
+ * Rates with NaN or infinity, or of 1e12 rad/s and more, are held out: the body stands still.
+ * Through a step longer than the longest the body stands still too.
+ * Readings that are zero, or have NaN or infinity, are not heard: the gyros go on alone.
+ * @param {number} a scalar part of the attitude quaternion
+ * @param {number} b factor of i of the attitude quaternion
+ * @param {number} c factor of j of the attitude quaternion
+ * @param {number} d factor of k of the attitude quaternion
+ * @param {number} meanLength length of the mean force, in its unit
+ * @param {number} slopeN change of the mean north in a time constant
+ * @param {number} slopeE change of the mean east in a time constant
+ * @param {number} slopeD change of the mean down in a time constant
+ * @param {number} averaged time that the mean stands for, s
+ * @param {number} settled whether the low-pass has run in, 0 or 1
+ * @param {number} headingAveraged time that the heading stands for, s
+ * @param {number} fieldLength length of the field so far, any unit
+ * @param {number} fieldDown its part down, the whole field being 1
+ * @param {number} fieldKnown time for which the two have held, s
+ * @param {number} p body rate about x, rad/s
+ * @param {number} q body rate about y, rad/s
+ * @param {number} r body rate about z, rad/s
+ * @param {number} accelX reading of the accelerometer along x, m/s²
+ * @param {number} accelY reading of the accelerometer along y, m/s²
+ * @param {number} accelZ reading of the accelerometer along z, m/s²
+ * @param {number} magX reading of the magnetometer along x, any unit
+ * @param {number} magY reading of the magnetometer along y, any unit
+ * @param {number} magZ reading of the magnetometer along z, any unit
+ * @param {number} dt time that passes, s
+ * @param {number} timeConstant mean age of what is averaged, s
+ * @param {number} longestStep beyond which a step is a gap, s
+ * @param {number} headingTimeConstant mean age of the heading, s
+ * @param {number} north horizontal field at yaw 0 along x, any unit
+ * @param {number} east horizontal field at yaw 0 along y, any unit
+ * @param {number} fieldTolerance by which a field may differ, as part of the whole
+ * @param {number} fieldPatience after which a field that differs is the field, s
+ * @returns {[number, number, number, number, number, number, number, number, number, number, number, number, number, number]}
+ */
+export function averagingHeadingTurn(
+  a: number,
+  b: number,
+  c: number,
+  d: number,
+  meanLength: number,
+  slopeN: number,
+  slopeE: number,
+  slopeD: number,
+  averaged: number,
+  settled: number,
+  headingAveraged: number,
+  fieldLength: number,
+  fieldDown: number,
+  fieldKnown: number,
+  p: number,
+  q: number,
+  r: number,
+  accelX: number,
+  accelY: number,
+  accelZ: number,
+  magX: number,
+  magY: number,
+  magZ: number,
+  dt: number,
+  timeConstant: number,
+  longestStep: number,
+  headingTimeConstant: number,
+  north: number,
+  east: number,
+  fieldTolerance: number,
+  fieldPatience: number,
+): [number, number, number, number, number, number, number, number, number, number, number, number, number, number];
+
+/**
+ * Attitude quaternion one period later, two sensors heard with fixed gains (4).
+ * Rates with NaN or infinity, or of 1e12 rad/s and more, are held out: the body stands still.
+ * Readings that are zero, or have NaN or infinity, are not heard: the gyros go on alone.
+ * @param {number} a scalar part of the attitude quaternion
+ * @param {number} b factor of i of the attitude quaternion
+ * @param {number} c factor of j of the attitude quaternion
+ * @param {number} d factor of k of the attitude quaternion
+ * @param {number} p body rate about x, rad/s
+ * @param {number} q body rate about y, rad/s
+ * @param {number} r body rate about z, rad/s
+ * @param {number} accelX reading of the accelerometer along x, m/s²
+ * @param {number} accelY reading of the accelerometer along y, m/s²
+ * @param {number} accelZ reading of the accelerometer along z, m/s²
+ * @param {number} magX reading of the magnetometer along x, any unit
+ * @param {number} magY reading of the magnetometer along y, any unit
+ * @param {number} magZ reading of the magnetometer along z, any unit
+ * @param {number} dt time that passes, s
+ * @param {number} gain weight of the accelerometer, from 0 to 1
+ * @param {number} headingGain weight of the magnetometer, from 0 to 1
+ * @param {number} north horizontal field at yaw 0 along x, any unit
+ * @param {number} east horizontal field at yaw 0 along y, any unit
+ * @returns {[number, number, number, number]}
+ */
+export function observerHeadingTurn(
+  a: number,
+  b: number,
+  c: number,
+  d: number,
+  p: number,
+  q: number,
+  r: number,
+  accelX: number,
+  accelY: number,
+  accelZ: number,
+  magX: number,
+  magY: number,
+  magZ: number,
+  dt: number,
+  gain: number,
+  headingGain: number,
+  north: number,
+  east: number,
+): [number, number, number, number];
+
+/**
+ * Means over a rest so far, for how long it has been one, and the gyro bias learnt last (10).
+ * A sample with a reading that is none changes nothing.
+ * @param {number} restRateX mean rate about x over the rest so far, rad/s
+ * @param {number} restRateY mean rate about y over the rest so far, rad/s
+ * @param {number} restRateZ mean rate about z over the rest so far, rad/s
+ * @param {number} restForceX mean force along x over the rest so far
+ * @param {number} restForceY mean force along y over the rest so far
+ * @param {number} restForceZ mean force along z over the rest so far
+ * @param {number} still for how long it has been one, s
+ * @param {number} learntX bias about x as learnt last, rad/s
+ * @param {number} learntY bias about y as learnt last, rad/s
+ * @param {number} learntZ bias about z as learnt last, rad/s
+ * @param {number} p body rate about x, rad/s
+ * @param {number} q body rate about y, rad/s
+ * @param {number} r body rate about z, rad/s
+ * @param {number} accelX reading of the accelerometer along x, m/s²
+ * @param {number} accelY reading of the accelerometer along y, m/s²
+ * @param {number} accelZ reading of the accelerometer along z, m/s²
+ * @param {number} dt time that passes, s
+ * @param {number} rest after which a bias is learnt, s
+ * @param {number} longestStep beyond which a step is a gap, s
+ * @returns {[number, number, number, number, number, number, number, number, number, number]}
+ */
+export function biasAtRest(
+  restRateX: number,
+  restRateY: number,
+  restRateZ: number,
+  restForceX: number,
+  restForceY: number,
+  restForceZ: number,
+  still: number,
+  learntX: number,
+  learntY: number,
+  learntZ: number,
+  p: number,
+  q: number,
+  r: number,
+  accelX: number,
+  accelY: number,
+  accelZ: number,
+  dt: number,
+  rest: number,
+  longestStep: number,
+): [number, number, number, number, number, number, number, number, number, number];
+
+/**
+ * Bound of the angle between true and estimated vertical, radians.
+ * Nothing averaged, or more than pi, gives pi.
+ * @param {number} averaged time that the mean stands for, s
+ * @param {number} timeConstant mean age of what is averaged, s
+ * @param {number} speed that the body stays below, m/s
+ * @param {number} biasBound that a gyro's bias stays below, rad/s
+ * @returns {number}
+ */
+export function averagingBound(
+  averaged: number, timeConstant: number, speed: number, biasBound: number
+): number;

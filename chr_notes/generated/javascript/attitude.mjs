@@ -1974,3 +1974,859 @@ export function timeConstantFromGain(gain, dt) {
   const result = -dt/logarithmOfWhatIsKept;
   return result;
 }
+
+/**
+ * Attitude quaternion and state of the averaging filter after one more sample (10).
+ * Rates with NaN or infinity, or of 1e12 rad/s and more, are held out: the body stands still.
+ * Through a step longer than the longest the body stands still too.
+ * Readings that are zero, or have NaN or infinity, are not heard: the gyros go on alone.
+ * @param {number} a scalar part of the attitude quaternion
+ * @param {number} b factor of i of the attitude quaternion
+ * @param {number} c factor of j of the attitude quaternion
+ * @param {number} d factor of k of the attitude quaternion
+ * @param {number} meanLength length of the mean force, in its unit
+ * @param {number} slopeN change of the mean north in a time constant
+ * @param {number} slopeE change of the mean east in a time constant
+ * @param {number} slopeD change of the mean down in a time constant
+ * @param {number} averaged time that the mean stands for, s
+ * @param {number} settled whether the low-pass has run in, 0 or 1
+ * @param {number} p body rate about x, rad/s
+ * @param {number} q body rate about y, rad/s
+ * @param {number} r body rate about z, rad/s
+ * @param {number} accelX reading of the accelerometer along x, m/s²
+ * @param {number} accelY reading of the accelerometer along y, m/s²
+ * @param {number} accelZ reading of the accelerometer along z, m/s²
+ * @param {number} dt time that passes, s
+ * @param {number} timeConstant mean age of what is averaged, s
+ * @param {number} longestStep beyond which a step is a gap, s
+ * @returns {[number, number, number, number, number, number, number, number, number, number]}
+ */
+export function averagingTurn(
+  a,
+  b,
+  c,
+  d,
+  meanLength,
+  slopeN,
+  slopeE,
+  slopeD,
+  averaged,
+  settled,
+  p,
+  q,
+  r,
+  accelX,
+  accelY,
+  accelZ,
+  dt,
+  timeConstant,
+  longestStep,
+) {
+  let stepSeen, stepCounted;
+  if (dt <= longestStep) {
+    stepSeen = dt;
+    stepCounted = dt;
+  } else {
+    stepSeen = 0;
+    stepCounted = longestStep;
+  }
+  const absP = Math.abs(p);
+  const absQ = Math.abs(q);
+  const absR = Math.abs(r);
+  const wholeTurn = stepSeen*(absP + absQ + absR);
+  const moves = wholeTurn <= 1.7976931348623157e+308 && absP < 1000000000000 && absQ < 1000000000000
+      && absR < 1000000000000;
+  let rateX, rateY, rateZ;
+  if (moves) {
+    rateX = p;
+    rateY = q;
+    rateZ = r;
+  } else {
+    rateX = 0;
+    rateY = 0;
+    rateZ = 0;
+  }
+  const halfTurn = 0.5*stepSeen*Math.sqrt(rateX*rateX + rateY*rateY + rateZ*rateZ);
+  const sinHalfTurn = Math.sin(halfTurn);
+  const ratio = halfTurn > 0 ? sinHalfTurn/halfTurn : 1;
+  const cosHalfTurn = Math.cos(halfTurn);
+  const turnA = cosHalfTurn;
+  const common7 = 0.5*ratio*stepSeen;
+  const turnB = common7*rateX;
+  const turnC = common7*rateY;
+  const turnD = common7*rateZ;
+  const ratesKnown = moves && dt <= longestStep;
+  const predictedA = a*turnA - b*turnB - c*turnC - d*turnD;
+  const predictedB = a*turnB + b*turnA + c*turnD - d*turnC;
+  const predictedC = a*turnC - b*turnD + c*turnA + d*turnB;
+  const predictedD = a*turnD + b*turnC - c*turnB + d*turnA;
+  const forceSize = Math.abs(accelX) + Math.abs(accelY) + Math.abs(accelZ);
+  const forceHeard = forceSize > 1e-12 && forceSize < 1000000000000;
+  const largestSize = 50*meanLength;
+  let forceScale;
+  if (forceSize > largestSize && meanLength > 0) {
+    forceScale = largestSize/forceSize;
+  } else {
+    forceScale = 1;
+  }
+  let readingX, readingY, readingZ;
+  if (forceHeard) {
+    readingX = accelX*forceScale;
+    readingY = accelY*forceScale;
+    readingZ = accelZ*forceScale;
+  } else {
+    readingX = 0;
+    readingY = 0;
+    readingZ = 0;
+  }
+  const predictedASquared = predictedA*predictedA;
+  const predictedBSquared = predictedB*predictedB;
+  const twicePredictedAReadingZ = 2*predictedA*readingZ;
+  const twicePredictedAPredictedD = 2*predictedA*predictedD;
+  const twicePredictedBPredictedC = 2*predictedB*predictedC;
+  const predictedDReadingZ = predictedD*readingZ;
+  const predictedCSquared = predictedC*predictedC;
+  const predictedDSquared = predictedD*predictedD;
+  const forceN = predictedASquared*readingX + 2*predictedB*predictedDReadingZ +
+      predictedBSquared*readingX + predictedC*twicePredictedAReadingZ - predictedCSquared*readingX -
+      predictedDSquared*readingX - readingY*twicePredictedAPredictedD +
+      readingY*twicePredictedBPredictedC;
+  const forceE = predictedASquared*readingY - predictedB*twicePredictedAReadingZ -
+      predictedBSquared*readingY + 2*predictedC*predictedDReadingZ + predictedCSquared*readingY -
+      predictedDSquared*readingY + readingX*twicePredictedAPredictedD +
+      readingX*twicePredictedBPredictedC;
+  const forceD = 2*predictedA*predictedB*readingY - 2*predictedA*predictedC*readingX +
+      predictedASquared*readingZ + 2*predictedB*predictedD*readingX - predictedBSquared*readingZ +
+      2*predictedC*predictedD*readingY - predictedCSquared*readingZ + predictedDSquared*readingZ;
+  let turnUnseen;
+  if (forceHeard && ratesKnown) {
+    turnUnseen = 0;
+  } else if (ratesKnown) {
+    turnUnseen = 0.005*dt;
+  } else {
+    turnUnseen = dt;
+  }
+  const averagedLeft = 2*averaged/(9.80665*averaged*turnUnseen + 2);
+  const lengthOfMean = averagedLeft + stepCounted;
+  let lowPass;
+  if (2*averagedLeft >= timeConstant && settled > 0) {
+    lowPass = 1;
+  } else {
+    lowPass = 0;
+  }
+  const periods = timeConstant > 0 ? stepCounted/timeConstant : NaN;
+  const decay = Math.exp(-periods);
+  const share = lengthOfMean > 0 ? stepCounted/lengthOfMean : 1;
+  const sinPeriods = Math.sin(periods);
+  const cosPeriods = Math.cos(periods);
+  let nearer, bySlope, bent, steeper;
+  if (forceHeard && lowPass > 0) {
+    nearer = decay*(-cosPeriods - sinPeriods) + 1;
+    bySlope = decay*sinPeriods;
+    bent = decay*(cosPeriods - sinPeriods);
+    steeper = 2*decay*sinPeriods;
+  } else if (forceHeard) {
+    nearer = share;
+    bySlope = 0;
+    bent = 0;
+    steeper = 0;
+  } else {
+    nearer = 0;
+    bySlope = 0;
+    bent = lowPass;
+    steeper = 0;
+  }
+  const offN = forceN;
+  const offE = forceE;
+  const offD = forceD + meanLength;
+  const meanN = bySlope*slopeN + nearer*offN;
+  const meanE = bySlope*slopeE + nearer*offE;
+  const meanD = bySlope*slopeD - meanLength + nearer*offD;
+  const slopeAfterN = bent*slopeN + offN*steeper;
+  const slopeAfterE = bent*slopeE + offE*steeper;
+  const slopeAfterD = bent*slopeD + offD*steeper;
+  const meanESquaredPlusMeanNSquared = meanE*meanE + meanN*meanN;
+  const meanLengthAfter = Math.sqrt(meanESquaredPlusMeanNSquared + meanD*meanD);
+  const upright = -meanD + meanLengthAfter;
+  const levelSize = Math.sqrt(meanESquaredPlusMeanNSquared + upright*upright);
+  let levelA, levelB, levelC;
+  if (levelSize > 0) {
+    levelA = upright/levelSize;
+    levelB = -meanE/levelSize;
+    levelC = meanN/levelSize;
+  } else if (meanLengthAfter > 0) {
+    levelA = 0;
+    levelB = 1;
+    levelC = 0;
+  } else {
+    levelA = 1;
+    levelB = 0;
+    levelC = 0;
+  }
+  let averagedAfter, settledAfter;
+  if (forceHeard && lengthOfMean >= timeConstant) {
+    averagedAfter = timeConstant;
+    settledAfter = 1;
+  } else if (forceHeard) {
+    averagedAfter = lengthOfMean;
+    settledAfter = lowPass;
+  } else {
+    averagedAfter = averagedLeft;
+    settledAfter = lowPass;
+  }
+  const levelASquared = levelA*levelA;
+  const levelBSquared = levelB*levelB;
+  const levelASlopeAfterD = levelA*slopeAfterD;
+  const twiceLevelBLevelC = 2*levelB*levelC;
+  const levelCSquared = levelC*levelC;
+  return [
+    levelA*predictedA - levelB*predictedB - levelC*predictedC,
+    levelA*predictedB + levelB*predictedA + levelC*predictedD,
+    levelA*predictedC - levelB*predictedD + levelC*predictedA,
+    levelA*predictedD + levelB*predictedC - levelC*predictedB,
+    meanLengthAfter,
+    2*levelASlopeAfterD*levelC + levelASquared*slopeAfterN + levelBSquared*slopeAfterN -
+        levelCSquared*slopeAfterN + slopeAfterE*twiceLevelBLevelC,
+    -2*levelASlopeAfterD*levelB + levelASquared*slopeAfterE - levelBSquared*slopeAfterE +
+        levelCSquared*slopeAfterE + slopeAfterN*twiceLevelBLevelC,
+    2*levelA*levelB*slopeAfterE - 2*levelA*levelC*slopeAfterN + levelASquared*slopeAfterD -
+        levelBSquared*slopeAfterD - levelCSquared*slopeAfterD,
+    averagedAfter,
+    settledAfter,
+  ];
+}
+
+/**
+ * The same with a heading, and what is known of the magnetic field (14).
+ * Rates with NaN or infinity, or of 1e12 rad/s and more, are held out: the body stands still.
+ * Through a step longer than the longest the body stands still too.
+ * Readings that are zero, or have NaN or infinity, are not heard: the gyros go on alone.
+ * @param {number} a scalar part of the attitude quaternion
+ * @param {number} b factor of i of the attitude quaternion
+ * @param {number} c factor of j of the attitude quaternion
+ * @param {number} d factor of k of the attitude quaternion
+ * @param {number} meanLength length of the mean force, in its unit
+ * @param {number} slopeN change of the mean north in a time constant
+ * @param {number} slopeE change of the mean east in a time constant
+ * @param {number} slopeD change of the mean down in a time constant
+ * @param {number} averaged time that the mean stands for, s
+ * @param {number} settled whether the low-pass has run in, 0 or 1
+ * @param {number} headingAveraged time that the heading stands for, s
+ * @param {number} fieldLength length of the field so far, any unit
+ * @param {number} fieldDown its part down, the whole field being 1
+ * @param {number} fieldKnown time for which the two have held, s
+ * @param {number} p body rate about x, rad/s
+ * @param {number} q body rate about y, rad/s
+ * @param {number} r body rate about z, rad/s
+ * @param {number} accelX reading of the accelerometer along x, m/s²
+ * @param {number} accelY reading of the accelerometer along y, m/s²
+ * @param {number} accelZ reading of the accelerometer along z, m/s²
+ * @param {number} magX reading of the magnetometer along x, any unit
+ * @param {number} magY reading of the magnetometer along y, any unit
+ * @param {number} magZ reading of the magnetometer along z, any unit
+ * @param {number} dt time that passes, s
+ * @param {number} timeConstant mean age of what is averaged, s
+ * @param {number} longestStep beyond which a step is a gap, s
+ * @param {number} headingTimeConstant mean age of the heading, s
+ * @param {number} north horizontal field at yaw 0 along x, any unit
+ * @param {number} east horizontal field at yaw 0 along y, any unit
+ * @param {number} fieldTolerance by which a field may differ, as part of the whole
+ * @param {number} fieldPatience after which a field that differs is the field, s
+ * @returns {[number, number, number, number, number, number, number, number, number, number, number, number, number, number]}
+ */
+export function averagingHeadingTurn(
+  a,
+  b,
+  c,
+  d,
+  meanLength,
+  slopeN,
+  slopeE,
+  slopeD,
+  averaged,
+  settled,
+  headingAveraged,
+  fieldLength,
+  fieldDown,
+  fieldKnown,
+  p,
+  q,
+  r,
+  accelX,
+  accelY,
+  accelZ,
+  magX,
+  magY,
+  magZ,
+  dt,
+  timeConstant,
+  longestStep,
+  headingTimeConstant,
+  north,
+  east,
+  fieldTolerance,
+  fieldPatience,
+) {
+  let stepSeen, stepCounted;
+  if (dt <= longestStep) {
+    stepSeen = dt;
+    stepCounted = dt;
+  } else {
+    stepSeen = 0;
+    stepCounted = longestStep;
+  }
+  const absP = Math.abs(p);
+  const absQ = Math.abs(q);
+  const absR = Math.abs(r);
+  const wholeTurn = stepSeen*(absP + absQ + absR);
+  const moves = wholeTurn <= 1.7976931348623157e+308 && absP < 1000000000000 && absQ < 1000000000000
+      && absR < 1000000000000;
+  let rateX, rateY, rateZ;
+  if (moves) {
+    rateX = p;
+    rateY = q;
+    rateZ = r;
+  } else {
+    rateX = 0;
+    rateY = 0;
+    rateZ = 0;
+  }
+  const halfTurn = 0.5*stepSeen*Math.sqrt(rateX*rateX + rateY*rateY + rateZ*rateZ);
+  const sinHalfTurn = Math.sin(halfTurn);
+  const ratio = halfTurn > 0 ? sinHalfTurn/halfTurn : 1;
+  const cosHalfTurn = Math.cos(halfTurn);
+  const turnA = cosHalfTurn;
+  const common9 = 0.5*ratio*stepSeen;
+  const turnB = common9*rateX;
+  const turnC = common9*rateY;
+  const turnD = common9*rateZ;
+  const ratesKnown = moves && dt <= longestStep;
+  const predictedA = a*turnA - b*turnB - c*turnC - d*turnD;
+  const predictedB = a*turnB + b*turnA + c*turnD - d*turnC;
+  const predictedC = a*turnC - b*turnD + c*turnA + d*turnB;
+  const predictedD = a*turnD + b*turnC - c*turnB + d*turnA;
+  const forceSize = Math.abs(accelX) + Math.abs(accelY) + Math.abs(accelZ);
+  const forceHeard = forceSize > 1e-12 && forceSize < 1000000000000;
+  const largestSize = 50*meanLength;
+  let forceScale;
+  if (forceSize > largestSize && meanLength > 0) {
+    forceScale = largestSize/forceSize;
+  } else {
+    forceScale = 1;
+  }
+  let readingX, readingY, readingZ;
+  if (forceHeard) {
+    readingX = accelX*forceScale;
+    readingY = accelY*forceScale;
+    readingZ = accelZ*forceScale;
+  } else {
+    readingX = 0;
+    readingY = 0;
+    readingZ = 0;
+  }
+  const predictedASquared = predictedA*predictedA;
+  const predictedBSquared = predictedB*predictedB;
+  const twicePredictedAReadingZ = 2*predictedA*readingZ;
+  const twicePredictedAPredictedD = 2*predictedA*predictedD;
+  const twicePredictedBPredictedC = 2*predictedB*predictedC;
+  const predictedDReadingZ = predictedD*readingZ;
+  const predictedCSquared = predictedC*predictedC;
+  const predictedDSquared = predictedD*predictedD;
+  const forceN = predictedASquared*readingX + 2*predictedB*predictedDReadingZ +
+      predictedBSquared*readingX + predictedC*twicePredictedAReadingZ - predictedCSquared*readingX -
+      predictedDSquared*readingX - readingY*twicePredictedAPredictedD +
+      readingY*twicePredictedBPredictedC;
+  const forceE = predictedASquared*readingY - predictedB*twicePredictedAReadingZ -
+      predictedBSquared*readingY + 2*predictedC*predictedDReadingZ + predictedCSquared*readingY -
+      predictedDSquared*readingY + readingX*twicePredictedAPredictedD +
+      readingX*twicePredictedBPredictedC;
+  const forceD = 2*predictedA*predictedB*readingY - 2*predictedA*predictedC*readingX +
+      predictedASquared*readingZ + 2*predictedB*predictedD*readingX - predictedBSquared*readingZ +
+      2*predictedC*predictedD*readingY - predictedCSquared*readingZ + predictedDSquared*readingZ;
+  let turnUnseen;
+  if (forceHeard && ratesKnown) {
+    turnUnseen = 0;
+  } else if (ratesKnown) {
+    turnUnseen = 0.005*dt;
+  } else {
+    turnUnseen = dt;
+  }
+  const averagedLeft = 2*averaged/(9.80665*averaged*turnUnseen + 2);
+  const lengthOfMean = averagedLeft + stepCounted;
+  let lowPass;
+  if (2*averagedLeft >= timeConstant && settled > 0) {
+    lowPass = 1;
+  } else {
+    lowPass = 0;
+  }
+  const periods = timeConstant > 0 ? stepCounted/timeConstant : NaN;
+  const decay = Math.exp(-periods);
+  const share = lengthOfMean > 0 ? stepCounted/lengthOfMean : 1;
+  const sinPeriods = Math.sin(periods);
+  const cosPeriods = Math.cos(periods);
+  let nearer, bySlope, bent, steeper;
+  if (forceHeard && lowPass > 0) {
+    nearer = decay*(-cosPeriods - sinPeriods) + 1;
+    bySlope = decay*sinPeriods;
+    bent = decay*(cosPeriods - sinPeriods);
+    steeper = 2*decay*sinPeriods;
+  } else if (forceHeard) {
+    nearer = share;
+    bySlope = 0;
+    bent = 0;
+    steeper = 0;
+  } else {
+    nearer = 0;
+    bySlope = 0;
+    bent = lowPass;
+    steeper = 0;
+  }
+  const offN = forceN;
+  const offE = forceE;
+  const offD = forceD + meanLength;
+  const meanN = bySlope*slopeN + nearer*offN;
+  const meanE = bySlope*slopeE + nearer*offE;
+  const meanD = bySlope*slopeD - meanLength + nearer*offD;
+  const slopeAfterN = bent*slopeN + offN*steeper;
+  const slopeAfterE = bent*slopeE + offE*steeper;
+  const slopeAfterD = bent*slopeD + offD*steeper;
+  const meanESquaredPlusMeanNSquared = meanE*meanE + meanN*meanN;
+  const meanLengthAfter = Math.sqrt(meanESquaredPlusMeanNSquared + meanD*meanD);
+  const upright = -meanD + meanLengthAfter;
+  const levelSize = Math.sqrt(meanESquaredPlusMeanNSquared + upright*upright);
+  let levelA, levelB, levelC;
+  if (levelSize > 0) {
+    levelA = upright/levelSize;
+    levelB = -meanE/levelSize;
+    levelC = meanN/levelSize;
+  } else if (meanLengthAfter > 0) {
+    levelA = 0;
+    levelB = 1;
+    levelC = 0;
+  } else {
+    levelA = 1;
+    levelB = 0;
+    levelC = 0;
+  }
+  let averagedAfter, settledAfter;
+  if (forceHeard && lengthOfMean >= timeConstant) {
+    averagedAfter = timeConstant;
+    settledAfter = 1;
+  } else if (forceHeard) {
+    averagedAfter = lengthOfMean;
+    settledAfter = lowPass;
+  } else {
+    averagedAfter = averagedLeft;
+    settledAfter = lowPass;
+  }
+  const levelAttitudeA = levelA*predictedA - levelB*predictedB - levelC*predictedC;
+  const levelAttitudeB = levelA*predictedB + levelB*predictedA + levelC*predictedD;
+  const levelAttitudeC = levelA*predictedC - levelB*predictedD + levelC*predictedA;
+  const levelAttitudeD = levelA*predictedD + levelB*predictedC - levelC*predictedB;
+  const levelASquared = levelA*levelA;
+  const levelBSquared = levelB*levelB;
+  const levelASlopeAfterD = levelA*slopeAfterD;
+  const twiceLevelBLevelC = 2*levelB*levelC;
+  const levelCSquared = levelC*levelC;
+  const levelSlopeN = 2*levelASlopeAfterD*levelC + levelASquared*slopeAfterN +
+      levelBSquared*slopeAfterN - levelCSquared*slopeAfterN + slopeAfterE*twiceLevelBLevelC;
+  const levelSlopeE = -2*levelASlopeAfterD*levelB + levelASquared*slopeAfterE -
+      levelBSquared*slopeAfterE + levelCSquared*slopeAfterE + slopeAfterN*twiceLevelBLevelC;
+  const levelSlopeD = 2*levelA*levelB*slopeAfterE - 2*levelA*levelC*slopeAfterN +
+      levelASquared*slopeAfterD - levelBSquared*slopeAfterD - levelCSquared*slopeAfterD;
+  const fieldSize = Math.abs(magX) + Math.abs(magY) + Math.abs(magZ);
+  const fieldHeard = fieldSize > 1e-12 && fieldSize < 1000000000000;
+  let fieldX, fieldY, fieldZ;
+  if (fieldHeard) {
+    fieldX = magX/fieldSize;
+    fieldY = magY/fieldSize;
+    fieldZ = magZ/fieldSize;
+  } else {
+    fieldX = 0;
+    fieldY = 0;
+    fieldZ = 0;
+  }
+  const levelAttitudeASquared = levelAttitudeA*levelAttitudeA;
+  const levelAttitudeBSquared = levelAttitudeB*levelAttitudeB;
+  const levelAttitudeALevelAttitudeD = levelAttitudeA*levelAttitudeD;
+  const levelAttitudeBLevelAttitudeC = levelAttitudeB*levelAttitudeC;
+  const twiceFieldZLevelAttitudeA = 2*fieldZ*levelAttitudeA;
+  const twiceFieldZLevelAttitudeD = 2*fieldZ*levelAttitudeD;
+  const levelAttitudeCSquared = levelAttitudeC*levelAttitudeC;
+  const levelAttitudeDSquared = levelAttitudeD*levelAttitudeD;
+  const fieldN = fieldX*levelAttitudeASquared + fieldX*levelAttitudeBSquared -
+      fieldX*levelAttitudeCSquared - fieldX*levelAttitudeDSquared -
+      2*fieldY*levelAttitudeALevelAttitudeD + 2*fieldY*levelAttitudeBLevelAttitudeC +
+      levelAttitudeB*twiceFieldZLevelAttitudeD + levelAttitudeC*twiceFieldZLevelAttitudeA;
+  const fieldE = 2*fieldX*levelAttitudeALevelAttitudeD + 2*fieldX*levelAttitudeBLevelAttitudeC +
+      fieldY*levelAttitudeASquared - fieldY*levelAttitudeBSquared + fieldY*levelAttitudeCSquared -
+      fieldY*levelAttitudeDSquared - levelAttitudeB*twiceFieldZLevelAttitudeA +
+      levelAttitudeC*twiceFieldZLevelAttitudeD;
+  const fieldD = -2*fieldX*levelAttitudeA*levelAttitudeC + 2*fieldX*levelAttitudeB*levelAttitudeD +
+      2*fieldY*levelAttitudeA*levelAttitudeB + 2*fieldY*levelAttitudeC*levelAttitudeD +
+      fieldZ*levelAttitudeASquared - fieldZ*levelAttitudeBSquared - fieldZ*levelAttitudeCSquared +
+      fieldZ*levelAttitudeDSquared;
+  const headingOff = Math.atan2(east*fieldN - fieldE*north, east*fieldE + fieldN*north);
+  let fieldUnitSize;
+  if (fieldHeard) {
+    fieldUnitSize = Math.sqrt(fieldD*fieldD + fieldE*fieldE + fieldN*fieldN);
+  } else {
+    fieldUnitSize = 1;
+  }
+  const lengthNow = fieldSize*fieldUnitSize;
+  const downNow = fieldD/fieldUnitSize;
+  const fieldIsTheSame = fieldHeard && (Math.abs(downNow - fieldDown) <= fieldTolerance &&
+      Math.abs(fieldLength - lengthNow) <= fieldLength*fieldTolerance || fieldKnown <= 0);
+  let fieldKnownAfter;
+  if (fieldIsTheSame && fieldKnown + stepCounted <= fieldPatience) {
+    fieldKnownAfter = fieldKnown + stepCounted;
+  } else if (fieldIsTheSame || !fieldHeard) {
+    fieldKnownAfter = fieldKnown;
+  } else if (fieldKnown - stepCounted > 0) {
+    fieldKnownAfter = fieldKnown - stepCounted;
+  } else {
+    fieldKnownAfter = 0;
+  }
+  let fieldShare;
+  if (fieldKnown + stepCounted > 0) {
+    fieldShare = stepCounted/(fieldKnown + stepCounted);
+  } else {
+    fieldShare = 1;
+  }
+  let fieldLengthAfter, fieldDownAfter;
+  if (fieldIsTheSame) {
+    fieldLengthAfter = fieldLength + fieldShare*(-fieldLength + lengthNow);
+    fieldDownAfter = fieldDown + fieldShare*(downNow - fieldDown);
+  } else {
+    fieldLengthAfter = fieldLength;
+    fieldDownAfter = fieldDown;
+  }
+  const fieldUsed = fieldIsTheSame && (fieldKnownAfter >= 1 || headingAveraged <= 0);
+  let headingUnseen;
+  if (fieldUsed && ratesKnown) {
+    headingUnseen = 0;
+  } else if (ratesKnown) {
+    headingUnseen = 0.005*dt;
+  } else {
+    headingUnseen = dt;
+  }
+  const headingLeft = 2*headingAveraged/(9.80665*headingAveraged*headingUnseen + 2);
+  const headingLength = headingLeft + stepCounted;
+  let leastShare;
+  if (headingTimeConstant > 0) {
+    leastShare = -Math.expm1(-stepCounted/headingTimeConstant);
+  } else {
+    leastShare = NaN;
+  }
+  const meanShare = headingLength > 0 ? stepCounted/headingLength : 1;
+  let headingShare;
+  if (!fieldUsed) {
+    headingShare = 0;
+  } else if (meanShare > leastShare) {
+    headingShare = meanShare;
+  } else {
+    headingShare = leastShare;
+  }
+  let headingAveragedAfter;
+  if (!fieldUsed) {
+    headingAveragedAfter = headingLeft;
+  } else if (headingLength <= headingTimeConstant) {
+    headingAveragedAfter = headingLength;
+  } else {
+    headingAveragedAfter = headingTimeConstant;
+  }
+  const halfHeadingTurn = 0.5*headingOff*headingShare;
+  const cosHalfHeadingTurn = Math.cos(halfHeadingTurn);
+  const headingA = cosHalfHeadingTurn;
+  const sinHalfHeadingTurn = Math.sin(halfHeadingTurn);
+  const headingD = sinHalfHeadingTurn;
+  const headingDSquared = headingD*headingD;
+  const twiceHeadingAHeadingD = 2*headingA*headingD;
+  const headingASquared = headingA*headingA;
+  return [
+    headingA*levelAttitudeA - headingD*levelAttitudeD,
+    headingA*levelAttitudeB - headingD*levelAttitudeC,
+    headingA*levelAttitudeC + headingD*levelAttitudeB,
+    headingA*levelAttitudeD + headingD*levelAttitudeA,
+    meanLengthAfter,
+    headingASquared*levelSlopeN - headingDSquared*levelSlopeN - levelSlopeE*twiceHeadingAHeadingD,
+    headingASquared*levelSlopeE - headingDSquared*levelSlopeE + levelSlopeN*twiceHeadingAHeadingD,
+    headingASquared*levelSlopeD + headingDSquared*levelSlopeD,
+    averagedAfter,
+    settledAfter,
+    headingAveragedAfter,
+    fieldLengthAfter,
+    fieldDownAfter,
+    fieldKnownAfter,
+  ];
+}
+
+/**
+ * Attitude quaternion one period later, two sensors heard with fixed gains (4).
+ * Rates with NaN or infinity, or of 1e12 rad/s and more, are held out: the body stands still.
+ * Readings that are zero, or have NaN or infinity, are not heard: the gyros go on alone.
+ * @param {number} a scalar part of the attitude quaternion
+ * @param {number} b factor of i of the attitude quaternion
+ * @param {number} c factor of j of the attitude quaternion
+ * @param {number} d factor of k of the attitude quaternion
+ * @param {number} p body rate about x, rad/s
+ * @param {number} q body rate about y, rad/s
+ * @param {number} r body rate about z, rad/s
+ * @param {number} accelX reading of the accelerometer along x, m/s²
+ * @param {number} accelY reading of the accelerometer along y, m/s²
+ * @param {number} accelZ reading of the accelerometer along z, m/s²
+ * @param {number} magX reading of the magnetometer along x, any unit
+ * @param {number} magY reading of the magnetometer along y, any unit
+ * @param {number} magZ reading of the magnetometer along z, any unit
+ * @param {number} dt time that passes, s
+ * @param {number} gain weight of the accelerometer, from 0 to 1
+ * @param {number} headingGain weight of the magnetometer, from 0 to 1
+ * @param {number} north horizontal field at yaw 0 along x, any unit
+ * @param {number} east horizontal field at yaw 0 along y, any unit
+ * @returns {[number, number, number, number]}
+ */
+export function observerHeadingTurn(
+  a, b, c, d, p, q, r, accelX, accelY, accelZ, magX, magY, magZ, dt, gain, headingGain, north, east
+) {
+  const absP = Math.abs(p);
+  const absQ = Math.abs(q);
+  const absR = Math.abs(r);
+  const wholeTurn = dt*(absP + absQ + absR);
+  const moves = wholeTurn <= 1.7976931348623157e+308 && absP < 1000000000000 && absQ < 1000000000000
+      && absR < 1000000000000;
+  let rateX, rateY, rateZ;
+  if (moves) {
+    rateX = p;
+    rateY = q;
+    rateZ = r;
+  } else {
+    rateX = 0;
+    rateY = 0;
+    rateZ = 0;
+  }
+  const halfTurn = 0.5*dt*Math.sqrt(rateX*rateX + rateY*rateY + rateZ*rateZ);
+  const sinHalfTurn = Math.sin(halfTurn);
+  const ratio = halfTurn > 0 ? sinHalfTurn/halfTurn : 1;
+  const cosHalfTurn = Math.cos(halfTurn);
+  const turnA = cosHalfTurn;
+  const common9 = 0.5*dt*ratio;
+  const turnB = common9*rateX;
+  const turnC = common9*rateY;
+  const turnD = common9*rateZ;
+  const predictedA = a*turnA - b*turnB - c*turnC - d*turnD;
+  const predictedB = a*turnB + b*turnA + c*turnD - d*turnC;
+  const predictedC = a*turnC - b*turnD + c*turnA + d*turnB;
+  const predictedD = a*turnD + b*turnC - c*turnB + d*turnA;
+  const eX = 2*predictedA*predictedC - 2*predictedB*predictedD;
+  const eY = -2*predictedA*predictedB - 2*predictedC*predictedD;
+  const eZ = -(predictedA*predictedA) + predictedB*predictedB + predictedC*predictedC -
+      (predictedD*predictedD);
+  const size = Math.abs(accelX) + Math.abs(accelY) + Math.abs(accelZ);
+  const hasDirection = size <= 1.7976931348623157e+308 && size > 0;
+  let readingX, readingY, readingZ;
+  if (hasDirection) {
+    readingX = accelX/size;
+    readingY = accelY/size;
+    readingZ = accelZ/size;
+  } else {
+    readingX = 0;
+    readingY = 0;
+    readingZ = 0;
+  }
+  const acrossX = -eY*readingZ + eZ*readingY;
+  const acrossY = eX*readingZ - eZ*readingX;
+  const acrossZ = -eX*readingY + eY*readingX;
+  const movedA = -acrossX*predictedB - acrossY*predictedC - acrossZ*predictedD;
+  const movedB = acrossX*predictedA - acrossY*predictedD + acrossZ*predictedC;
+  const movedC = acrossX*predictedD + acrossY*predictedA - acrossZ*predictedB;
+  const movedD = -acrossX*predictedC + acrossY*predictedB + acrossZ*predictedA;
+  const sineOff = Math.sqrt(acrossX*acrossX + acrossY*acrossY + acrossZ*acrossZ);
+  const halfTurnBack = 0.5*gain*Math.atan2(sineOff, eX*readingX + eY*readingY + eZ*readingZ);
+  const cosHalfTurnBack = Math.cos(halfTurnBack);
+  const sinHalfTurnBack = Math.sin(halfTurnBack);
+  let turnBackA, factor;
+  if (sineOff > 0) {
+    turnBackA = cosHalfTurnBack;
+    factor = sinHalfTurnBack/sineOff;
+  } else {
+    turnBackA = 1;
+    factor = 0;
+  }
+  const levelAttitudeA = factor*movedA + predictedA*turnBackA;
+  const levelAttitudeB = factor*movedB + predictedB*turnBackA;
+  const levelAttitudeC = factor*movedC + predictedC*turnBackA;
+  const levelAttitudeD = factor*movedD + predictedD*turnBackA;
+  const fieldSize = Math.abs(magX) + Math.abs(magY) + Math.abs(magZ);
+  const fieldHeard = fieldSize > 1e-12 && fieldSize < 1000000000000;
+  let fieldX, fieldY, fieldZ;
+  if (fieldHeard) {
+    fieldX = magX/fieldSize;
+    fieldY = magY/fieldSize;
+    fieldZ = magZ/fieldSize;
+  } else {
+    fieldX = 0;
+    fieldY = 0;
+    fieldZ = 0;
+  }
+  const levelAttitudeASquared = levelAttitudeA*levelAttitudeA;
+  const levelAttitudeBSquared = levelAttitudeB*levelAttitudeB;
+  const levelAttitudeALevelAttitudeD = levelAttitudeA*levelAttitudeD;
+  const levelAttitudeBLevelAttitudeC = levelAttitudeB*levelAttitudeC;
+  const twiceFieldZLevelAttitudeA = 2*fieldZ*levelAttitudeA;
+  const twiceFieldZLevelAttitudeD = 2*fieldZ*levelAttitudeD;
+  const levelAttitudeCSquared = levelAttitudeC*levelAttitudeC;
+  const levelAttitudeDSquared = levelAttitudeD*levelAttitudeD;
+  const fieldN = fieldX*levelAttitudeASquared + fieldX*levelAttitudeBSquared -
+      fieldX*levelAttitudeCSquared - fieldX*levelAttitudeDSquared -
+      2*fieldY*levelAttitudeALevelAttitudeD + 2*fieldY*levelAttitudeBLevelAttitudeC +
+      levelAttitudeB*twiceFieldZLevelAttitudeD + levelAttitudeC*twiceFieldZLevelAttitudeA;
+  const fieldE = 2*fieldX*levelAttitudeALevelAttitudeD + 2*fieldX*levelAttitudeBLevelAttitudeC +
+      fieldY*levelAttitudeASquared - fieldY*levelAttitudeBSquared + fieldY*levelAttitudeCSquared -
+      fieldY*levelAttitudeDSquared - levelAttitudeB*twiceFieldZLevelAttitudeA +
+      levelAttitudeC*twiceFieldZLevelAttitudeD;
+  const headingOff = Math.atan2(east*fieldN - fieldE*north, east*fieldE + fieldN*north);
+  const headingShare = fieldHeard ? headingGain : 0;
+  const halfHeadingTurn = 0.5*headingOff*headingShare;
+  const cosHalfHeadingTurn = Math.cos(halfHeadingTurn);
+  const headingA = cosHalfHeadingTurn;
+  const sinHalfHeadingTurn = Math.sin(halfHeadingTurn);
+  const headingD = sinHalfHeadingTurn;
+  return [
+    headingA*levelAttitudeA - headingD*levelAttitudeD,
+    headingA*levelAttitudeB - headingD*levelAttitudeC,
+    headingA*levelAttitudeC + headingD*levelAttitudeB,
+    headingA*levelAttitudeD + headingD*levelAttitudeA,
+  ];
+}
+
+/**
+ * Means over a rest so far, for how long it has been one, and the gyro bias learnt last (10).
+ * A sample with a reading that is none changes nothing.
+ * @param {number} restRateX mean rate about x over the rest so far, rad/s
+ * @param {number} restRateY mean rate about y over the rest so far, rad/s
+ * @param {number} restRateZ mean rate about z over the rest so far, rad/s
+ * @param {number} restForceX mean force along x over the rest so far
+ * @param {number} restForceY mean force along y over the rest so far
+ * @param {number} restForceZ mean force along z over the rest so far
+ * @param {number} still for how long it has been one, s
+ * @param {number} learntX bias about x as learnt last, rad/s
+ * @param {number} learntY bias about y as learnt last, rad/s
+ * @param {number} learntZ bias about z as learnt last, rad/s
+ * @param {number} p body rate about x, rad/s
+ * @param {number} q body rate about y, rad/s
+ * @param {number} r body rate about z, rad/s
+ * @param {number} accelX reading of the accelerometer along x, m/s²
+ * @param {number} accelY reading of the accelerometer along y, m/s²
+ * @param {number} accelZ reading of the accelerometer along z, m/s²
+ * @param {number} dt time that passes, s
+ * @param {number} rest after which a bias is learnt, s
+ * @param {number} longestStep beyond which a step is a gap, s
+ * @returns {[number, number, number, number, number, number, number, number, number, number]}
+ */
+export function biasAtRest(
+  restRateX,
+  restRateY,
+  restRateZ,
+  restForceX,
+  restForceY,
+  restForceZ,
+  still,
+  learntX,
+  learntY,
+  learntZ,
+  p,
+  q,
+  r,
+  accelX,
+  accelY,
+  accelZ,
+  dt,
+  rest,
+  longestStep,
+) {
+  const forceSize = Math.abs(accelX) + Math.abs(accelY) + Math.abs(accelZ);
+  const sampleKnown = forceSize > 1e-12 && forceSize < 1000000000000 && Math.abs(p) < 1000000000000
+      && Math.abs(q) < 1000000000000 && Math.abs(r) < 1000000000000;
+  const stays = sampleKnown && dt <= longestStep && Math.abs(accelX - restForceX) + Math.abs(accelY
+      - restForceY) + Math.abs(accelZ - restForceZ) <= 0.05*Math.abs(restForceX) +
+      0.05*Math.abs(restForceY) + 0.05*Math.abs(restForceZ) && Math.abs(p - restRateX) + Math.abs(q
+      - restRateY) + Math.abs(r - restRateZ) <= 0.035;
+  const restLength = dt + still;
+  const share = restLength > 0 ? dt/restLength : 1;
+  let meanP, meanQ, meanR, meanX, meanY, meanZ, stillAfter;
+  if (stays && restLength <= 10*rest) {
+    meanP = restRateX + share*(p - restRateX);
+    meanQ = restRateY + share*(q - restRateY);
+    meanR = restRateZ + share*(r - restRateZ);
+    meanX = restForceX + share*(accelX - restForceX);
+    meanY = restForceY + share*(accelY - restForceY);
+    meanZ = restForceZ + share*(accelZ - restForceZ);
+    stillAfter = restLength;
+  } else if (stays) {
+    meanP = restRateX + share*(p - restRateX);
+    meanQ = restRateY + share*(q - restRateY);
+    meanR = restRateZ + share*(r - restRateZ);
+    meanX = restForceX + share*(accelX - restForceX);
+    meanY = restForceY + share*(accelY - restForceY);
+    meanZ = restForceZ + share*(accelZ - restForceZ);
+    stillAfter = still;
+  } else if (sampleKnown) {
+    meanP = p;
+    meanQ = q;
+    meanR = r;
+    meanX = accelX;
+    meanY = accelY;
+    meanZ = accelZ;
+    stillAfter = 0;
+  } else {
+    meanP = restRateX;
+    meanQ = restRateY;
+    meanR = restRateZ;
+    meanX = restForceX;
+    meanY = restForceY;
+    meanZ = restForceZ;
+    stillAfter = still;
+  }
+  const lasts = stays && stillAfter >= rest && Math.abs(meanP) <= 0.05 && Math.abs(meanQ) <= 0.05 &&
+      Math.abs(meanR) <= 0.05;
+  let biasP, biasQ, biasR;
+  if (lasts) {
+    biasP = meanP;
+    biasQ = meanQ;
+    biasR = meanR;
+  } else {
+    biasP = learntX;
+    biasQ = learntY;
+    biasR = learntZ;
+  }
+  return [meanP, meanQ, meanR, meanX, meanY, meanZ, stillAfter, biasP, biasQ, biasR];
+}
+
+/**
+ * Bound of the angle between true and estimated vertical, radians.
+ * Nothing averaged, or more than pi, gives pi.
+ * @param {number} averaged time that the mean stands for, s
+ * @param {number} timeConstant mean age of what is averaged, s
+ * @param {number} speed that the body stays below, m/s
+ * @param {number} biasBound that a gyro's bias stays below, rad/s
+ * @returns {number}
+ */
+export function averagingBound(averaged, timeConstant, speed, biasBound) {
+  let boundTold;
+  if (averaged <= 0) {
+    boundTold = 3.141592653589793;
+  } else if (averaged < timeConstant) {
+    boundTold = averaged*biasBound + 0.20394324259558566*speed/averaged;
+  } else if (timeConstant > 0) {
+    boundTold = biasBound*timeConstant + 0.13744070696307817*speed/timeConstant;
+  } else {
+    boundTold = NaN;
+  }
+  let bound;
+  if (boundTold > 3.141592653589793) {
+    bound = 3.141592653589793;
+  } else {
+    bound = boundTold;
+  }
+  return bound;
+}

@@ -4,7 +4,7 @@ estimation.3.2, estimation.3.3, estimation.4.1, estimation.4.2, estimation.4.3, 
 validation.3, validation.4.
 """
 
-from math import atan2, cos, expm1, hypot, log1p, sin, sqrt, tan, nan
+from math import atan2, cos, exp, expm1, hypot, log1p, sin, sqrt, tan, nan
 
 
 def tilt_from_accelerometer(accel_x: float, accel_y: float, accel_z: float) -> tuple[float, float]:
@@ -489,3 +489,879 @@ def time_constant_from_gain(gain: float, dt: float) -> float:
     logarithm_of_what_is_kept = log1p(-gain) if gain > 0.0 and gain < 1.0 else nan
     result = -dt/logarithm_of_what_is_kept
     return result
+
+
+def averaging_turn(
+    a: float,
+    b: float,
+    c: float,
+    d: float,
+    mean_length: float,
+    slope_n: float,
+    slope_e: float,
+    slope_d: float,
+    averaged: float,
+    settled: float,
+    p: float,
+    q: float,
+    r: float,
+    accel_x: float,
+    accel_y: float,
+    accel_z: float,
+    dt: float,
+    time_constant: float,
+    longest_step: float,
+) -> tuple[float, float, float, float, float, float, float, float, float, float]:
+    """Attitude quaternion and state of the averaging filter after one more sample (10).
+
+    a: scalar part of the attitude quaternion
+    b: factor of i of the attitude quaternion
+    c: factor of j of the attitude quaternion
+    d: factor of k of the attitude quaternion
+    mean_length: length of the mean force, in its unit
+    slope_n: change of the mean north in a time constant
+    slope_e: change of the mean east in a time constant
+    slope_d: change of the mean down in a time constant
+    averaged: time that the mean stands for, s
+    settled: whether the low-pass has run in, 0 or 1
+    p: body rate about x, rad/s
+    q: body rate about y, rad/s
+    r: body rate about z, rad/s
+    accel_x: reading of the accelerometer along x, m/s²
+    accel_y: reading of the accelerometer along y, m/s²
+    accel_z: reading of the accelerometer along z, m/s²
+    dt: time that passes, s
+    time_constant: mean age of what is averaged, s
+    longest_step: beyond which a step is a gap, s
+    """
+    if dt <= longest_step:
+        step_seen = dt
+        step_counted = dt
+    else:
+        step_seen = 0.0
+        step_counted = longest_step
+    abs_p = abs(p)
+    abs_q = abs(q)
+    abs_r = abs(r)
+    whole_turn = step_seen*(abs_p + abs_q + abs_r)
+    moves = (
+        whole_turn <= 1.7976931348623157e+308 and abs_p < 1000000000000.0 and abs_q <
+            1000000000000.0 and abs_r < 1000000000000.0
+    )
+    if moves:
+        rate_x = p
+        rate_y = q
+        rate_z = r
+    else:
+        rate_x = 0.0
+        rate_y = 0.0
+        rate_z = 0.0
+    half_turn = 0.5*step_seen*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z)
+    sin_half_turn = sin(half_turn)
+    if half_turn > 0.0:
+        ratio = sin_half_turn/half_turn
+    else:
+        ratio = 1.0
+    cos_half_turn = cos(half_turn)
+    turn_a = cos_half_turn
+    common_7 = 0.5*ratio*step_seen
+    turn_b = common_7*rate_x
+    turn_c = common_7*rate_y
+    turn_d = common_7*rate_z
+    rates_known = moves and dt <= longest_step
+    predicted_a = a*turn_a - b*turn_b - c*turn_c - d*turn_d
+    predicted_b = a*turn_b + b*turn_a + c*turn_d - d*turn_c
+    predicted_c = a*turn_c - b*turn_d + c*turn_a + d*turn_b
+    predicted_d = a*turn_d + b*turn_c - c*turn_b + d*turn_a
+    force_size = abs(accel_x) + abs(accel_y) + abs(accel_z)
+    force_heard = force_size > 1e-12 and force_size < 1000000000000.0
+    largest_size = 50.0*mean_length
+    if force_size > largest_size and mean_length > 0.0:
+        force_scale = largest_size/force_size
+    else:
+        force_scale = 1.0
+    if force_heard:
+        reading_x = accel_x*force_scale
+        reading_y = accel_y*force_scale
+        reading_z = accel_z*force_scale
+    else:
+        reading_x = 0.0
+        reading_y = 0.0
+        reading_z = 0.0
+    predicted_a_squared = predicted_a*predicted_a
+    predicted_b_squared = predicted_b*predicted_b
+    twice_predicted_a_reading_z = 2.0*predicted_a*reading_z
+    twice_predicted_a_predicted_d = 2.0*predicted_a*predicted_d
+    twice_predicted_b_predicted_c = 2.0*predicted_b*predicted_c
+    predicted_d_reading_z = predicted_d*reading_z
+    predicted_c_squared = predicted_c*predicted_c
+    predicted_d_squared = predicted_d*predicted_d
+    force_n = (
+        predicted_a_squared*reading_x + 2.0*predicted_b*predicted_d_reading_z +
+            predicted_b_squared*reading_x + predicted_c*twice_predicted_a_reading_z -
+            predicted_c_squared*reading_x - predicted_d_squared*reading_x -
+            reading_y*twice_predicted_a_predicted_d + reading_y*twice_predicted_b_predicted_c
+    )
+    force_e = (
+        predicted_a_squared*reading_y - predicted_b*twice_predicted_a_reading_z -
+            predicted_b_squared*reading_y + 2.0*predicted_c*predicted_d_reading_z +
+            predicted_c_squared*reading_y - predicted_d_squared*reading_y +
+            reading_x*twice_predicted_a_predicted_d + reading_x*twice_predicted_b_predicted_c
+    )
+    force_d = (
+        2.0*predicted_a*predicted_b*reading_y - 2.0*predicted_a*predicted_c*reading_x +
+            predicted_a_squared*reading_z + 2.0*predicted_b*predicted_d*reading_x -
+            predicted_b_squared*reading_z + 2.0*predicted_c*predicted_d*reading_y -
+            predicted_c_squared*reading_z + predicted_d_squared*reading_z
+    )
+    if force_heard and rates_known:
+        turn_unseen = 0.0
+    elif rates_known:
+        turn_unseen = 0.005*dt
+    else:
+        turn_unseen = dt
+    averaged_left = 2.0*averaged/(9.80665*averaged*turn_unseen + 2.0)
+    length_of_mean = averaged_left + step_counted
+    if 2.0*averaged_left >= time_constant and settled > 0.0:
+        low_pass = 1.0
+    else:
+        low_pass = 0.0
+    if time_constant > 0.0:
+        periods = step_counted/time_constant
+    else:
+        periods = nan
+    decay = exp(-periods)
+    if length_of_mean > 0.0:
+        share = step_counted/length_of_mean
+    else:
+        share = 1.0
+    sin_periods = sin(periods)
+    cos_periods = cos(periods)
+    if force_heard and low_pass > 0.0:
+        nearer = decay*(-cos_periods - sin_periods) + 1.0
+        by_slope = decay*sin_periods
+        bent = decay*(cos_periods - sin_periods)
+        steeper = 2.0*decay*sin_periods
+    elif force_heard:
+        nearer = share
+        by_slope = 0.0
+        bent = 0.0
+        steeper = 0.0
+    else:
+        nearer = 0.0
+        by_slope = 0.0
+        bent = low_pass
+        steeper = 0.0
+    off_n = force_n
+    off_e = force_e
+    off_d = force_d + mean_length
+    mean_n = by_slope*slope_n + nearer*off_n
+    mean_e = by_slope*slope_e + nearer*off_e
+    mean_d = by_slope*slope_d - mean_length + nearer*off_d
+    slope_after_n = bent*slope_n + off_n*steeper
+    slope_after_e = bent*slope_e + off_e*steeper
+    slope_after_d = bent*slope_d + off_d*steeper
+    mean_e_squared_plus_mean_n_squared = mean_e*mean_e + mean_n*mean_n
+    mean_length_after = sqrt(mean_e_squared_plus_mean_n_squared + mean_d*mean_d)
+    upright = -mean_d + mean_length_after
+    level_size = sqrt(mean_e_squared_plus_mean_n_squared + upright*upright)
+    if level_size > 0.0:
+        level_a = upright/level_size
+        level_b = -mean_e/level_size
+        level_c = mean_n/level_size
+    elif mean_length_after > 0.0:
+        level_a = 0.0
+        level_b = 1.0
+        level_c = 0.0
+    else:
+        level_a = 1.0
+        level_b = 0.0
+        level_c = 0.0
+    if force_heard and length_of_mean >= time_constant:
+        averaged_after = time_constant
+        settled_after = 1.0
+    elif force_heard:
+        averaged_after = length_of_mean
+        settled_after = low_pass
+    else:
+        averaged_after = averaged_left
+        settled_after = low_pass
+    level_a_squared = level_a*level_a
+    level_b_squared = level_b*level_b
+    level_a_slope_after_d = level_a*slope_after_d
+    twice_level_b_level_c = 2.0*level_b*level_c
+    level_c_squared = level_c*level_c
+    return (
+        level_a*predicted_a - level_b*predicted_b - level_c*predicted_c,
+        level_a*predicted_b + level_b*predicted_a + level_c*predicted_d,
+        level_a*predicted_c - level_b*predicted_d + level_c*predicted_a,
+        level_a*predicted_d + level_b*predicted_c - level_c*predicted_b,
+        mean_length_after,
+        2.0*level_a_slope_after_d*level_c + level_a_squared*slope_after_n +
+            level_b_squared*slope_after_n - level_c_squared*slope_after_n +
+            slope_after_e*twice_level_b_level_c,
+        -2.0*level_a_slope_after_d*level_b + level_a_squared*slope_after_e -
+            level_b_squared*slope_after_e + level_c_squared*slope_after_e +
+            slope_after_n*twice_level_b_level_c,
+        2.0*level_a*level_b*slope_after_e - 2.0*level_a*level_c*slope_after_n +
+            level_a_squared*slope_after_d - level_b_squared*slope_after_d -
+            level_c_squared*slope_after_d,
+        averaged_after,
+        settled_after,
+    )
+
+
+def averaging_heading_turn(
+    a: float,
+    b: float,
+    c: float,
+    d: float,
+    mean_length: float,
+    slope_n: float,
+    slope_e: float,
+    slope_d: float,
+    averaged: float,
+    settled: float,
+    heading_averaged: float,
+    field_length: float,
+    field_down: float,
+    field_known: float,
+    p: float,
+    q: float,
+    r: float,
+    accel_x: float,
+    accel_y: float,
+    accel_z: float,
+    mag_x: float,
+    mag_y: float,
+    mag_z: float,
+    dt: float,
+    time_constant: float,
+    longest_step: float,
+    heading_time_constant: float,
+    north: float,
+    east: float,
+    field_tolerance: float,
+    field_patience: float,
+) -> tuple[float, float, float, float, float, float, float, float, float, float, float, float, float, float]:
+    """The same with a heading, and what is known of the magnetic field (14).
+
+    a: scalar part of the attitude quaternion
+    b: factor of i of the attitude quaternion
+    c: factor of j of the attitude quaternion
+    d: factor of k of the attitude quaternion
+    mean_length: length of the mean force, in its unit
+    slope_n: change of the mean north in a time constant
+    slope_e: change of the mean east in a time constant
+    slope_d: change of the mean down in a time constant
+    averaged: time that the mean stands for, s
+    settled: whether the low-pass has run in, 0 or 1
+    heading_averaged: time that the heading stands for, s
+    field_length: length of the field so far, any unit
+    field_down: its part down, the whole field being 1
+    field_known: time for which the two have held, s
+    p: body rate about x, rad/s
+    q: body rate about y, rad/s
+    r: body rate about z, rad/s
+    accel_x: reading of the accelerometer along x, m/s²
+    accel_y: reading of the accelerometer along y, m/s²
+    accel_z: reading of the accelerometer along z, m/s²
+    mag_x: reading of the magnetometer along x, any unit
+    mag_y: reading of the magnetometer along y, any unit
+    mag_z: reading of the magnetometer along z, any unit
+    dt: time that passes, s
+    time_constant: mean age of what is averaged, s
+    longest_step: beyond which a step is a gap, s
+    heading_time_constant: mean age of the heading, s
+    north: horizontal field at yaw 0 along x, any unit
+    east: horizontal field at yaw 0 along y, any unit
+    field_tolerance: by which a field may differ, as part of the whole
+    field_patience: after which a field that differs is the field, s
+    """
+    if dt <= longest_step:
+        step_seen = dt
+        step_counted = dt
+    else:
+        step_seen = 0.0
+        step_counted = longest_step
+    abs_p = abs(p)
+    abs_q = abs(q)
+    abs_r = abs(r)
+    whole_turn = step_seen*(abs_p + abs_q + abs_r)
+    moves = (
+        whole_turn <= 1.7976931348623157e+308 and abs_p < 1000000000000.0 and abs_q <
+            1000000000000.0 and abs_r < 1000000000000.0
+    )
+    if moves:
+        rate_x = p
+        rate_y = q
+        rate_z = r
+    else:
+        rate_x = 0.0
+        rate_y = 0.0
+        rate_z = 0.0
+    half_turn = 0.5*step_seen*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z)
+    sin_half_turn = sin(half_turn)
+    if half_turn > 0.0:
+        ratio = sin_half_turn/half_turn
+    else:
+        ratio = 1.0
+    cos_half_turn = cos(half_turn)
+    turn_a = cos_half_turn
+    common_9 = 0.5*ratio*step_seen
+    turn_b = common_9*rate_x
+    turn_c = common_9*rate_y
+    turn_d = common_9*rate_z
+    rates_known = moves and dt <= longest_step
+    predicted_a = a*turn_a - b*turn_b - c*turn_c - d*turn_d
+    predicted_b = a*turn_b + b*turn_a + c*turn_d - d*turn_c
+    predicted_c = a*turn_c - b*turn_d + c*turn_a + d*turn_b
+    predicted_d = a*turn_d + b*turn_c - c*turn_b + d*turn_a
+    force_size = abs(accel_x) + abs(accel_y) + abs(accel_z)
+    force_heard = force_size > 1e-12 and force_size < 1000000000000.0
+    largest_size = 50.0*mean_length
+    if force_size > largest_size and mean_length > 0.0:
+        force_scale = largest_size/force_size
+    else:
+        force_scale = 1.0
+    if force_heard:
+        reading_x = accel_x*force_scale
+        reading_y = accel_y*force_scale
+        reading_z = accel_z*force_scale
+    else:
+        reading_x = 0.0
+        reading_y = 0.0
+        reading_z = 0.0
+    predicted_a_squared = predicted_a*predicted_a
+    predicted_b_squared = predicted_b*predicted_b
+    twice_predicted_a_reading_z = 2.0*predicted_a*reading_z
+    twice_predicted_a_predicted_d = 2.0*predicted_a*predicted_d
+    twice_predicted_b_predicted_c = 2.0*predicted_b*predicted_c
+    predicted_d_reading_z = predicted_d*reading_z
+    predicted_c_squared = predicted_c*predicted_c
+    predicted_d_squared = predicted_d*predicted_d
+    force_n = (
+        predicted_a_squared*reading_x + 2.0*predicted_b*predicted_d_reading_z +
+            predicted_b_squared*reading_x + predicted_c*twice_predicted_a_reading_z -
+            predicted_c_squared*reading_x - predicted_d_squared*reading_x -
+            reading_y*twice_predicted_a_predicted_d + reading_y*twice_predicted_b_predicted_c
+    )
+    force_e = (
+        predicted_a_squared*reading_y - predicted_b*twice_predicted_a_reading_z -
+            predicted_b_squared*reading_y + 2.0*predicted_c*predicted_d_reading_z +
+            predicted_c_squared*reading_y - predicted_d_squared*reading_y +
+            reading_x*twice_predicted_a_predicted_d + reading_x*twice_predicted_b_predicted_c
+    )
+    force_d = (
+        2.0*predicted_a*predicted_b*reading_y - 2.0*predicted_a*predicted_c*reading_x +
+            predicted_a_squared*reading_z + 2.0*predicted_b*predicted_d*reading_x -
+            predicted_b_squared*reading_z + 2.0*predicted_c*predicted_d*reading_y -
+            predicted_c_squared*reading_z + predicted_d_squared*reading_z
+    )
+    if force_heard and rates_known:
+        turn_unseen = 0.0
+    elif rates_known:
+        turn_unseen = 0.005*dt
+    else:
+        turn_unseen = dt
+    averaged_left = 2.0*averaged/(9.80665*averaged*turn_unseen + 2.0)
+    length_of_mean = averaged_left + step_counted
+    if 2.0*averaged_left >= time_constant and settled > 0.0:
+        low_pass = 1.0
+    else:
+        low_pass = 0.0
+    if time_constant > 0.0:
+        periods = step_counted/time_constant
+    else:
+        periods = nan
+    decay = exp(-periods)
+    if length_of_mean > 0.0:
+        share = step_counted/length_of_mean
+    else:
+        share = 1.0
+    sin_periods = sin(periods)
+    cos_periods = cos(periods)
+    if force_heard and low_pass > 0.0:
+        nearer = decay*(-cos_periods - sin_periods) + 1.0
+        by_slope = decay*sin_periods
+        bent = decay*(cos_periods - sin_periods)
+        steeper = 2.0*decay*sin_periods
+    elif force_heard:
+        nearer = share
+        by_slope = 0.0
+        bent = 0.0
+        steeper = 0.0
+    else:
+        nearer = 0.0
+        by_slope = 0.0
+        bent = low_pass
+        steeper = 0.0
+    off_n = force_n
+    off_e = force_e
+    off_d = force_d + mean_length
+    mean_n = by_slope*slope_n + nearer*off_n
+    mean_e = by_slope*slope_e + nearer*off_e
+    mean_d = by_slope*slope_d - mean_length + nearer*off_d
+    slope_after_n = bent*slope_n + off_n*steeper
+    slope_after_e = bent*slope_e + off_e*steeper
+    slope_after_d = bent*slope_d + off_d*steeper
+    mean_e_squared_plus_mean_n_squared = mean_e*mean_e + mean_n*mean_n
+    mean_length_after = sqrt(mean_e_squared_plus_mean_n_squared + mean_d*mean_d)
+    upright = -mean_d + mean_length_after
+    level_size = sqrt(mean_e_squared_plus_mean_n_squared + upright*upright)
+    if level_size > 0.0:
+        level_a = upright/level_size
+        level_b = -mean_e/level_size
+        level_c = mean_n/level_size
+    elif mean_length_after > 0.0:
+        level_a = 0.0
+        level_b = 1.0
+        level_c = 0.0
+    else:
+        level_a = 1.0
+        level_b = 0.0
+        level_c = 0.0
+    if force_heard and length_of_mean >= time_constant:
+        averaged_after = time_constant
+        settled_after = 1.0
+    elif force_heard:
+        averaged_after = length_of_mean
+        settled_after = low_pass
+    else:
+        averaged_after = averaged_left
+        settled_after = low_pass
+    level_attitude_a = level_a*predicted_a - level_b*predicted_b - level_c*predicted_c
+    level_attitude_b = level_a*predicted_b + level_b*predicted_a + level_c*predicted_d
+    level_attitude_c = level_a*predicted_c - level_b*predicted_d + level_c*predicted_a
+    level_attitude_d = level_a*predicted_d + level_b*predicted_c - level_c*predicted_b
+    level_a_squared = level_a*level_a
+    level_b_squared = level_b*level_b
+    level_a_slope_after_d = level_a*slope_after_d
+    twice_level_b_level_c = 2.0*level_b*level_c
+    level_c_squared = level_c*level_c
+    level_slope_n = (
+        2.0*level_a_slope_after_d*level_c + level_a_squared*slope_after_n +
+            level_b_squared*slope_after_n - level_c_squared*slope_after_n +
+            slope_after_e*twice_level_b_level_c
+    )
+    level_slope_e = (
+        -2.0*level_a_slope_after_d*level_b + level_a_squared*slope_after_e -
+            level_b_squared*slope_after_e + level_c_squared*slope_after_e +
+            slope_after_n*twice_level_b_level_c
+    )
+    level_slope_d = (
+        2.0*level_a*level_b*slope_after_e - 2.0*level_a*level_c*slope_after_n +
+            level_a_squared*slope_after_d - level_b_squared*slope_after_d -
+            level_c_squared*slope_after_d
+    )
+    field_size = abs(mag_x) + abs(mag_y) + abs(mag_z)
+    field_heard = field_size > 1e-12 and field_size < 1000000000000.0
+    if field_heard:
+        field_x = mag_x/field_size
+        field_y = mag_y/field_size
+        field_z = mag_z/field_size
+    else:
+        field_x = 0.0
+        field_y = 0.0
+        field_z = 0.0
+    level_attitude_a_squared = level_attitude_a*level_attitude_a
+    level_attitude_b_squared = level_attitude_b*level_attitude_b
+    level_attitude_a_level_attitude_d = level_attitude_a*level_attitude_d
+    level_attitude_b_level_attitude_c = level_attitude_b*level_attitude_c
+    twice_field_z_level_attitude_a = 2.0*field_z*level_attitude_a
+    twice_field_z_level_attitude_d = 2.0*field_z*level_attitude_d
+    level_attitude_c_squared = level_attitude_c*level_attitude_c
+    level_attitude_d_squared = level_attitude_d*level_attitude_d
+    field_n = (
+        field_x*level_attitude_a_squared + field_x*level_attitude_b_squared -
+            field_x*level_attitude_c_squared - field_x*level_attitude_d_squared -
+            2.0*field_y*level_attitude_a_level_attitude_d +
+            2.0*field_y*level_attitude_b_level_attitude_c +
+            level_attitude_b*twice_field_z_level_attitude_d +
+            level_attitude_c*twice_field_z_level_attitude_a
+    )
+    field_e = (
+        2.0*field_x*level_attitude_a_level_attitude_d +
+            2.0*field_x*level_attitude_b_level_attitude_c + field_y*level_attitude_a_squared -
+            field_y*level_attitude_b_squared + field_y*level_attitude_c_squared -
+            field_y*level_attitude_d_squared - level_attitude_b*twice_field_z_level_attitude_a +
+            level_attitude_c*twice_field_z_level_attitude_d
+    )
+    field_d = (
+        -2.0*field_x*level_attitude_a*level_attitude_c +
+            2.0*field_x*level_attitude_b*level_attitude_d +
+            2.0*field_y*level_attitude_a*level_attitude_b +
+            2.0*field_y*level_attitude_c*level_attitude_d + field_z*level_attitude_a_squared -
+            field_z*level_attitude_b_squared - field_z*level_attitude_c_squared +
+            field_z*level_attitude_d_squared
+    )
+    heading_off = atan2(east*field_n - field_e*north, east*field_e + field_n*north)
+    if field_heard:
+        field_unit_size = sqrt(field_d*field_d + field_e*field_e + field_n*field_n)
+    else:
+        field_unit_size = 1.0
+    length_now = field_size*field_unit_size
+    down_now = field_d/field_unit_size
+    field_is_the_same = (
+        field_heard and (abs(down_now - field_down) <= field_tolerance and abs(field_length -
+            length_now) <= field_length*field_tolerance or field_known <= 0.0)
+    )
+    if field_is_the_same and field_known + step_counted <= field_patience:
+        field_known_after = field_known + step_counted
+    elif field_is_the_same or not field_heard:
+        field_known_after = field_known
+    elif field_known - step_counted > 0.0:
+        field_known_after = field_known - step_counted
+    else:
+        field_known_after = 0.0
+    if field_known + step_counted > 0.0:
+        field_share = step_counted/(field_known + step_counted)
+    else:
+        field_share = 1.0
+    if field_is_the_same:
+        field_length_after = field_length + field_share*(-field_length + length_now)
+        field_down_after = field_down + field_share*(down_now - field_down)
+    else:
+        field_length_after = field_length
+        field_down_after = field_down
+    field_used = field_is_the_same and (field_known_after >= 1.0 or heading_averaged <= 0.0)
+    if field_used and rates_known:
+        heading_unseen = 0.0
+    elif rates_known:
+        heading_unseen = 0.005*dt
+    else:
+        heading_unseen = dt
+    heading_left = 2.0*heading_averaged/(9.80665*heading_averaged*heading_unseen + 2.0)
+    heading_length = heading_left + step_counted
+    if heading_time_constant > 0.0:
+        least_share = -expm1(-step_counted/heading_time_constant)
+    else:
+        least_share = nan
+    if heading_length > 0.0:
+        mean_share = step_counted/heading_length
+    else:
+        mean_share = 1.0
+    if not field_used:
+        heading_share = 0.0
+    elif mean_share > least_share:
+        heading_share = mean_share
+    else:
+        heading_share = least_share
+    if not field_used:
+        heading_averaged_after = heading_left
+    elif heading_length <= heading_time_constant:
+        heading_averaged_after = heading_length
+    else:
+        heading_averaged_after = heading_time_constant
+    half_heading_turn = 0.5*heading_off*heading_share
+    cos_half_heading_turn = cos(half_heading_turn)
+    heading_a = cos_half_heading_turn
+    sin_half_heading_turn = sin(half_heading_turn)
+    heading_d = sin_half_heading_turn
+    heading_d_squared = heading_d*heading_d
+    twice_heading_a_heading_d = 2.0*heading_a*heading_d
+    heading_a_squared = heading_a*heading_a
+    return (
+        heading_a*level_attitude_a - heading_d*level_attitude_d,
+        heading_a*level_attitude_b - heading_d*level_attitude_c,
+        heading_a*level_attitude_c + heading_d*level_attitude_b,
+        heading_a*level_attitude_d + heading_d*level_attitude_a,
+        mean_length_after,
+        heading_a_squared*level_slope_n - heading_d_squared*level_slope_n -
+            level_slope_e*twice_heading_a_heading_d,
+        heading_a_squared*level_slope_e - heading_d_squared*level_slope_e +
+            level_slope_n*twice_heading_a_heading_d,
+        heading_a_squared*level_slope_d + heading_d_squared*level_slope_d,
+        averaged_after,
+        settled_after,
+        heading_averaged_after,
+        field_length_after,
+        field_down_after,
+        field_known_after,
+    )
+
+
+def observer_heading_turn(
+    a: float,
+    b: float,
+    c: float,
+    d: float,
+    p: float,
+    q: float,
+    r: float,
+    accel_x: float,
+    accel_y: float,
+    accel_z: float,
+    mag_x: float,
+    mag_y: float,
+    mag_z: float,
+    dt: float,
+    gain: float,
+    heading_gain: float,
+    north: float,
+    east: float,
+) -> tuple[float, float, float, float]:
+    """Attitude quaternion one period later, two sensors heard with fixed gains (4).
+
+    a: scalar part of the attitude quaternion
+    b: factor of i of the attitude quaternion
+    c: factor of j of the attitude quaternion
+    d: factor of k of the attitude quaternion
+    p: body rate about x, rad/s
+    q: body rate about y, rad/s
+    r: body rate about z, rad/s
+    accel_x: reading of the accelerometer along x, m/s²
+    accel_y: reading of the accelerometer along y, m/s²
+    accel_z: reading of the accelerometer along z, m/s²
+    mag_x: reading of the magnetometer along x, any unit
+    mag_y: reading of the magnetometer along y, any unit
+    mag_z: reading of the magnetometer along z, any unit
+    dt: time that passes, s
+    gain: weight of the accelerometer, from 0 to 1
+    heading_gain: weight of the magnetometer, from 0 to 1
+    north: horizontal field at yaw 0 along x, any unit
+    east: horizontal field at yaw 0 along y, any unit
+    """
+    abs_p = abs(p)
+    abs_q = abs(q)
+    abs_r = abs(r)
+    whole_turn = dt*(abs_p + abs_q + abs_r)
+    moves = (
+        whole_turn <= 1.7976931348623157e+308 and abs_p < 1000000000000.0 and abs_q <
+            1000000000000.0 and abs_r < 1000000000000.0
+    )
+    if moves:
+        rate_x = p
+        rate_y = q
+        rate_z = r
+    else:
+        rate_x = 0.0
+        rate_y = 0.0
+        rate_z = 0.0
+    half_turn = 0.5*dt*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z)
+    sin_half_turn = sin(half_turn)
+    if half_turn > 0.0:
+        ratio = sin_half_turn/half_turn
+    else:
+        ratio = 1.0
+    cos_half_turn = cos(half_turn)
+    turn_a = cos_half_turn
+    common_9 = 0.5*dt*ratio
+    turn_b = common_9*rate_x
+    turn_c = common_9*rate_y
+    turn_d = common_9*rate_z
+    predicted_a = a*turn_a - b*turn_b - c*turn_c - d*turn_d
+    predicted_b = a*turn_b + b*turn_a + c*turn_d - d*turn_c
+    predicted_c = a*turn_c - b*turn_d + c*turn_a + d*turn_b
+    predicted_d = a*turn_d + b*turn_c - c*turn_b + d*turn_a
+    e_x = 2.0*predicted_a*predicted_c - 2.0*predicted_b*predicted_d
+    e_y = -2.0*predicted_a*predicted_b - 2.0*predicted_c*predicted_d
+    e_z = (
+        -(predicted_a*predicted_a) + predicted_b*predicted_b + predicted_c*predicted_c -
+            (predicted_d*predicted_d)
+    )
+    size = abs(accel_x) + abs(accel_y) + abs(accel_z)
+    has_direction = size <= 1.7976931348623157e+308 and size > 0.0
+    if has_direction:
+        reading_x = accel_x/size
+        reading_y = accel_y/size
+        reading_z = accel_z/size
+    else:
+        reading_x = 0.0
+        reading_y = 0.0
+        reading_z = 0.0
+    across_x = -e_y*reading_z + e_z*reading_y
+    across_y = e_x*reading_z - e_z*reading_x
+    across_z = -e_x*reading_y + e_y*reading_x
+    moved_a = -across_x*predicted_b - across_y*predicted_c - across_z*predicted_d
+    moved_b = across_x*predicted_a - across_y*predicted_d + across_z*predicted_c
+    moved_c = across_x*predicted_d + across_y*predicted_a - across_z*predicted_b
+    moved_d = -across_x*predicted_c + across_y*predicted_b + across_z*predicted_a
+    sine_off = sqrt(across_x*across_x + across_y*across_y + across_z*across_z)
+    half_turn_back = 0.5*gain*atan2(sine_off, e_x*reading_x + e_y*reading_y + e_z*reading_z)
+    cos_half_turn_back = cos(half_turn_back)
+    sin_half_turn_back = sin(half_turn_back)
+    if sine_off > 0.0:
+        turn_back_a = cos_half_turn_back
+        factor = sin_half_turn_back/sine_off
+    else:
+        turn_back_a = 1.0
+        factor = 0.0
+    level_attitude_a = factor*moved_a + predicted_a*turn_back_a
+    level_attitude_b = factor*moved_b + predicted_b*turn_back_a
+    level_attitude_c = factor*moved_c + predicted_c*turn_back_a
+    level_attitude_d = factor*moved_d + predicted_d*turn_back_a
+    field_size = abs(mag_x) + abs(mag_y) + abs(mag_z)
+    field_heard = field_size > 1e-12 and field_size < 1000000000000.0
+    if field_heard:
+        field_x = mag_x/field_size
+        field_y = mag_y/field_size
+        field_z = mag_z/field_size
+    else:
+        field_x = 0.0
+        field_y = 0.0
+        field_z = 0.0
+    level_attitude_a_squared = level_attitude_a*level_attitude_a
+    level_attitude_b_squared = level_attitude_b*level_attitude_b
+    level_attitude_a_level_attitude_d = level_attitude_a*level_attitude_d
+    level_attitude_b_level_attitude_c = level_attitude_b*level_attitude_c
+    twice_field_z_level_attitude_a = 2.0*field_z*level_attitude_a
+    twice_field_z_level_attitude_d = 2.0*field_z*level_attitude_d
+    level_attitude_c_squared = level_attitude_c*level_attitude_c
+    level_attitude_d_squared = level_attitude_d*level_attitude_d
+    field_n = (
+        field_x*level_attitude_a_squared + field_x*level_attitude_b_squared -
+            field_x*level_attitude_c_squared - field_x*level_attitude_d_squared -
+            2.0*field_y*level_attitude_a_level_attitude_d +
+            2.0*field_y*level_attitude_b_level_attitude_c +
+            level_attitude_b*twice_field_z_level_attitude_d +
+            level_attitude_c*twice_field_z_level_attitude_a
+    )
+    field_e = (
+        2.0*field_x*level_attitude_a_level_attitude_d +
+            2.0*field_x*level_attitude_b_level_attitude_c + field_y*level_attitude_a_squared -
+            field_y*level_attitude_b_squared + field_y*level_attitude_c_squared -
+            field_y*level_attitude_d_squared - level_attitude_b*twice_field_z_level_attitude_a +
+            level_attitude_c*twice_field_z_level_attitude_d
+    )
+    heading_off = atan2(east*field_n - field_e*north, east*field_e + field_n*north)
+    heading_share = heading_gain if field_heard else 0.0
+    half_heading_turn = 0.5*heading_off*heading_share
+    cos_half_heading_turn = cos(half_heading_turn)
+    heading_a = cos_half_heading_turn
+    sin_half_heading_turn = sin(half_heading_turn)
+    heading_d = sin_half_heading_turn
+    return (
+        heading_a*level_attitude_a - heading_d*level_attitude_d,
+        heading_a*level_attitude_b - heading_d*level_attitude_c,
+        heading_a*level_attitude_c + heading_d*level_attitude_b,
+        heading_a*level_attitude_d + heading_d*level_attitude_a,
+    )
+
+
+def bias_at_rest(
+    rest_rate_x: float,
+    rest_rate_y: float,
+    rest_rate_z: float,
+    rest_force_x: float,
+    rest_force_y: float,
+    rest_force_z: float,
+    still: float,
+    learnt_x: float,
+    learnt_y: float,
+    learnt_z: float,
+    p: float,
+    q: float,
+    r: float,
+    accel_x: float,
+    accel_y: float,
+    accel_z: float,
+    dt: float,
+    rest: float,
+    longest_step: float,
+) -> tuple[float, float, float, float, float, float, float, float, float, float]:
+    """Means over a rest so far, for how long it has been one, and the gyro bias learnt last (10).
+
+    rest_rate_x: mean rate about x over the rest so far, rad/s
+    rest_rate_y: mean rate about y over the rest so far, rad/s
+    rest_rate_z: mean rate about z over the rest so far, rad/s
+    rest_force_x: mean force along x over the rest so far
+    rest_force_y: mean force along y over the rest so far
+    rest_force_z: mean force along z over the rest so far
+    still: for how long it has been one, s
+    learnt_x: bias about x as learnt last, rad/s
+    learnt_y: bias about y as learnt last, rad/s
+    learnt_z: bias about z as learnt last, rad/s
+    p: body rate about x, rad/s
+    q: body rate about y, rad/s
+    r: body rate about z, rad/s
+    accel_x: reading of the accelerometer along x, m/s²
+    accel_y: reading of the accelerometer along y, m/s²
+    accel_z: reading of the accelerometer along z, m/s²
+    dt: time that passes, s
+    rest: after which a bias is learnt, s
+    longest_step: beyond which a step is a gap, s
+    """
+    force_size = abs(accel_x) + abs(accel_y) + abs(accel_z)
+    sample_known = (
+        force_size > 1e-12 and force_size < 1000000000000.0 and abs(p) < 1000000000000.0 and abs(q)
+            < 1000000000000.0 and abs(r) < 1000000000000.0
+    )
+    stays = (
+        sample_known and dt <= longest_step and abs(accel_x - rest_force_x) + abs(accel_y -
+            rest_force_y) + abs(accel_z - rest_force_z) <= 0.05*abs(rest_force_x) +
+            0.05*abs(rest_force_y) + 0.05*abs(rest_force_z) and abs(p - rest_rate_x) + abs(q -
+            rest_rate_y) + abs(r - rest_rate_z) <= 0.035
+    )
+    rest_length = dt + still
+    share = dt/rest_length if rest_length > 0.0 else 1.0
+    if stays and rest_length <= 10.0*rest:
+        mean_p = rest_rate_x + share*(p - rest_rate_x)
+        mean_q = rest_rate_y + share*(q - rest_rate_y)
+        mean_r = rest_rate_z + share*(r - rest_rate_z)
+        mean_x = rest_force_x + share*(accel_x - rest_force_x)
+        mean_y = rest_force_y + share*(accel_y - rest_force_y)
+        mean_z = rest_force_z + share*(accel_z - rest_force_z)
+        still_after = rest_length
+    elif stays:
+        mean_p = rest_rate_x + share*(p - rest_rate_x)
+        mean_q = rest_rate_y + share*(q - rest_rate_y)
+        mean_r = rest_rate_z + share*(r - rest_rate_z)
+        mean_x = rest_force_x + share*(accel_x - rest_force_x)
+        mean_y = rest_force_y + share*(accel_y - rest_force_y)
+        mean_z = rest_force_z + share*(accel_z - rest_force_z)
+        still_after = still
+    elif sample_known:
+        mean_p = p
+        mean_q = q
+        mean_r = r
+        mean_x = accel_x
+        mean_y = accel_y
+        mean_z = accel_z
+        still_after = 0.0
+    else:
+        mean_p = rest_rate_x
+        mean_q = rest_rate_y
+        mean_r = rest_rate_z
+        mean_x = rest_force_x
+        mean_y = rest_force_y
+        mean_z = rest_force_z
+        still_after = still
+    lasts = (
+        stays and still_after >= rest and abs(mean_p) <= 0.05 and abs(mean_q) <= 0.05 and
+            abs(mean_r) <= 0.05
+    )
+    if lasts:
+        bias_p = mean_p
+        bias_q = mean_q
+        bias_r = mean_r
+    else:
+        bias_p = learnt_x
+        bias_q = learnt_y
+        bias_r = learnt_z
+    return (mean_p, mean_q, mean_r, mean_x, mean_y, mean_z, still_after, bias_p, bias_q, bias_r)
+
+
+def averaging_bound(
+    averaged: float, time_constant: float, speed: float, bias_bound: float
+) -> float:
+    """Bound of the angle between true and estimated vertical, radians.
+
+    averaged: time that the mean stands for, s
+    time_constant: mean age of what is averaged, s
+    speed: that the body stays below, m/s
+    bias_bound: that a gyro's bias stays below, rad/s
+    """
+    if averaged <= 0.0:
+        bound_told = 3.141592653589793
+    elif averaged < time_constant:
+        bound_told = averaged*bias_bound + 0.20394324259558566*speed/averaged
+    elif time_constant > 0.0:
+        bound_told = bias_bound*time_constant + 0.13744070696307817*speed/time_constant
+    else:
+        bound_told = nan
+    if bound_told > 3.141592653589793:
+        bound = 3.141592653589793
+    else:
+        bound = bound_told
+    return bound

@@ -1,0 +1,304 @@
+"""Attitude by averaging the specific force in a frame that does not turn, over a recording.
+
+The idea is that of D. Laidig and T. Seel, "VQF: Highly accurate IMU orientation estimation with
+bias estimation and magnetic disturbance rejection", Information Fusion 91 (2023), 187-204.
+"""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from chr_notes._arrays import Floats
+from chr_notes._recordings import run
+from chr_notes._rows import Rows
+from chr_notes._samples import (
+    WILD_RATE,
+    complete,
+    number,
+    periods,
+    positive,
+    same_length,
+    samples,
+)
+from chr_notes.estimation.averaging_settings import Settings
+from chr_notes.estimation.bias import Bias, bias_of
+from chr_notes.estimation.earth_field import EarthField
+from chr_notes.estimation.gyro import attitudes_in_range
+from chr_notes.estimation.starts import first_tilt
+from chr_notes.generated.arrays import estimation as generated
+
+_averaging_bound = Rows(generated.averaging_bound)
+AVERAGED, HEADING_AVERAGED = 8, 10  # in the state
+
+
+class Averaged(NamedTuple):
+    """What the averaging filter says, of a recording or of one sample of a stream.
+
+    Parameters
+    ----------
+    euler
+        Roll, pitch, yaw in radians, shape (N, 3), or (3,).
+    averaged
+        Seconds of specific force that the estimate of the vertical stands for, shape (N,): from
+        the first sample to `time_constant`. Missing readings and gaps take it back by what the
+        body may have turned meanwhile, so that what comes after them counts the more.
+    tilt_bound
+        Bound of the angle between true and estimated vertical, radians, shape (N,), for a body
+        whose speed stays below 1 m/s: `averaging_bound` has it for others.
+    heading_averaged
+        The same seconds for the heading, at most `heading_time_constant`: 0 until a magnetometer
+        is heard. They fall while it is held out.
+    """
+
+    euler: Floats
+    averaged: Floats | float
+    tilt_bound: Floats | float
+    heading_averaged: Floats | float
+
+
+def averaging_observer(  # noqa: PLR0913 (a recording, and how to run through it)
+    body_rates: ArrayLike,
+    accel: ArrayLike,
+    dt: ArrayLike,
+    *,
+    mag: ArrayLike | None = None,
+    time_constant: float = 3.0,
+    heading_time_constant: float = 9.0,
+    bias: Bias = "stillest",
+    field: EarthField = EarthField(),  # noqa: B008 (frozen)
+    longest_step: float = 0.15,
+) -> Floats:
+    """Estimate attitude by a mean of the specific force in a frame that does not turn.
+
+    The gyros alone turn the attitude, and with it the specific force is brought to a frame that
+    does not turn with the body. There it is the reaction to gravity, which stands still, and the
+    true acceleration, whose mean over a time t is the velocity gained divided by t: of a body that
+    stays about its place, nothing in the end. A low-pass (Butterworth, second order) takes the
+    mean, and the attitude is turned such that the mean points up. Until the low-pass has run in, a
+    plain mean stands in. Of the field of a magnetometer, brought to the same frame, the horizontal
+    direction corrects yaw, with weights that fall off exponentially.
+
+    A longer time constant averages more true acceleration and noise away, a shorter one less of
+    the gyros' error: a bias b tilts the estimate by b times the time constant, noise comes through
+    with its variance times dt over twice the time constant, and a body whose speed stays below v
+    tilts it by 1.35 v over g times the time constant at most.
+
+    Parameters
+    ----------
+    body_rates
+        Rates p, q, r about the body axes, rad/s, shape (N, 3).
+    accel
+        Specific force in any unit, shape (N, 3). What is more than 50 times the mean counts as so
+        much.
+    dt
+        Time step before each sample, seconds: a number, or shape (N,).
+    mag
+        Magnetic field, calibrated, in any unit, shape (N, 3). Without it yaw starts at 0 and comes
+        from the gyros.
+    time_constant, heading_time_constant
+        Mean age of what is averaged, seconds.
+    bias
+        Of the gyros, taken off: "stillest" is the mean over the stillest two seconds of the
+        recording, and so looks ahead; "running" is learnt anew in each rest of two seconds, from
+        zero on, and does not; a number or shape (3,), rad/s, is it.
+    field
+        What is known of the Earth's field, and when a reading of `mag` is held out.
+    longest_step
+        A longer time step, seconds, is a gap: how the body turned in it nobody knows, and it is
+        taken not to have. At an angular acceleration of 3 rad/s² a rate that is held for 0.15 s
+        is off by 2° in the end.
+
+    Returns
+    -------
+    ndarray
+        Roll and yaw in [-pi, pi), pitch in [-pi/2, pi/2], after each sample, shape (N, 3). A row
+        whose rates hold NaN, or before the first force, comes out as NaN; one whose force does,
+        or reads zero, comes out as predicted.
+
+    Raises
+    ------
+    ValueError
+        If a shape is wrong, a time step is negative or no number, most are longer than
+        `longest_step`, a constant is not positive, or no accelerometer sample shows a tilt.
+
+    Warns
+    -----
+    UserWarning
+        If the stillest two seconds are not still, or read more than 0.05 rad/s.
+
+    See Also
+    --------
+    averaged_attitude : The same, and how far to trust it.
+    observe_averaging : The same on a stream.
+
+    Examples
+    --------
+    A body lies at a roll of 0.2 rad and is shaken by 2 m/s², under gyros with a bias.
+
+    >>> import numpy as np
+    >>> from chr_notes import accelerometer_at_rest, fixed_gain_observer
+    >>> time = 0.01 * np.arange(3000)
+    >>> rates = np.full((3000, 3), 0.01)
+    >>> accel = accelerometer_at_rest(np.array([0.2, 0.0, 0.0])) + np.zeros((3000, 3))
+    >>> accel[:, 1] += 2 * np.sin(20 * time)
+    >>> averaging_observer(rates, accel, 0.01)[-1].round(3) + 0.0
+    array([0.2, 0. , 0. ])
+    >>> fixed_gain_observer(rates, accel, 0.01, 0.02)[-1].round(3)
+    array([0.181, 0.004, 0.353])
+    """
+    settings = Settings(time_constant, heading_time_constant, bias, field, longest_step)
+    return _run(
+        lambda states: attitudes_in_range(states[:, :4]), (body_rates, accel, mag), dt, settings
+    )
+
+
+def averaged_attitude(  # noqa: PLR0913 (a recording, and how to run through it)
+    body_rates: ArrayLike,
+    accel: ArrayLike,
+    dt: ArrayLike,
+    *,
+    mag: ArrayLike | None = None,
+    time_constant: float = 3.0,
+    heading_time_constant: float = 9.0,
+    bias: Bias = "stillest",
+    field: EarthField = EarthField(),  # noqa: B008 (frozen)
+    longest_step: float = 0.15,
+) -> Averaged:
+    """Run `averaging_observer`, and say of each sample how far to trust it.
+
+    Parameters
+    ----------
+    body_rates, accel, dt, mag, time_constant, heading_time_constant, bias, field, longest_step
+        As for `averaging_observer`.
+
+    Returns
+    -------
+    Averaged
+        A row that is NaN for the angles because its rates are missing has numbers for the rest.
+
+    Raises
+    ------
+    ValueError
+        As `averaging_observer`.
+
+    Examples
+    --------
+    A gap of a second: the estimate goes on, and is hardly to be trusted at first.
+
+    >>> import numpy as np
+    >>> dt = np.full(600, 0.01)
+    >>> dt[400] = 1.0
+    >>> found = averaged_attitude(np.zeros((600, 3)), np.full((600, 3), [0, 0, -9.8]), dt)
+    >>> np.degrees(found.tilt_bound[[100, 399, 400, 599]]).round(1)
+    array([12. ,  3.5, 34.4,  5.7])
+    """
+    settings = Settings(time_constant, heading_time_constant, bias, field, longest_step)
+    last = HEADING_AVERAGED if mag is not None else AVERAGED
+
+    def finish(states: Floats) -> Floats:
+        kept = states[:, [AVERAGED, last]]
+        return np.column_stack([attitudes_in_range(states[:, :4]), kept])
+
+    found = _run(finish, (body_rates, accel, mag), dt, settings)
+    averaged = np.nan_to_num(found[:, 3])
+    heading = np.nan_to_num(found[:, 4]) if mag is not None else np.zeros(len(found))
+    bound = averaging_bound(averaged, time_constant)
+    return Averaged(np.ascontiguousarray(found[:, :3]), averaged, bound, heading)
+
+
+def averaging_bound(
+    averaged: ArrayLike,
+    time_constant: float = 3.0,
+    *,
+    speed: float = 1.0,
+    bias: float = 0.005,
+    out: Floats | None = None,
+) -> Floats:
+    """Bound the angle between the true vertical and that of the averaging filter.
+
+    Parameters
+    ----------
+    averaged
+        Seconds that have been averaged, shape (...).
+    time_constant
+        Of the filter, seconds.
+    speed
+        That the body stays below, m/s.
+    bias
+        That the gyros' bias stays below once the known one is taken off, rad/s.
+    out
+        An array for the result.
+
+    Returns
+    -------
+    ndarray
+        Radians, at most pi, shape (...).
+
+    Raises
+    ------
+    ValueError
+        If the time constant is not positive, or another number is negative.
+
+    Examples
+    --------
+    How far off may up be for a body that moves by less than 3 m/s?
+
+    >>> float(np.degrees(averaging_bound(3.0, speed=3.0, bias=0.0)).round(1))
+    7.9
+    """
+    positive("time_constant", time_constant)
+    for name, value in (("speed", speed), ("bias", bias)):
+        if not number(name, value) >= 0:
+            msg = f"{name}: expected a number, not negative, got {value}"
+            raise ValueError(msg)
+    given = (averaged, float(time_constant), float(speed), float(bias))
+    bound = _averaging_bound(*given, out=out)
+    return bound[()] if out is None else bound
+
+
+def _run(
+    finish: Callable[[Floats], Floats],
+    recording: tuple[ArrayLike, ArrayLike, ArrayLike | None],
+    dt: ArrayLike,
+    settings: Settings,
+) -> Floats:
+    """Run the filter, and give of each state what is wanted of it; NaN before the first force."""
+    named = zip(("body_rates", "accel", "mag"), recording, strict=True)
+    read = [(name, samples(name, value)) for name, value in named if value is not None]
+    count = same_length(*read)
+    rates, forces, *field = (array for _, array in read)
+    dt = _steps(dt, count, settings.longest_step)
+    given = [
+        rates - bias_of(settings.bias, rates, forces, dt, settings.longest_step),
+        forces,
+        *field,
+    ]
+    begin, tilt = first_tilt(forces)
+    first = [
+        value for array in given for value in (array[begin] if count else np.zeros(3)).tolist()
+    ]
+    state = settings.begin(tilt, first, heading=bool(field))
+    shown = finish(np.array([state]))
+    before = np.full((min(begin + 1, count), shown.shape[1]), np.nan)
+    before[begin:] = shown
+    rest = slice(len(before), None)
+    step, constants = settings.step(heading=bool(field))
+    inputs = [*(array[rest] for array in given), dt[rest] if dt.ndim else dt]
+    out = run(step, state, *inputs, *map(np.array, constants), finish=finish)
+    found = np.concatenate([before, out])
+    found[~complete(rates, WILD_RATE), :3] = np.nan
+    return found
+
+
+def _steps(dt: ArrayLike, count: int, longest: float) -> Floats:
+    """Take time steps of which most are no gaps."""
+    found = periods(dt, count)
+    if found.size and np.median(found) > longest:
+        msg = (
+            f"dt: expected steps of at most longest_step = {longest} s, for how a body turns in a "
+            f"longer one no gyro tells, got {np.median(found)} s for half of them and more"
+        )
+        raise ValueError(msg)
+    return found

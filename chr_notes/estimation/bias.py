@@ -1,0 +1,126 @@
+"""The bias of a gyro that is taken off before an attitude is estimated."""
+
+import warnings
+from collections.abc import Iterator
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from chr_notes._arrays import Floats
+from chr_notes._recordings import run
+from chr_notes._samples import per_axis
+from chr_notes.generated.scalar.estimation import bias_at_rest
+from chr_notes.sensors.still import STILL_LIMIT, static_interval, without_glitches
+
+Bias = Literal["stillest", "running"] | ArrayLike
+REST = 2.0
+"""Seconds of rest from which a bias is taken."""
+_BLOCKS = 40  # to look about
+_ROWS = 8192  # at a time, few enough to stay in cache
+_LARGEST = 0.05  # rad/s; a steady reading of more may be a turn
+
+
+def check_bias(bias: Bias) -> str | Floats:
+    """Take "stillest", "running", or a bias: one number for all axes or one for each."""
+    if isinstance(bias, str):
+        if bias not in ("stillest", "running"):
+            msg = f'bias: expected "stillest", "running" or numbers, got {bias!r}'
+            raise ValueError(msg)
+        return bias
+    given = per_axis("bias", bias)
+    if not np.isfinite(given).all():
+        msg = f"bias: expected finite numbers, got {given.tolist()}"
+        raise ValueError(msg)
+    return given
+
+
+def bias_of(bias: Bias, rates: Floats, forces: Floats, dt: Floats, longest_step: float) -> Floats:
+    """Find the bias of a recording: shape (3,), or (N, 3) where it is learnt on the way."""
+    checked = check_bias(bias)
+    if not isinstance(checked, str):
+        return checked
+    if checked == "stillest":
+        return _stillest(rates, dt)
+    if not len(rates):
+        return np.zeros((0, 3))
+    limits = map(np.array, (REST, longest_step))
+    return run(
+        bias_at_rest,
+        np.zeros(10),
+        *(rates, forces, dt, *limits),
+        finish=lambda states: states[:, 7:],
+    )
+
+
+def _stillest(rates: Floats, dt: Floats) -> Floats:
+    """Mean over the stillest two seconds, or over all if there is less."""
+    usual = float(np.median(dt)) if dt.size else 0.0
+    length = min(len(rates), round(REST / usual) if usual > 0 else len(rates))
+    found = [each for part in _still_parts(rates, length) if (each := _steady(part, length))]
+    if not found:
+        return _none("no stretch as long without a gap in the rates")
+    variance, mean = min(found, key=lambda part: part[0].sum())
+    spread = float(np.sqrt(variance.max()))
+    if spread > STILL_LIMIT:
+        return _none(f"the stillest has a standard deviation of {spread:.2g} rad/s: no rest")
+    largest = float(np.abs(mean).max())
+    if largest > _LARGEST:
+        _warn(
+            f"the stillest reads {largest:.2g} rad/s, which is taken for the bias: if it is a "
+            "steady turn, pass a bias"
+        )
+    return mean
+
+
+def _steady(part: Floats, length: int) -> tuple[Floats, Floats] | None:
+    """Find variance and mean in the stillest stretch of a part, apart from glitches."""
+    try:
+        still = static_interval(part, length)
+    except ValueError:  # none without NaN
+        return None
+    steady, glitches = without_glitches(part[still])
+    kept = steady[~glitches]
+    return np.asarray(kept.var(axis=0)), np.asarray(kept.mean(axis=0))
+
+
+def _still_parts(rates: Floats, length: int) -> Iterator[Floats]:
+    """Cut out where to look: about the blocks of half the length that vary least.
+
+    To look everywhere takes longer than the filter.
+    """
+    half = length // 2
+    count = len(rates) // half if half else 0
+    if not count:
+        return
+    blocks = rates[: count * half].reshape(count, half, 3)
+    together = max(1, _ROWS // half)
+    with np.errstate(over="ignore", invalid="ignore"):
+        variance = np.concatenate(
+            [_variances(blocks[start : start + together]) for start in range(0, count, together)]
+        )
+    variance[~(variance < np.inf)] = np.inf  # NaN too
+    chosen = np.argpartition(variance, min(_BLOCKS, count) - 1)[:_BLOCKS]
+    near = np.zeros(count + 2, dtype=np.bool_)
+    for shift in range(3):
+        near[chosen + shift] = True
+    edges = np.flatnonzero(np.diff(near[1:-1], prepend=False, append=False)) * half
+    for start, stop in edges.reshape(-1, 2):
+        end = len(rates) if stop >= count * half else stop
+        yield rates[start:end]
+
+
+def _variances(blocks: Floats) -> Floats:
+    """Sum the squares about the mean of each block."""
+    off = blocks - blocks[:, :1]
+    mean = np.einsum("bij->bj", off)
+    return np.asarray(np.einsum("bij,bij->b", off, off) - (mean * mean).sum(axis=1) / off.shape[1])
+
+
+def _none(why: str) -> Floats:
+    _warn(f"{why}, and no bias is taken off: pass one")
+    return np.zeros(3)
+
+
+def _warn(what: str) -> None:
+    warnings.warn(f"bias: of stretches of {REST} s, {what}", stacklevel=5)
