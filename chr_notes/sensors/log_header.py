@@ -133,7 +133,7 @@ def _with_numbers(
     try:
         selected = select(names, columns)
     except ValueError as error:
-        msg = f"line {place + 1}: {error}"
+        msg = f"line {place + 1}, column 1: {error}"
         raise ValueError(msg) from None
     start = _next(lines, place + 1)
     fields = split(lines[start], delimiter) if start < len(lines) else []

@@ -103,7 +103,7 @@ def test_missing_numbers_are_nan(missing: str) -> None:
         (HEAD + "#\n\n0,1,2,3\n\n1,1,?,3\n", r"line 6, column 3 \(ay\)"),
         (HEAD + "0,1,2,3\nt,ax,ay,az\n", r"line 3, column 1 \(t\): expected a number, got 't'"),
         ("\x00\x01\x02\x03" * 90, r"line 1, column 1: expected text, got a byte 0"),
-        ("ax,ay\n1,2\n", r"line 1: accel: expected columns for x, y and z"),
+        ("ax,ay\n1,2\n", r"line 1, column 1: accel: expected columns for x, y and z"),
         (HEAD + "0,1,2,3\n" * 9 + "1" * 3_000_000, r"line 11, column 1: .* got one of over a meg"),
         (HEAD + "# a,b,c,d\n0,1,2,3\n0,1,?,3\n", r"line 4, column 3 \(ay\)"),
         ("x" * 2_000_000, r"line 1, column 1: expected lines of text, got one of over a megabyte"),
