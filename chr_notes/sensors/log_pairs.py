@@ -10,11 +10,11 @@ from dataclasses import dataclass
 from itertools import pairwise, permutations, product
 
 import numpy as np
+from numpy.typing import NDArray
 
 from chr_notes._arrays import Floats
 from chr_notes.quaternions import quaternion_from_axis_angle, quaternion_multiply, rotate_to_body
 from chr_notes.sensors.axes import AxesRelation, relate_axes
-from chr_notes.sensors.ellipsoid import fit_ellipsoid
 from chr_notes.sensors.log_axes import named
 
 SIGNED = np.array(
@@ -33,8 +33,11 @@ _TURNED = np.cos(np.radians(20.0))  # between two rests, at least
 _LONGEST, _MOST, _FEWEST = 40.0, 12, 3  # seconds between rests; how many pairs of them
 FITS, _FAILS = np.radians(12.0), np.radians(20.0)
 _GAP = 0.1  # seconds, over which a gyro's reading is held at most
-_STEADY, _AHEAD = 0.1, 2.0  # spread of the angle's cosine; how far the next best is behind
+_STEADY, _AHEAD = 0.12, 2.0  # spread of the angle's cosine; how far the next best is behind
 _NEAR_GRAVITY = 0.1
+_OUTLIER = 5.0  # medians
+_FEWEST_ANGLES = 50
+_LEAST = float(np.finfo(np.float64).tiny)
 
 
 @dataclass(frozen=True)
@@ -159,7 +162,7 @@ def between_rests(
 
 
 def _direction(vector: Floats) -> Floats:
-    return vector / max(float(np.linalg.norm(vector)), np.finfo(np.float64).tiny)
+    return vector / max(float(np.linalg.norm(vector)), _LEAST)
 
 
 def _together(angles: Floats, step: float) -> Floats:
@@ -188,26 +191,33 @@ def by_angle(accel: Floats, mag: Floats) -> Pair:
     every = max(1, len(accel) // _ROWS)
     accel, mag = accel[::every], mag[::every]
     norms = np.sqrt((accel**2).sum(axis=1))
-    known = np.isfinite(norms) & np.isfinite(mag).all(axis=1)
-    if not known.any():
-        return Pair(SIGNED, known=False, how="no reading is whole")
-    known &= np.abs(norms / np.median(norms[known]) - 1) < _NEAR_GRAVITY
+    known = np.isfinite(norms) & np.isfinite(mag).all(axis=1) & (mag != 0).any(axis=1)
+    if known.any():
+        known &= np.abs(norms / np.median(norms[known]) - 1) < _NEAR_GRAVITY
+        strengths = np.sqrt((mag**2).sum(axis=1))
+        known &= strengths <= _OUTLIER * np.median(strengths[known])
     up, field = accel[known] / norms[known, np.newaxis], mag[known]
-    try:
-        ellipsoid = fit_ellipsoid(field)
-        field = (field - ellipsoid.centre) @ ellipsoid.to_sphere.T
-    except ValueError:
-        pass  # it turned too little for iron to be seen: then it stands for little, too
-    sizes = np.sqrt((field**2).sum(axis=1))
-    up, field = up[sizes > 0], field[sizes > 0] / sizes[sizes > 0, np.newaxis]
-    if not len(field):
-        return Pair(SIGNED, known=False, how="no field is left")
-    spreads = np.array([(up * (field @ each.T)).sum(axis=1).std() for each in SIGNED])
-    order = np.argsort(spreads, kind="stable")
-    best, next_best = spreads[order[0]], spreads[order[2]]
+    if len(up) < _FEWEST_ANGLES:
+        return Pair(SIGNED, known=False, how="there are too few whole readings")
+    # As it is read, and less the iron that explains most, a vector in the magnetometer's axes.
+    sizes = np.sqrt((field**2).sum(axis=1))[:, np.newaxis]
+    along = np.einsum("ni,kij,nj->nk", up, SIGNED, field)
+    base = np.linalg.qr(np.column_stack([up, np.ones(len(up))]))[0]
+    spread = float(np.sqrt(field.var(axis=0).sum()))
+    plain = (along / sizes).std(axis=0)
+    less_iron = (along - base @ (base.T @ along)).std(axis=0) / max(spread, _LEAST)
+    best, next_best, order = min(
+        map(_compared, (plain, less_iron)), key=lambda each: each[0] / each[1]
+    )
     how = f"the cosine between vertical and field varies by {best:.2g}, then by {next_best:.2g}"
-    tells = bool(best < _STEADY and next_best > _AHEAD * best)
+    tells = best < _STEADY and next_best > _AHEAD * best
     return Pair(SIGNED[order[:2]] if tells else SIGNED, tells, how)
+
+
+def _compared(spreads: Floats) -> tuple[float, float, NDArray[np.intp]]:
+    """Give the least spread, the next one but for a sign, and the order."""
+    order = np.argsort(spreads, kind="stable")
+    return float(spreads[order[0]]), max(float(spreads[order[2]]), _LEAST), order
 
 
 def disagreement(pairs: Mapping[tuple[str, str], Pair]) -> str | None:

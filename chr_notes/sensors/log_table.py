@@ -1,5 +1,6 @@
 """The columns of a log as numbers, from text or from arrays."""
 
+import re
 from bisect import bisect_right
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
@@ -16,7 +17,8 @@ from chr_notes.sensors.log_header import COMMENTS, Columns, Head, head, is_besid
 from chr_notes.sensors.log_numbers import Origin, number, origin, since
 from chr_notes.sensors.log_text import LONGEST, Readable, blocks, opened
 
-_MARKS = [mark.encode() for mark in ('"', *COMMENTS)]
+_MARKS = [mark.encode() for mark in COMMENTS]
+_COMMENT = re.compile(rb"^\s*(#|%|//)", re.MULTILINE)
 _COMMA = bytes.maketrans(b",.", b".?")  # a point between thousands is none of a number
 LARGEST = 1e15
 """No sensor reads as much, in whatever unit."""
@@ -122,22 +124,13 @@ class _Rows:
         ended = block.endswith(b"\n")
         block = block if ended else block + b"\n"
         rows = block.count(b"\n")
-        if self.head.delimiter == " " or not self._plain(block, rows, ended=ended):
+        commented = any(mark in block for mark in _MARKS) and _COMMENT.search(block) is not None
+        plain = self.head.delimiter != " " and not commented
+        if not (plain and self._regular(block, [self.line], rows, ended=ended)):
             kept, numbers = self._lines(block, ended=ended)
             if kept:
                 self._regular(b"".join(kept), numbers, len(kept), ended=ended)
         self.line += rows
-
-    def _plain(self, block: bytes, rows: int, *, ended: bool) -> bool:
-        """Read lines as they are, unless they are not all of numbers alone."""
-        anchors = len(self.anchors)
-        try:
-            return self._regular(block, [self.line], rows, ended=ended)
-        except ValueError:
-            if not any(mark in block for mark in _MARKS):
-                raise
-            del self.anchors[anchors:]  # a comment may have as many fields
-            return False
 
     def _lines(self, block: bytes, *, ended: bool) -> tuple[list[bytes], list[int]]:
         """Take the lines of numbers alone, each with its number and its fields plainly divided."""

@@ -72,6 +72,13 @@ def test_what_stands_around_numbers(text: str) -> None:
     assert_read(table(text))
 
 
+def test_a_row_that_is_commented_out_is_none() -> None:
+    text = "t,ax,ay,az\n0,1,2,3\n#1,4,5,6\n 2,7,8,9\n"
+    assert_array_equal(table(text).values["accel"], [[1, 2, 3], [7, 8, 9]])
+    text = "note,ax,ay,az\na,1,2,3\n  # b,4,5,6\n50%,7,8,9\n"
+    assert_array_equal(table(text).values["accel"], [[1, 2, 3], [7, 8, 9]])
+
+
 def test_columns_of_text_are_passed_over() -> None:
     text = 't,note,ax,ay,az\n0,"a, b",1,2,3\n0.01,c;d,1,2,3\n'
     assert_array_equal(table(text).values["accel"], [[1, 2, 3], [1, 2, 3]])
