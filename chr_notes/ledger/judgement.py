@@ -119,9 +119,9 @@ def _verdict(case: Case) -> Judged:
     check_definition(case)
     if case.definition:
         return Judged("definition", "the name has no meaning before; it is read by this later")
+    check_says_something(case)
     check_conditions(case)
     if case.condition is None and case.right is None:
-        check_says_something(case)
         findings = _prove(case, case.printed.statement, "not proved as printed", *case.given)
         return Judged("proved", f"derived independently: {_how(findings)}")
     check_witness(case)

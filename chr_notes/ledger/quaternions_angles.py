@@ -5,7 +5,13 @@ from sympy import Abs, Eq, ImmutableMatrix, cos, pi, sin, symbols
 from chr_notes.derivations import quaternions as derived
 from chr_notes.derivations.steps import Step
 from chr_notes.ledger.case import Case, Condition
-from chr_notes.ledger.quaternions_reading import READ_AT_LOCK, READ_ORDERS, READINGS, SOMEWHERE
+from chr_notes.ledger.quaternions_reading import (
+    READ_AT_ITS_WORD,
+    READ_AT_LOCK,
+    READ_ORDERS,
+    READINGS,
+    SOMEWHERE,
+)
 from chr_notes.printed import quaternions_claims as claims
 from chr_notes.printed.statement import Approximately
 from chr_notes.symbols import QUATERNION, Angle, a, b, c, d, phi, psi, theta
@@ -75,6 +81,7 @@ SETTLED = (
         ),
         remark=ATAN + ALSO,
     ),
+    Case("quaternions.4.a", READ_AT_ITS_WORD),
     Case(
         "quaternions.4.c",
         READ_ORDERS.also(SOMEWHERE),

@@ -27,7 +27,7 @@ from sympy import (
 from chr_notes.derivations import hamilton
 from chr_notes.derivations import quaternions as derived
 from chr_notes.ledger.case import Condition, Reading
-from chr_notes.ledger.reading import Meaning, Notation, defined, reading
+from chr_notes.ledger.reading import Meaning, Notation, Read, defined, reading
 from chr_notes.printed import quaternions as printed
 from chr_notes.printed import quaternions_claims as claims
 from chr_notes.printed.hamilton import Conjugate, Product, Pure, Reciprocal
@@ -110,6 +110,8 @@ _ATTITUDE: dict[Basic, Basic] = {
     psi: ANGLES[2],
 }
 READ = reading({**_NUMBERS, **_NAMES, **_ATTITUDE}, NOTATION)
+# Where the note names atan2 itself, an arctangent would be one of the quotient alone.
+READ_AT_ITS_WORD = Read({}, {kind: how for kind, how in NOTATION.items() if kind is not atan}, READ)
 
 # What the other reading says of q is what this one says of its conjugate.
 _AS_IN_3 = {

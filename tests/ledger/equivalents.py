@@ -51,6 +51,12 @@ EQUIVALENT: dict[tuple[str, str], str] = {
         (f"sensors.{entry}", f"swapped symbols, throughout {n}"): BOTH_WAYS
         for entry, n in (("4.a", 1), ("4.b", 3), ("4.c", 1))
     },
+    **{("sensors.4.f", f"swapped symbols, throughout {n}"): BOTH_WAYS for n in (1, 6, 7)},
+    **{
+        ("sensors.4.f", f"transposed {n}"): "a diagonal matrix is its own transpose" for n in (1, 2)
+    },
+    ("sensors.4.e", "swapped symbols, throughout 2"): "the same equation, solved for the vector",
+    ("sensors.4.h", "transposed 1"): "the product of a matrix's transpose and itself is symmetric",
     ("sensors.2.g", "swapped symbols, throughout 1"): "the order of a sum does not matter",
     ("euler.7.f", "swapped symbols, throughout 1"): BOTH_WAYS,
     ("estimation.2.3", "wrong frame 2"): VERTICAL,

@@ -13,6 +13,7 @@ from sympy import (
     Identity,
     ImmutableMatrix,
     Integer,
+    Limit,
     Lt,
     MatMul,
     MatrixSymbol,
@@ -87,6 +88,11 @@ def test_what_says_nothing_is_refused(say: Say) -> None:
         say(InOrder(Eq(y, x * x), Eq(z, z, evaluate=False)))
     with pytest.raises(CannotJudgeError, match="one thing twice"):
         say(InOrder(Eq(y, x * x), Eq(y, x**2)))
+    sufficient: Bring = {"condition": Condition(Eq(x, 0)), "witness": {x: 2}, **ROOTED}
+    with pytest.raises(CannotJudgeError, match="the same on both sides"):
+        say(InOrder(FALSE, Eq(z, z, evaluate=False)), **sufficient)
+    with pytest.raises(CannotJudgeError, match="the same on both sides"):
+        say(Eq(Limit(NAME, z, 0), NAME), read=reading({NAME: x}))
 
 
 def test_an_exact_condition_is_told_from_a_sufficient_one(say: Say) -> None:
