@@ -18,6 +18,7 @@ def run(
     state: Iterable[float],
     *inputs: Floats,
     finish: Callable[[Floats], Floats] = np.asarray,
+    before: Floats | None = None,
 ) -> Floats:
     """Run a generated step over a recording.
 
@@ -31,24 +32,29 @@ def run(
         Of each sample, shape (N,) or (N, size); what is the same for all has no axis of samples.
     finish
         From states to what is wanted of them, row by row.
+    before
+        Rows that stand before all others in the result.
 
     Returns
     -------
     ndarray
-        What is wanted of the state after each sample, shape (N, size).
+        Those, and what is wanted of the state after each sample, shape (N, size).
     """
     compiled = kernel(step.__name__)
     advance = partial(_by_python, step) if compiled is None else partial(_by_kernel, compiled)
     given = [np.ascontiguousarray(array) if array.ndim else array for array in inputs]
     count = max(len(array) for array in given if array.ndim)
     now = np.array([*state])
-    kept = np.empty((count, finish(now[np.newaxis].copy()).shape[1]))
+    ahead = 0 if before is None else len(before)
+    whole = np.empty((ahead + count, finish(now[np.newaxis].copy()).shape[1]))
+    whole[:ahead] = 0.0 if before is None else before
+    kept = whole[ahead:]
     for start in range(0, count, _TOGETHER):
         part = slice(start, start + _TOGETHER)
         states = advance(now, [array[part] if array.ndim else array for array in given])
         now = states[-1].copy()  # what finishes may write on the states
         kept[part] = finish(states)
-    return kept
+    return whole
 
 
 def _by_kernel(compiled: Callable[..., Floats], state: Floats, inputs: list[Floats]) -> Floats:

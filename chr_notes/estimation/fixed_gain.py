@@ -227,9 +227,7 @@ def fixed_gain_observer(  # noqa: PLR0913 (a recording, and how to run through i
     rest = slice(len(before), None)
     each = dt[rest] if dt.ndim else dt
     given = (rates[rest], forces[rest], *(array[rest] for array in field), each)
-    out = run(step, way.begin(*first), *given, *constants, finish=way.end)
-    if len(before):
-        out = np.concatenate([before, out])
+    out = run(step, way.begin(*first), *given, *constants, finish=way.end, before=before)
     out[~complete(rates, WILD_RATE)] = np.nan
     return out
 

@@ -4,7 +4,8 @@ Vectors stand on the last axis, leading axes broadcast. Sensitivity and bias may
 polynomial in temperature: coefficients along the first axis, the constant one first.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -25,12 +26,19 @@ _TERMS = ("misalignment", "temperature", "temperature")
 _SINGULAR = 1e-12  # smallest singular value over the largest
 
 
+@dataclass(frozen=True, eq=False)
 class _Checked:
     """What is checked when it is made, and so when it is copied or read from a file too."""
 
     def __reduce__(self) -> tuple[type, tuple[Floats, ...]]:
         """Make it again from its fields."""
-        return type(self), tuple(vars(self).values())
+        return type(self), tuple(getattr(self, field.name) for field in fields(self))
+
+    @cached_property
+    def _inverse(self) -> Floats:
+        """Of the matrix, which is the first field."""
+        matrix = getattr(self, fields(self)[0].name)
+        return np.asarray(np.linalg.inv(matrix), dtype=np.float64)
 
 
 @dataclass(frozen=True, eq=False)
@@ -111,7 +119,7 @@ class ThreeAxisCalibration(_Checked):
     ) -> Floats:
         """Tell what is there from what the sensor reads; parameters and errors as in `measure`."""
         sensitivity, bias = _at(self, temperature)
-        given = (_inverse(self.misalignment), sensitivity, bias, measured)
+        given = (self._inverse, sensitivity, bias, measured)
         return _sensor_corrected.located(*given, out=out, names=(*_TERMS, "measured"))[0]
 
 
@@ -196,7 +204,7 @@ class RateGyroCalibration(_Checked):
         """Tell the body rates from what the gyro reads; parameters and errors as in `measure`."""
         sensitivity, bias = _at(self, temperature)
         given = (
-            _inverse(self.misalignment),
+            self._inverse,
             sensitivity,
             bias,
             self.g_sensitivity,
@@ -238,7 +246,7 @@ class MagnetometerCalibration(_Checked):
 
     def measure(self, actual: ArrayLike, *, out: Floats | None = None) -> Floats:
         """Tell what a magnetometer near the iron reads of a field, shape (..., 3)."""
-        return _iron_added.compute(_inverse(self.soft_iron), self.hard_iron, actual, out)
+        return _iron_added.compute(self._inverse, self.hard_iron, actual, out)
 
     def correct(self, field: ArrayLike, *, out: Floats | None = None) -> Floats:
         """Tell the field without the iron from a reading, shape (..., 3)."""
@@ -306,7 +314,3 @@ def _at(
 def _evaluated(coefficients: Floats, temperature: Floats) -> Floats:
     values = np.polynomial.polynomial.polyval(temperature, coefficients)
     return np.asarray(np.moveaxis(values, 0, -1), dtype=np.float64)
-
-
-def _inverse(matrix: Floats) -> Floats:
-    return np.asarray(np.linalg.inv(matrix), dtype=np.float64)

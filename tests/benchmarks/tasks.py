@@ -4,6 +4,7 @@ Objects that a library keeps attitudes in are made before the clock starts, whic
 libraries that have such objects.
 """
 
+import operator
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
@@ -20,12 +21,16 @@ from pytransform3d import rotations
 from scipy.spatial.transform import Rotation
 
 import chr_notes
+from chr_notes.generated.scalar import estimation as scalar_estimation
 from chr_notes.generated.scalar import euler as scalar_euler
 from chr_notes.generated.scalar import quaternions as scalar
+from chr_notes.generated.scalar import sensors as scalar_sensors
+from chr_notes.generated.scalar import validation as scalar_validation
 
 Floats = NDArray[np.float64]
 OURS, SCALAR = "chr_notes", "chr_notes, one at a time"
 MEMCPY = "memcpy of the result"
+PLAIN_NUMPY = "plain NumPy"
 # Its functions return arrays, so what goes from one to the next is an array; lists are taken too,
 # and Python's own numbers in them are multiplied faster.
 TRANSFORMS3D, ON_LISTS = "transforms3d", "transforms3d, given lists"
@@ -66,6 +71,67 @@ def euler_rates_with_sines(euler: Floats, rates: Floats) -> Floats:
     )
 
 
+def matrices_with_sines(euler: Floats) -> Floats:
+    """Work out the matrices in plain NumPy, each sine and cosine once."""
+    sine_roll, sine_pitch, sine_yaw = np.sin(euler.T)
+    cosine_roll, cosine_pitch, cosine_yaw = np.cos(euler.T)
+    matrix = np.empty((len(euler), 3, 3))
+    matrix[:, 0, 0] = cosine_pitch * cosine_yaw
+    matrix[:, 0, 1] = cosine_pitch * sine_yaw
+    matrix[:, 0, 2] = -sine_pitch
+    matrix[:, 1, 0] = sine_roll * sine_pitch * cosine_yaw - cosine_roll * sine_yaw
+    matrix[:, 1, 1] = sine_roll * sine_pitch * sine_yaw + cosine_roll * cosine_yaw
+    matrix[:, 1, 2] = sine_roll * cosine_pitch
+    matrix[:, 2, 0] = cosine_roll * sine_pitch * cosine_yaw + sine_roll * sine_yaw
+    matrix[:, 2, 1] = cosine_roll * sine_pitch * sine_yaw - sine_roll * cosine_yaw
+    matrix[:, 2, 2] = cosine_roll * cosine_pitch
+    return matrix
+
+
+def wrapped_by_remainder(angle: Floats) -> Floats:
+    """Wrap angles in plain NumPy, in the shortest way, which loses digits of large ones."""
+    return np.asarray((angle + np.pi) % (2 * np.pi) - np.pi)
+
+
+def tilt_by_hand(accel: Floats) -> Floats:
+    """Work out roll and pitch in plain NumPy."""
+    x, y, z = accel.T
+    return np.stack([np.arctan2(-y, -z), np.arctan2(x, np.sqrt(y * y + z * z))], axis=-1)
+
+
+def heading_by_hand(mag: Floats, tilt: Floats) -> Floats:
+    """Work out yaw from magnetic north in plain NumPy."""
+    x, y, z = mag.T
+    roll, pitch = tilt.T
+    sine, cosine = np.sin(roll), np.cos(roll)
+    down = y * sine + z * cosine
+    return np.asarray(np.arctan2(z * sine - y * cosine, x * np.cos(pitch) + down * np.sin(pitch)))
+
+
+def at_rest_by_hand(euler: Floats) -> Floats:
+    """Work out what an accelerometer at rest reads in plain NumPy."""
+    roll, pitch = euler[:, 0], euler[:, 1]
+    across = -chr_notes.STANDARD_GRAVITY * np.cos(pitch)
+    down = chr_notes.STANDARD_GRAVITY * np.sin(pitch)
+    return np.stack([down, across * np.sin(roll), across * np.cos(roll)], axis=-1)
+
+
+MISALIGNMENT = np.array([[1.0, 0.02, 0.01], [-0.01, 1.0, 0.03], [0.02, -0.02, 1.0]])
+SENSITIVITY, BIAS = np.array([1.01, 0.98, 1.02]), np.array([0.1, -0.2, 0.05])
+CALIBRATION = chr_notes.ThreeAxisCalibration(MISALIGNMENT, SENSITIVITY, BIAS)
+REALIGNMENT = np.linalg.inv(MISALIGNMENT)
+
+
+def measured_by_hand(actual: Floats) -> Floats:
+    """Apply the model of a sensor in plain NumPy."""
+    return np.asarray((actual * SENSITIVITY - BIAS) @ MISALIGNMENT.T)
+
+
+def corrected_by_hand(measured: Floats) -> Floats:
+    """Undo it in plain NumPy, the inverse of the matrix being known."""
+    return np.asarray((measured @ REALIGNMENT.T + BIAS) / SENSITIVITY)
+
+
 def _symforce(row: Floats) -> Any:  # noqa: ANN401 (the library has no types)
     return sym.Rot3([*row[1:], row[0]])
 
@@ -89,13 +155,14 @@ MANY: dict[str, dict[str, Task]] = {
     "matrices from Euler angles": {
         OURS: lambda d: partial(chr_notes.matrix_from_euler, d.euler),
         "SciPy": lambda d: lambda: Rotation.from_euler("ZYX", d.euler[:, ::-1]).as_matrix(),
+        PLAIN_NUMPY: lambda d: partial(matrices_with_sines, d.euler),
         "pytransform3d": lambda d: partial(
             batch.active_matrices_from_intrinsic_euler_angles, 2, 1, 0, d.euler[:, ::-1]
         ),
     },
     "Euler rates from body rates": {
         OURS: lambda d: partial(chr_notes.euler_rates_from_body_rates, d.euler, d.vectors),
-        "plain NumPy": lambda d: partial(euler_rates_with_sines, d.euler, d.vectors),
+        PLAIN_NUMPY: lambda d: partial(euler_rates_with_sines, d.euler, d.vectors),
     },
     "products of quaternions": {
         OURS: lambda d: partial(chr_notes.quaternion_multiply, d.p, d.q),
@@ -123,6 +190,40 @@ MANY: dict[str, dict[str, Task]] = {
         "pytransform3d": lambda d: partial(batch.matrices_from_quaternions, d.q),
     },
 }
+
+
+# By hand, for many as for one.
+BY_HAND: dict[str, dict[str, Task]] = {
+    "wrapped angles": {
+        OURS: lambda d: partial(chr_notes.wrap_angle, 3 * d.euler[:, 0]),
+        PLAIN_NUMPY: lambda d: partial(wrapped_by_remainder, 3 * d.euler[:, 0]),
+    },
+    "tilt from accelerometers": {
+        OURS: lambda d: partial(chr_notes.tilt_from_accelerometer, d.vectors),
+        PLAIN_NUMPY: lambda d: partial(tilt_by_hand, d.vectors),
+    },
+    "heading from magnetometers": {
+        OURS: lambda d: partial(
+            chr_notes.heading_from_magnetometer, d.vectors, np.ascontiguousarray(d.euler[:, :2])
+        ),
+        PLAIN_NUMPY: lambda d: partial(
+            heading_by_hand, d.vectors, np.ascontiguousarray(d.euler[:, :2])
+        ),
+    },
+    "readings of accelerometers at rest": {
+        OURS: lambda d: partial(chr_notes.accelerometer_at_rest, d.euler),
+        PLAIN_NUMPY: lambda d: partial(at_rest_by_hand, d.euler),
+    },
+    "readings by a calibration": {
+        OURS: lambda d: partial(CALIBRATION.measure, d.vectors),
+        PLAIN_NUMPY: lambda d: partial(measured_by_hand, d.vectors),
+    },
+    "readings corrected": {
+        OURS: lambda d: partial(CALIBRATION.correct, d.vectors),
+        PLAIN_NUMPY: lambda d: partial(corrected_by_hand, d.vectors),
+    },
+}
+MANY |= BY_HAND
 
 # For one attitude.
 ONE: dict[str, dict[str, Task]] = {
@@ -159,7 +260,7 @@ ONE: dict[str, dict[str, Task]] = {
             *d.vectors[0].tolist(),
         ),
         OURS: lambda d: partial(chr_notes.euler_rates_from_body_rates, d.euler[0], d.vectors[0]),
-        "plain NumPy": lambda d: partial(euler_rates_with_sines, d.euler[:1], d.vectors[:1]),
+        PLAIN_NUMPY: lambda d: partial(euler_rates_with_sines, d.euler[:1], d.vectors[:1]),
     },
     "products of quaternions": {
         SCALAR: lambda d: partial(scalar.quaternion_multiply, *d.p[0].tolist(), *d.q[0].tolist()),
@@ -169,7 +270,7 @@ ONE: dict[str, dict[str, Task]] = {
         ),
         "ahrs": lambda d: partial(ahrs.Quaternion(d.p[0]).product, d.q[0]),
         "numpy-quaternion": lambda d: partial(
-            numpy_quaternion.quaternion.__mul__,
+            operator.mul,
             numpy_quaternion.quaternion(*d.p[0]),
             numpy_quaternion.quaternion(*d.q[0]),
         ),
@@ -213,3 +314,30 @@ ONE: dict[str, dict[str, Task]] = {
         "symforce": lambda d: _symforce(d.q[0]).to_rotation_matrix,
     },
 }
+_SCALAR: dict[str, Task] = {
+    "wrapped angles": lambda d: partial(scalar_euler.wrap_angle, 3 * float(d.euler[0, 0])),
+    "tilt from accelerometers": lambda d: partial(
+        scalar_estimation.tilt_from_accelerometer, *d.vectors[0].tolist()
+    ),
+    "heading from magnetometers": lambda d: partial(
+        scalar_validation.heading_from_magnetometer,
+        *d.vectors[0].tolist(),
+        *d.euler[0, :2].tolist(),
+        1.0,
+        0.0,
+    ),
+    "readings of accelerometers at rest": lambda d: partial(
+        scalar_sensors.accelerometer_at_rest,
+        *d.euler[0, :2].tolist(),
+        chr_notes.STANDARD_GRAVITY,
+    ),
+    "readings by a calibration": lambda d: partial(
+        scalar_sensors.sensor_measures,
+        *np.r_[MISALIGNMENT.ravel(), SENSITIVITY, BIAS, d.vectors[0]].tolist(),
+    ),
+    "readings corrected": lambda d: partial(
+        scalar_sensors.sensor_corrected,
+        *np.r_[REALIGNMENT.ravel(), SENSITIVITY, BIAS, d.vectors[0]].tolist(),
+    ),
+}
+ONE |= {task: {SCALAR: _SCALAR[task], **libraries} for task, libraries in BY_HAND.items()}
