@@ -55,7 +55,7 @@ def fit_accelerometer(
 
     See Also
     --------
-    fit_accelerometer_from_log : Cuts the poses out of a log by itself.
+    chr_notes.sensors.poses.fit_accelerometer_from_log : Cuts the poses out of a log by itself.
 
     Notes
     -----

@@ -69,7 +69,7 @@ def fit_accelerometer_from_log(
 
     See Also
     --------
-    fit_accelerometer : From six upright poses in a given order, with misalignment.
+    chr_notes.sensors.calibration.fit_accelerometer : From six upright poses.
 
     Notes
     -----
