@@ -124,11 +124,19 @@ def number(name: str, value: ArrayLike | float) -> float:
     return float(array)
 
 
-def positive(name: str, value: float) -> None:
-    """Refuse what is not a positive number."""
-    if not 0 < number(name, value) < np.inf:
-        msg = f"{name}: expected a positive number, got {value}"
+def positive(name: str, value: ArrayLike | float) -> float:
+    """Take a positive number.
+
+    Raises
+    ------
+    ValueError
+        If it is not positive, or infinite.
+    """
+    found = number(name, value)
+    if not 0 < found < np.inf:
+        msg = f"{name}: expected a positive number, got {found}"
         raise ValueError(msg)
+    return found
 
 
 def horizontal(name: str, value: ArrayLike) -> tuple[float, float]:

@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike
 
 from chr_notes._arrays import Floats
 from chr_notes._rows import Rows
-from chr_notes._samples import number
+from chr_notes._samples import positive
 from chr_notes.conventions import STANDARD_GRAVITY
 from chr_notes.generated.arrays import dead_reckoning as generated
 
@@ -146,10 +146,7 @@ def coasting_time(distance: float = 1.0, **errors: float) -> float:
     >>> round(coasting_time(1.0, gyro_bias=np.radians(0.01)), 1)  # (6 d / g b)^(1/3)
     15.2
     """
-    far = number("distance", distance)
-    if not 0 < far < np.inf:
-        msg = f"distance: expected a positive number, got {far}"
-        raise ValueError(msg)
+    far = positive("distance", distance)
 
     def off(time: float) -> float:
         return float(drift_budget(time, **errors).likely)

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from chr_notes._samples import WILD_RATE, complete, number, periods, same_length, samples
+from chr_notes._samples import WILD_RATE, complete, periods, positive, same_length, samples
 from chr_notes.conventions import STANDARD_GRAVITY
 from chr_notes.sensors.still import window_sums
 
@@ -75,9 +75,7 @@ def zero_velocity(  # noqa: PLR0913 (three thresholds)
         ("force_limit", force_limit),
         ("gravity", gravity),
     ):
-        if not 0 < number(name, limit) < np.inf:
-            msg = f"{name}: expected a positive number, got {limit}"
-            raise ValueError(msg)
+        positive(name, limit)
     if not count:
         return np.zeros(0, dtype=np.bool_)
     usual = float(np.median(steps))

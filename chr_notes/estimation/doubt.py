@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from chr_notes._arrays import Floats
-from chr_notes._samples import complete, number, periods, same_length, samples
+from chr_notes._samples import complete, number, periods, positive, same_length, samples
 from chr_notes.conventions import STANDARD_GRAVITY
 from chr_notes.validation import part_down, validation_factor
 
@@ -87,9 +87,9 @@ def accelerated(
     >>> heard = np.where(accelerated(accel, 0.01)[:, np.newaxis], np.nan, accel)
     """
     forces = samples("accel", accel)
-    pull = _positive("gravity", gravity)
+    pull = positive("gravity", gravity)
     sizes = np.linalg.norm(np.where(complete(forces)[:, np.newaxis], forces, pull), axis=1) / pull
-    off = complete(forces) & (np.abs(sizes - 1) > _positive("limit", limit))
+    off = complete(forces) & (np.abs(sizes - 1) > positive("limit", limit))
     return _lasting(off, periods(dt, len(forces)), patience)
 
 
@@ -161,13 +161,13 @@ def doubtful_sensors(  # noqa: PLR0913 (what is known of the field, and three li
     forces, field, angles = samples("accel", accel), samples("mag", mag), samples("euler", euler)
     count = same_length(("accel", forces), ("mag", field), ("euler", angles))
     steps = periods(dt, count)
-    whole, known = _positive("strength", strength), complete(field)
+    whole, known = positive("strength", strength), complete(field)
     down = part_down(number("reference_down", reference_down))
     shaken = accelerated(forces, steps, patience=patience, gravity=gravity)
     sizes = np.linalg.norm(np.where(known[:, np.newaxis], field, 0.0), axis=1) / whole
-    iron = known & (np.abs(sizes - 1) > _positive("strength_limit", strength_limit))
+    iron = known & (np.abs(sizes - 1) > positive("strength_limit", strength_limit))
     factor = np.asarray(validation_factor(field, angles[:, :2], down))
-    turned = known & (factor > _positive("factor_limit", factor_limit)) & ~iron
+    turned = known & (factor > positive("factor_limit", factor_limit)) & ~iron
     # What the gyros alone have led astray is pulled back no faster than that.
     unheard = _lasting(shaken, steps, _RECOVERY * patience)
     return Doubts(
@@ -184,12 +184,4 @@ def _lasting(off: NDArray[np.bool_], steps: Floats, patience: float) -> NDArray[
     """Keep true for a while after the last true sample."""
     time = np.cumsum(np.broadcast_to(steps, off.shape))
     last = np.maximum.accumulate(np.where(off, time, -np.inf)) if len(off) else time
-    return np.asarray(time - last < _positive("patience", patience) * (1 + 1e-9))
-
-
-def _positive(name: str, value: float) -> float:
-    found = number(name, value)
-    if not 0 < found < np.inf:
-        msg = f"{name}: expected a positive number, got {found}"
-        raise ValueError(msg)
-    return found
+    return np.asarray(time - last < positive("patience", patience) * (1 + 1e-9))

@@ -179,7 +179,7 @@ def fixed_gain_observer(  # noqa: PLR0913 (a recording, and how to run through i
     See Also
     --------
     rejected_samples : The rows of which something was left out.
-    observe : The same on a stream.
+    chr_notes.estimation.streams.observe : The same on a stream.
     gain_from_time_constant : A gain that has the same effect at every rate.
     averaging_observer : What true acceleration does not lead astray.
 

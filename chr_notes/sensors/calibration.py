@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from chr_notes._arrays import Floats, floats
-from chr_notes._samples import complete, number, whole_samples
+from chr_notes._samples import complete, positive, whole_samples
 from chr_notes.conventions import STANDARD_GRAVITY
 from chr_notes.errors import CalibrationWarning
 from chr_notes.sensors.models import ThreeAxisCalibration
@@ -71,10 +71,7 @@ def fit_accelerometer(
             f"readings: expected numbers, got NaN or infinity in position {_POSITIONS[missing[0]]}"
         )
         raise ValueError(msg)
-    magnitude = number("gravity", gravity)
-    if not 0 < magnitude < np.inf:
-        msg = f"gravity: expected a positive number, got {magnitude}"
-        raise ValueError(msg)
+    magnitude = positive("gravity", gravity)
     up, down = positions[0::2], positions[1::2]
     columns = (up - down).T / (2 * magnitude)
     sensitivity = np.diagonal(columns)

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from chr_notes._arrays import Floats, floats
-from chr_notes._samples import complete, number
+from chr_notes._samples import complete, positive
 from chr_notes._samples import samples as recording
 from chr_notes.errors import CalibrationWarning
 from chr_notes.sensors.coverage import thinned
@@ -73,7 +73,7 @@ def fit_magnetometer(samples: ArrayLike, field: float | None = None) -> Magnetom
     >>> found.correct([12 + 55, -4, 30]).round(6).tolist()
     [50.0, 0.0, 0.0]
     """
-    strength = None if field is None else _positive("field", field)
+    strength = None if field is None else positive("field", field)
     ellipsoid = fit_ellipsoid(samples)
     _name_rows(np.asarray(samples), ellipsoid.outliers)
     scale = 1.0 if strength is None else strength / ellipsoid.radius
@@ -226,7 +226,7 @@ def _parts(field: ArrayLike | float) -> tuple[float, float | None]:
     """Strength alone, or the horizontal part and the one down."""
     known = floats("field", field)
     if known.shape == ():
-        return _positive("field", known), None
+        return positive("field", known), None
     if known.shape != (2,) or not np.isfinite(known).all() or not known[0] > 0 or not known[1]:
         msg = (
             "field: expected a strength, or (horizontal, down) with a positive first part and a "
@@ -234,14 +234,6 @@ def _parts(field: ArrayLike | float) -> tuple[float, float | None]:
         )
         raise ValueError(msg)
     return float(known[0]), float(known[1])
-
-
-def _positive(name: str, value: ArrayLike | float) -> float:
-    found = number(name, value)
-    if not 0 < found < np.inf:
-        msg = f"{name}: expected a positive number, got {found}"
-        raise ValueError(msg)
-    return found
 
 
 def _name_rows(samples: Floats, outliers: NDArray[np.intp]) -> None:

@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 
 from chr_notes._arrays import Floats
 from chr_notes._recordings import run
-from chr_notes._samples import complete, number, periods, samples
+from chr_notes._samples import complete, periods, positive, samples
 from chr_notes.conventions import STANDARD_GRAVITY
 from chr_notes.errors import CalibrationWarning
 from chr_notes.generated.scalar.estimation import gyro_turn
@@ -77,10 +77,7 @@ def fit_accelerometer_from_log(
     implement method for IMU calibration without external equipments, 2014.
     """
     rates, forces = samples("body_rates", body_rates), samples("accel", accel)
-    magnitude = number("gravity", gravity)
-    if not 0 < magnitude < np.inf:
-        msg = f"gravity: expected a positive number, got {magnitude}"
-        raise ValueError(msg)
+    magnitude = positive("gravity", gravity)
     parts = static_intervals(rates, forces, dt)
     poses = np.array([_mean(forces[part]) for part in parts]).reshape(-1, 3)
     centre = _centre(poses)

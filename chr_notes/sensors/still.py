@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from chr_notes._arrays import Floats
-from chr_notes._samples import WILD_RATE, complete, number, periods, same_length, samples
+from chr_notes._samples import WILD_RATE, complete, periods, positive, same_length, samples
 
 STILL_LIMIT = 0.02
 """Standard deviation of a gyro at rest, rad/s, at most: ten times the noise of a cheap one."""
@@ -133,10 +133,7 @@ def static_intervals(
     rates, forces = samples("body_rates", body_rates), samples("accel", accel)
     count = same_length(("body_rates", rates), ("accel", forces))
     steps = np.broadcast_to(periods(dt, count), (count,))
-    seconds = number("shortest", shortest)
-    if not 0 < seconds < np.inf:
-        msg = f"shortest: expected a positive number of seconds, got {seconds}"
-        raise ValueError(msg)
+    seconds = positive("shortest", shortest)
     usual = float(np.median(steps)) if count else 0.0
     width = max(_FEWEST, round(seconds / 2 / usual)) if usual > 0 else _FEWEST
     if count < width:
