@@ -31,6 +31,7 @@ PERMITTED = {
         "tests/sensors/test_magnetometer.py::test_a_spiked_recording_is_calibrated_as_without",
         "tests/sensors/test_poses.py::test_a_recorded_session_is_cut_by_itself",
         "tests/sensors/test_poses.py::test_recorded_turns_give_the_sensitivity",
+        "tests/estimation/test_averaging.py::test_broad",
         "tests/estimation/test_doubt.py::test_false_alarms_are_rare_by_the_true_attitude",
         "tests/estimation/test_doubt.py::test_holding_out_helps_where_the_rule_of_the_paper_hurts",
         "tests/test_dead_reckoning.py::test_a_recorded_walk_with_rests_ends_near_its_start",
