@@ -159,7 +159,7 @@ def _motion(time: Floats, generator: np.random.Generator) -> Trajectory:
     by_hand = np.column_stack([_BY_HAND, turned])
     plan = np.concatenate([*stops[:2], by_hand, stops[2]])
     attitude = minimum_jerk(time, plan[:, 0], plan[:, 1:] * _DEG)
-    places = generator.uniform(-1.5, 1.5, (int(CARRIED[1] - CARRIED[0]) + 1, 3))
+    places = generator.uniform(-0.5, 0.5, (int(CARRIED[1] - CARRIED[0]) + 1, 3))
     places[[0, -1]] = 0.0
     motion = minimum_jerk(time, np.arange(CARRIED[0], CARRIED[1] + 1), places)
     return trajectory(time, attitude, motion)
