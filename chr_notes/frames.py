@@ -1,11 +1,11 @@
 """Vectors and attitudes in the axes of other systems: z up, east-north-up, phones.
 
-| name | navigation | body | angles, in the order of the array |
-|---|---|---|---|
-| `notes` | north-east-down | forward-right-down | roll, pitch, yaw of this package |
-| `ros` | east-north-up | forward-left-up | roll, pitch, yaw of REP 103 |
-| `android` | east-north-up | right-forward-up | azimuth, pitch, roll of `getOrientation` |
-| `browser` | east-north-up | right-forward-up | alpha, beta, gamma of `deviceorientation` |
+- `notes`: north-east-down and forward-right-down; roll, pitch, yaw of this package.
+- `ros`: east-north-up and forward-left-up; roll, pitch, yaw of REP 103.
+- `android`: east-north-up and right-forward-up; azimuth, pitch, roll of `getOrientation`.
+- `browser`: east-north-up and right-forward-up; alpha, beta, gamma of `deviceorientation`.
+
+Angles stand in an array in this order.
 """
 
 from collections.abc import Callable
@@ -176,7 +176,7 @@ def change_angles(angles: ArrayLike, source: System, target: System) -> Floats:
     Parameters
     ----------
     angles
-        Of the source, in its order, radians, shape (..., 3): see the table of this module.
+        Of the source, in its order, radians, shape (..., 3): see the list of this module.
     source, target
         "notes", "ros", "android" or "browser".
 

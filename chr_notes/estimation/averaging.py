@@ -131,7 +131,7 @@ def averaging_observer(  # noqa: PLR0913 (a recording, and how to run through it
     See Also
     --------
     averaged_attitude : The same, and how far to trust it.
-    observe_averaging : The same on a stream.
+    chr_notes.estimation.averaging_stream.observe_averaging : The same on a stream.
 
     Examples
     --------

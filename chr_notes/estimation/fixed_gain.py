@@ -180,8 +180,8 @@ def fixed_gain_observer(  # noqa: PLR0913 (a recording, and how to run through i
     --------
     rejected_samples : The rows of which something was left out.
     chr_notes.estimation.streams.observe : The same on a stream.
-    gain_from_time_constant : A gain that has the same effect at every rate.
-    averaging_observer : What true acceleration does not lead astray.
+    chr_notes.estimation.gains.gain_from_time_constant : A gain for a rate.
+    chr_notes.estimation.averaging.averaging_observer : What true acceleration does not lead astray.
 
     Notes
     -----
