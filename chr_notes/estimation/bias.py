@@ -16,7 +16,8 @@ from chr_notes.sensors.still import STILL_LIMIT, static_interval, without_glitch
 Bias = Literal["stillest", "running"] | ArrayLike
 REST = 2.0
 """Seconds of rest from which a bias is taken."""
-_BLOCKS = 40  # to look about
+_BLOCKS = 24  # to look about
+_ENOUGH = 25  # rows of a block, to tell whether it varies
 _ROWS = 8192  # at a time, few enough to stay in cache
 _LARGEST = 0.05  # rad/s; a steady reading of more may be a turn
 
@@ -94,10 +95,13 @@ def _still_parts(rates: Floats, length: int) -> Iterator[Floats]:
     if not count:
         return
     blocks = rates[: count * half].reshape(count, half, 3)
-    together = max(1, _ROWS // half)
+    together, every = max(1, _ROWS // half), max(1, half // _ENOUGH)
     with np.errstate(over="ignore", invalid="ignore"):
         variance = np.concatenate(
-            [_variances(blocks[start : start + together]) for start in range(0, count, together)]
+            [
+                _variances(blocks[start : start + together, ::every])
+                for start in range(0, count, together)
+            ]
         )
     variance[~(variance < np.inf)] = np.inf  # NaN too
     chosen = np.argpartition(variance, min(_BLOCKS, count) - 1)[:_BLOCKS]
