@@ -99,7 +99,9 @@ def _power_of_ten(
     text: NDArray[np.uint8], ends: Places, length: Places
 ) -> tuple[Places, Places, Places | int, NDArray[np.bool_]]:
     """Cut off what says the power of ten, and say what it is and where it is a number."""
-    has = ((text[ends - _POWER_OF_TEN] | 32) == ord("e")) & (length > _POWER_OF_TEN)
+    has = text[ends - _POWER_OF_TEN] >= ord("E")  # no digit, sign or point is
+    if has.any():
+        has = ((text[ends - _POWER_OF_TEN] | 32) == ord("e")) & (length > _POWER_OF_TEN)
     if not has.any():
         return ends, length, 0, np.ones(len(ends), dtype=np.bool_)
     sign, ten, one = (text[ends - place] for place in (3, 2, 1))

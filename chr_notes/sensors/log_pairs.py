@@ -30,7 +30,7 @@ _ROWS = 6_000
 _RATE = 50.0  # Hz; enough for how sensors turn together
 _SURE = 0.75  # share of an accelerometer's changes that turning explains, so that it tells
 _TURNED = np.cos(np.radians(20.0))  # between two rests, at least
-_LONGEST, _MOST, _FEWEST = 40.0, 12, 3  # seconds between rests; how many pairs of them
+_LONGEST, _MOST, _FEWEST = 40.0, 6, 3  # seconds between rests; how many pairs of them
 FITS, _FAILS = np.radians(12.0), np.radians(20.0)
 _GAP = 0.1  # seconds, over which a gyro's reading is held at most
 _STEADY, _AHEAD = 0.12, 2.0  # spread of the angle's cosine; how far the next best is behind
@@ -188,7 +188,7 @@ def by_angle(accel: Floats, mag: Floats) -> Pair:
 
     A reading and its negative give angles that vary as little: both fit or none.
     """
-    every = max(1, len(accel) // _ROWS)
+    every = max(1, 2 * len(accel) // _ROWS)
     accel, mag = accel[::every], mag[::every]
     norms = np.sqrt((accel**2).sum(axis=1))
     known = np.isfinite(norms) & np.isfinite(mag).all(axis=1) & (mag != 0).any(axis=1)
@@ -201,11 +201,17 @@ def by_angle(accel: Floats, mag: Floats) -> Pair:
         return Pair(SIGNED, known=False, how="there are too few whole readings")
     # As it is read, and less the iron that explains most, a vector in the magnetometer's axes.
     sizes = np.sqrt((field**2).sum(axis=1))[:, np.newaxis]
-    along = np.einsum("ni,kij,nj->nk", up, SIGNED, field)
-    base = np.linalg.qr(np.column_stack([up, np.ones(len(up))]))[0]
+    # einsum runs in one thread: for so little several cost more than they save.
+    turned = SIGNED.reshape(-1, 9)
+    products = (up[:, :, np.newaxis] * field[:, np.newaxis]).reshape(-1, 9)
+    along = np.einsum("np,kp->nk", products, turned)
+    base = np.column_stack([up, np.ones(len(up))])
+    normal = np.einsum("ni,nj->ij", base, base)
+    iron = np.linalg.pinv(normal) @ np.einsum("ni,nk->ik", base, along)
     spread = float(np.sqrt(field.var(axis=0).sum()))
     plain = (along / sizes).std(axis=0)
-    less_iron = (along - base @ (base.T @ along)).std(axis=0) / max(spread, _LEAST)
+    rest = along - np.einsum("ni,ik->nk", base, iron)
+    less_iron = rest.std(axis=0) / max(spread, _LEAST)
     best, next_best, order = min(
         map(_compared, (plain, less_iron)), key=lambda each: each[0] / each[1]
     )

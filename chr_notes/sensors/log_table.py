@@ -17,7 +17,7 @@ from chr_notes.sensors.log_header import COMMENTS, Columns, Head, head, is_besid
 from chr_notes.sensors.log_numbers import Origin, number, origin, since
 from chr_notes.sensors.log_text import LONGEST, Readable, blocks, opened
 
-_MARKS = [mark.encode() for mark in COMMENTS]
+_MARKS = [mark[:1].encode() for mark in COMMENTS]
 _COMMENT = re.compile(rb"^\s*(#|%|//)", re.MULTILINE)
 _COMMA = bytes.maketrans(b",.", b".?")  # a point between thousands is none of a number
 LARGEST = 1e15

@@ -50,17 +50,21 @@ def _gyro(
     if known is not None and known.factor is not None and known.factor not in factors:
         factors.append(known.factor)
     relations, between = {}, None
-    if dt is not None:
-        others = [name for name in ("mag", "accel") if name in values]
-        relations = {name: log_pairs.relation(gyro, values[name], dt) for name in others}
     if dt is not None and rest is not None:
         places = log_checks.stretches("accel", rest.blocks, rest.width, np.nan, str)
         stretches = [(each.start, each.stop) for each in places]
         between = log_pairs.between_rests(gyro, values["accel"], dt, stretches, factors)
+    if between is not None and not between.tells:
+        between = None
+    if dt is not None:
+        # Rests tell of the accelerometer more surely than its turning does.
+        others = [name for name in ("mag", "accel") if name in values]
+        others = [name for name in others if name == "mag" or between is None]
+        relations = {name: log_pairs.relation(gyro, values[name], dt) for name in others}
     tells = [each for each in relations.values() if np.isfinite(each.factors).all()]
     certain = [each for each in tells if each.known]
     allowed = np.concatenate([each.factors for each in certain or tells]) if tells else None
-    if between is not None and between.tells:
+    if between is not None:
         allowed = np.array(factors)[between.residuals.min(axis=1) < log_pairs.FITS]
     unit = _unit_of_gyro(known, gyro, allowed, rest, said)
     gyro *= float(unit.factor or 1.0)
@@ -69,7 +73,7 @@ def _gyro(
     pairs: dict[tuple[str, str], Pair] = {}
     for name, each in relations.items():
         pairs[name, "gyro"] = log_pairs.by_turning(each, steady=name == "mag")
-    if between is not None and between.tells and unit.factor in factors:
+    if between is not None and unit.factor in factors:
         pairs["accel", "gyro"] = between.pair(factors.index(unit.factor))
     return pairs
 
