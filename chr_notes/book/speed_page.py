@@ -20,6 +20,7 @@ SPEED: Final = Path(__file__).resolve().parents[2] / "book" / "speed.json"
 OURS: Final = "chr_notes"
 SCALAR: Final = "chr_notes, one at a time"
 MEMCPY: Final = "memcpy of the result"
+PLAIN_NUMPY: Final = "plain NumPy"
 TOLD: Final = {1: "1 row", 100: "100", 1_000: "1,000", 1_000_000: "10⁶"}
 """Numbers of rows in the table; the curves have all."""
 LOOKS: Final = (("z", "y", "s"), ("y", "z", "^"), ("qualified", "alert", "D"), ("ink", "y", "v"))
@@ -116,9 +117,15 @@ def factors(run: Mapping[str, Any]) -> Iterator[str]:
         yield f"\nFaster here than ours: {'; '.join(told)}."
 
 
+def drawn(run: Mapping[str, Any]) -> dict[str, Times]:
+    """Tasks that another library does too, which NumPy by hand is not."""
+    by_hand = {OURS, SCALAR, MEMCPY, PLAIN_NUMPY}
+    return {task: times for task, times in of_rows(run).items() if times.keys() - by_hand}
+
+
 def curves(run: Mapping[str, Any]) -> Iterator[str]:
-    """Yield a picture for each task: the time of a call against the number of rows."""
-    for task, times in of_rows(run).items():
+    """Yield a picture for each task that a library does: the time of a call against the rows."""
+    for task, times in drawn(run).items():
         figure, axes = plt.subplots(figsize=(6.4, 3.6))
         looks = cycle(LOOKS)
         shown = {name: each for name, each in times.items() if len(each) > 1}

@@ -83,7 +83,7 @@ def test_the_stored_run_is_the_one_of_the_page() -> None:
     parts = speed_page.generated()
     assert STORED["cpu"] in parts["speed_machine.md"]
     drawn = {line[4:] for line in parts["speed_curves.md"].splitlines() if line.startswith("### ")}
-    assert drawn == {f"{task[0].upper()}{task[1:]}" for task in speed_page.of_rows(STORED)}
+    assert drawn == {f"{task[0].upper()}{task[1:]}" for task in speed_page.drawn(STORED)}
     for row in STORED["rows"]:
         if row["task"] not in speed_page.of_rows(STORED):
             assert f"| {row['library']} | {row['nanoseconds']:,g} |" in parts["speed_filters.md"]
