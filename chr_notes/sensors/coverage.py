@@ -5,6 +5,7 @@ import numpy as np
 from chr_notes._arrays import Floats
 
 _CELL = 0.03  # of the extent
+_FURTHEST = 1_000_000  # cells; three such numbers make one of 63 bits
 _ALIKE = 0.05  # of the root mean square distance from the mean, some 3° on a sphere
 _AXES = ("x", "y", "z")
 _ASLANT = 0.4  # part of a unit vector along an axis that is worth naming
@@ -15,14 +16,17 @@ def thinned(points: Floats) -> Floats:
 
     Of a cloud with points far off, the extent is that of most others.
     """
-    kept = points
+    # Equal rows, such as an overflow code, count once; no two others have one such sum.
+    _, first = np.unique(points @ [1.0, np.pi, np.e], return_index=True)
+    kept = points = points[np.sort(first)]
     for tail in (0.01, 0.05):
         low, high = np.quantile(kept, [tail, 1 - tail], axis=0)
         extent = float((high - low).max())
         if not extent > 0:
             return kept
-        inside = np.floor(np.clip((points - low) / (_CELL * extent), -1e6, 1e6))
-        kept = points[np.sort(np.unique(inside, axis=0, return_index=True)[1])]
+        cells = np.clip(np.floor((points - low) / (_CELL * extent)), -_FURTHEST, _FURTHEST)
+        numbers = cells.astype(np.int64) @ (2 * _FURTHEST + 1) ** np.arange(3)
+        kept = points[np.sort(np.unique(numbers, return_index=True)[1])]
     return kept
 
 

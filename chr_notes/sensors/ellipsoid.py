@@ -23,11 +23,14 @@ from chr_notes.sensors.coverage import (
 )
 from chr_notes.sensors.norms import deviation, far_off, norms_less_one, refined, resistant
 
+WILD_FIELD = 1e100
+"""No magnetometer reads as much in any unit, and its square is still a number."""
 _UNKNOWNS = 9
 _FEWEST = _UNKNOWNS + 1  # with one to spare, the residuals say something of the quality
 _FLATTEST = 1e-3  # thickness of the cloud over its extent; a sensor's axes never differ by so much
 _WIDEST_GAP = np.radians(100.0)  # a hemisphere leaves a gap of 90°
 _LARGEST_ERROR = 0.1  # of the norm, where it is worst
+_HARDLY = 0.05  # of their size, that readings at rest may vary by
 _MOST_OUTLIERS = 0.25  # of the rows
 _ALL_AROUND = np.radians(60.0)  # a gap that no far point can pretend to close
 _NOISY = 0.05  # deviation of the norm that outliers may explain
@@ -101,7 +104,7 @@ def fit_ellipsoid(samples: ArrayLike) -> Ellipsoid:
     ([10.0, 20.0, 30.0], 50.0, [7])
     """
     array = recording("samples", samples)
-    rows = np.flatnonzero(complete(array))
+    rows = np.flatnonzero(complete(array, WILD_FIELD))
     points = array[rows]
     if len(points) < _FEWEST:
         msg = (
@@ -125,6 +128,12 @@ def fit_ellipsoid(samples: ArrayLike) -> Ellipsoid:
     fitted = None if start is None else refined(scaled, *start)
     if fitted is None:
         centre = sphere_centre(scaled)
+        if extent < _HARDLY * np.linalg.norm(middle):
+            msg = (
+                f"samples: expected readings from many directions, got readings that vary by "
+                f"{extent / np.linalg.norm(middle):.1%} of their size: was the sensor turned?"
+            )
+            raise ValueError(msg)
         if widest_gap(_outward(scaled, centre, np.eye(3)))[0] < _ALL_AROUND:
             msg = (
                 "samples: expected readings on one ellipsoid, got readings from all around of "

@@ -14,7 +14,7 @@ from chr_notes._samples import complete, positive
 from chr_notes._samples import samples as recording
 from chr_notes.errors import CalibrationWarning
 from chr_notes.sensors.coverage import thinned
-from chr_notes.sensors.ellipsoid import fit_ellipsoid
+from chr_notes.sensors.ellipsoid import WILD_FIELD, fit_ellipsoid
 from chr_notes.sensors.models import MagnetometerCalibration
 from chr_notes.sensors.norms import ONE_SCALE, far_off, norms_less_one, refined
 
@@ -131,7 +131,7 @@ def fit_hard_iron(
     [12.0, -4.0, 30.0]
     """
     array = recording("samples", samples)
-    rows = np.flatnonzero(complete(array))
+    rows = np.flatnonzero(complete(array, WILD_FIELD))
     points = array[rows]
     if len(points) < _FEWEST:
         msg = f"samples: expected at least {_FEWEST} rows without NaN, got {len(points)}"

@@ -140,6 +140,18 @@ def test_the_strength_of_the_field_may_be_given(seed: int, field: float) -> None
     assert_allclose(np.linalg.norm(found.correct(samples), axis=1), field, rtol=1e-7)
 
 
+def test_a_sensor_that_was_not_turned_is_told_so() -> None:
+    samples = np.random.default_rng(13).normal([20.0, 0.0, 45.0], 0.3, (1000, 3))
+    with pytest.raises(ValueError, match=r"vary by 0\.\d% of their size: was the sensor turned"):
+        fit_magnetometer(samples)
+
+
+def test_a_row_without_end_is_as_good_as_none() -> None:
+    samples = turned_about(np.random.default_rng(14))
+    samples[[3, 4, 5]] = [[np.inf, 0, 0], [1e300, 0, 0], [np.nan, 0, 0]]
+    assert_allclose(fit_magnetometer(samples).hard_iron, 0, atol=1e-9)
+
+
 def test_poses_count_once_however_often_they_are_read() -> None:
     generator = np.random.default_rng(5)
     poses = np.repeat(turned_about(generator, 8), 50, axis=0)
