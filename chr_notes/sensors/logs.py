@@ -38,10 +38,10 @@ def read_log(  # noqa: PLR0913 (each may have to be said)
     What is not given is told by the names of the columns, or found: the unit of the accelerometer
     by its norm at rest, the unit of time by the size of its steps, the unit of the gyro by how the
     other sensors turn, and whether z points up or down by the first rest, at which the sensor is
-    taken to lie level. Whether all sensors have the same axes and signs is told by `relate_axes`, by
-    where the gyro turns the vertical from one rest to the next, and by the angle between vertical
-    and magnetic field, which is always the same. What contradicts this physics is refused. What
-    none of it tells is in the report as "cannot tell".
+    taken to lie level. Whether all sensors have the same axes and signs is told by `relate_axes`,
+    by where the gyro turns the vertical from one rest to the next, and by the angle between
+    vertical and magnetic field, which stays the same. What contradicts this physics is refused.
+    What none of it tells is in the report as "cannot tell".
 
     Parameters
     ----------
