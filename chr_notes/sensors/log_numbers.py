@@ -18,8 +18,10 @@ Origin = Decimal | np.datetime64
 
 
 def bare(text: str) -> str:
-    """Take away white space and quotes around a field."""
-    return text.strip().strip("\"'").strip()
+    """Take away white space around a field, and quotes that open and close it."""
+    text = text.strip()
+    quoted = len(text) > 1 and text[0] == text[-1] and text[0] in "\"'"
+    return text[1:-1].strip() if quoted else text
 
 
 def number(text: str) -> float:

@@ -103,6 +103,7 @@ def test_missing_numbers_are_nan(missing: str) -> None:
         (HEAD + "0,1,inf,3\n", r"line 2, column 3 \(ay\): expected a number, got 'inf'"),
         (HEAD + "0,1,1e999,3\n", r"line 2, column 3 \(ay\): .*'1e999'"),
         (HEAD + "0,1,1e300,3\n", r"line 2, column 3 \(ay\): expected a reading, got 1e\+300"),
+        (HEAD + "0,1,'2,3\n", r"line 2, column 3 \(ay\): expected a number, got \"'2\""),
         (HEAD + "0,1,1_0,3\n", r"line 2, column 3 \(ay\): expected a number, got '1_0'"),
         (HEAD + "0,1,0x1A,3\n", r"line 2, column 3 \(ay\): expected a number, got '0x1A'"),
         (HEAD + "0,1,1 2,3\n", r"line 2, column 3 \(ay\): expected a number, got '1 2'"),
