@@ -74,5 +74,6 @@ def test_bits_are_the_same(built: list[ctypes.CDLL]) -> None:
             out, odd = np.empty((ROWS, *result)), np.zeros(ROWS, dtype=np.uint8)
             to = (ctypes.c_void_p(out.ctypes.data), ctypes.c_void_p(odd.ctypes.data))
             library.run(place, ctypes.c_ssize_t(ROWS), pointers, steps, *to)
+            out[np.isnan(out)] = np.nan  # the sign of what is no number is left to the processor
             found.append((out.tobytes(), odd.tobytes()))
         assert all(each == found[0] for each in found[1:]), name
