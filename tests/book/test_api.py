@@ -7,8 +7,9 @@ import pytest
 
 import chr_notes
 
-PAGE = Path(__file__).resolve().parents[2] / "book" / "api.md"
-MEMBERS = dict(re.findall(r"automodule:: (\S+)\n\s+:members:(.*)\n", PAGE.read_text("utf-8")))
+BOOK = Path(__file__).resolve().parents[2] / "book"
+PAGES = "".join(path.read_text("utf-8") for path in sorted(BOOK.glob("api*.md")))
+MEMBERS = dict(re.findall(r"automodule:: (\S+)\n\s+:members:(.*)\n", PAGES))
 
 
 @pytest.mark.parametrize("name", [n for n in chr_notes.__all__ if n != "STANDARD_GRAVITY"])
