@@ -118,3 +118,22 @@ def test_link_to_an_entry_goes_there(visit: Visit, book: Path) -> None:
     page.get_by_role("link", name="euler.7.d").click()
     expect(page).to_have_url(re.compile(r"ledger/euler\.html#euler-7-d$"))
     expect(page.locator('[id="euler.7.d"]')).to_be_in_viewport()
+
+
+def test_on_a_phone_the_picture_of_a_demo_stays_below_the_bar(visit: Visit, address: str) -> None:
+    page = visit(address + "notebooks/euler.html")
+    page.set_viewport_size({"width": 390, "height": 844})
+    demo = page.locator("[data-demo='gimbal-lock']").first
+    for name in ("pitch", "roll"):
+        demo.locator(f"input[name={name}]").evaluate(
+            "(each) => each.scrollIntoView({block: 'end'})"
+        )
+        picture = demo.locator("canvas").bounding_box()
+        control = demo.locator(f"input[name={name}]").bounding_box()
+        bar = page.locator(".bd-header-article").bounding_box()
+        assert picture is not None
+        assert control is not None
+        assert bar is not None
+        assert bar["y"] + bar["height"] <= picture["y"] + 1
+        assert picture["y"] + picture["height"] <= control["y"]
+        assert control["y"] + control["height"] <= 844
