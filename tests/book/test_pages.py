@@ -121,15 +121,15 @@ def test_link_to_an_entry_goes_there(visit: Visit, book: Path) -> None:
 
 
 def test_on_a_phone_the_picture_of_a_demo_stays_below_the_bar(visit: Visit, address: str) -> None:
-    page = visit(address + "notebooks/euler.html")
+    page = visit(address + "notebooks/estimation.html")
     page.set_viewport_size({"width": 390, "height": 844})
-    demo = page.locator("[data-demo='gimbal-lock']").first
-    for name in ("pitch", "roll"):
-        demo.locator(f"input[name={name}]").evaluate(
-            "(each) => each.scrollIntoView({block: 'end'})"
-        )
-        picture = demo.locator("canvas").bounding_box()
-        control = demo.locator(f"input[name={name}]").bounding_box()
+    demo = page.locator("[data-demo='tilt']").first
+    for name in ("lateral_acceleration", "vibration"):
+        slider = demo.locator(f"input[name={name}]")
+        # So far up that the picture would have gone, did it not stick.
+        slider.evaluate("(each) => scrollBy(0, each.getBoundingClientRect().bottom - 560)")
+        page.wait_for_function("scrollY > 0")
+        picture, control = demo.locator("canvas").bounding_box(), slider.bounding_box()
         bar = page.locator(".bd-header-article").bounding_box()
         assert picture is not None
         assert control is not None
