@@ -41,6 +41,7 @@ PERMITTED = {
         "tests/sensors/test_still.py::test_a_recording_moves_where_it_was_marked",
         "tests/sensors/test_still.py::test_the_six_positions_of_a_session_are_found",
         "tests/sensors/test_recorded_logs.py::test_each_recording_is_read",
+        "tests/test_units.py::test_a_recording_is_told_from_itself_in_degrees",
         "tests/sensors/test_recorded_logs.py::test_faults_planted_in_recordings",
         "tests/estimation/test_fixed_gain.py::test_inclination_on_a_recording_with_optical_truth",
     ),

@@ -3,8 +3,6 @@
 The inertial frame is north-east-down.
 """
 
-import warnings
-
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -12,12 +10,11 @@ from chr_notes._arrays import Floats, floats
 from chr_notes._recordings import run
 from chr_notes._rows import Rows, handed_out
 from chr_notes._samples import complete, number, periods, same_length, samples, start
+from chr_notes._units import warn_of_force, warn_of_steps
 from chr_notes.conventions import NOTES_GRAVITY, STANDARD_GRAVITY
-from chr_notes.errors import UnitWarning
 from chr_notes.generated.arrays import dead_reckoning as generated
 from chr_notes.generated.scalar.dead_reckoning import dead_reckoning_held
 
-_ENOUGH = 100  # samples, of which most tell the unit
 _inertial_acceleration = Rows(generated.inertial_acceleration)
 _accelerometer_from_acceleration = Rows(generated.accelerometer_from_acceleration)
 _drift_from_tilt_error = Rows(generated.drift_from_tilt_error)
@@ -148,7 +145,8 @@ def dead_reckon(  # noqa: PLR0913 (an initial value for each integral)
     -----
     UnitWarning
         If the accelerometer, over 100 samples or more, mostly reads less than half or more than
-        twice the gravity: as it does in g, or in counts.
+        twice the gravity, as it does in g, or in counts; or most time steps are above 1 s, as they
+        are in milliseconds.
 
     Notes
     -----
@@ -173,7 +171,8 @@ def dead_reckon(  # noqa: PLR0913 (an initial value for each integral)
     steps = periods(dt, count)
     begin = np.array(start("velocity", velocity))
     magnitude = number("gravity", gravity)
-    _warn_of_unit(forces, magnitude)
+    warn_of_force(forces, magnitude)
+    warn_of_steps(steps, count)
     accelerations = inertial_acceleration(forces, angles, magnitude)
     missing = ~complete(accelerations)
     accelerations[missing] = np.nan
@@ -213,21 +212,6 @@ def _flags(name: str, value: ArrayLike, count: int) -> NDArray[np.bool_]:
         msg = f"{name}: expected true or false for each sample, shape ({count},), got {flags.shape}"
         raise ValueError(msg)
     return np.asarray(flags != 0)
-
-
-def _warn_of_unit(forces: Floats, gravity: float) -> None:
-    """Notice readings that gravity cannot explain."""
-    sizes = np.linalg.norm(forces[complete(forces)], axis=1)
-    if len(sizes) < _ENOUGH or not gravity > 0:
-        return
-    usual = float(np.median(sizes))
-    if not gravity / 2 <= usual <= 2 * gravity:
-        warnings.warn(
-            f"accel: expected readings of about {gravity:.4g}, in the unit of gravity, got mostly "
-            f"{usual:.4g}: are they in g, or in counts?",
-            UnitWarning,
-            stacklevel=3,
-        )
 
 
 def drift_from_tilt_error(

@@ -22,6 +22,7 @@ from chr_notes._samples import (
     same_length,
     samples,
 )
+from chr_notes._units import warn_of_rates
 from chr_notes.estimation.averaging_settings import Settings
 from chr_notes.estimation.bias import Bias, bias_of
 from chr_notes.estimation.earth_field import EarthField
@@ -127,6 +128,8 @@ def averaging_observer(  # noqa: PLR0913 (a recording, and how to run through it
     -----
     UserWarning
         If the stillest two seconds are not still, or read more than 0.05 rad/s.
+    UnitWarning
+        As `integrate_gyro`; a gap is no turn.
 
     See Also
     --------
@@ -270,6 +273,7 @@ def _run(
     count = same_length(*read)
     rates, forces, *field = (array for _, array in read)
     dt = _steps(dt, count, settings.longest_step)
+    warn_of_rates(rates, dt, settings.longest_step, inner=1)
     given = [
         rates - bias_of(settings.bias, rates, forces, dt, settings.longest_step),
         forces,

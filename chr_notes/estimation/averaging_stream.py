@@ -1,12 +1,13 @@
 """The averaging filter on a stream, sample by sample."""
 
 from collections.abc import Iterable, Iterator
-from math import inf, isfinite
+from math import inf, isfinite, pi
 
 from numpy.typing import ArrayLike
 
 from chr_notes._kernels import of_numbers
 from chr_notes._samples import one_sample, period
+from chr_notes._units import warn_of_turn
 from chr_notes.estimation.averaging import AVERAGED, HEADING_AVERAGED, Averaged
 from chr_notes.estimation.averaging_settings import Settings
 from chr_notes.estimation.bias import REST, Bias, check_bias
@@ -51,6 +52,11 @@ def observe_averaging(  # noqa: PLR0913 (as for a recording)
     ValueError
         As for `averaging_observer`, when the sample comes.
 
+    Warns
+    -----
+    UnitWarning
+        If a sample turns by more than half a revolution within its time step.
+
     Examples
     --------
     >>> import numpy as np
@@ -80,6 +86,8 @@ def _observed(
         rates, force = one_sample("body_rates", body_rates), one_sample("accel", accel)
         mag = one_sample("mag", field[0]) if field else ()
         step = period(dt)
+        if not sum(map(abs, rates)) * step < pi:
+            warn_of_turn(rates, step, rest[1])
         if given is None:
             learnt = learn(*learnt, *rates, *force, step, *rest)
             p, q, r = learnt[7:]

@@ -23,6 +23,7 @@ from chr_notes._samples import (
     same_length,
     samples,
 )
+from chr_notes._units import warn_of_rates
 from chr_notes.estimation.gyro import attitudes_in_range, in_range
 from chr_notes.estimation.starts import canonical, check_gain, first_tilt, with_heading
 from chr_notes.generated.scalar import estimation as steps
@@ -176,6 +177,11 @@ def fixed_gain_observer(  # noqa: PLR0913 (a recording, and how to run through i
         the initial attitude is not finite, or no accelerometer sample can stand in for it; if the
         reference is zero, or there is a magnetometer for the method "euler".
 
+    Warns
+    -----
+    UnitWarning
+        As `integrate_gyro`.
+
     See Also
     --------
     rejected_samples : The rows of which something was left out.
@@ -208,6 +214,7 @@ def fixed_gain_observer(  # noqa: PLR0913 (a recording, and how to run through i
     field = [] if mag is None else [samples("mag", mag)]
     count = same_length(("body_rates", rates), ("accel", forces), *(("mag", f) for f in field))
     dt = periods(dt, count)
+    warn_of_rates(rates, dt)
     step, constants, level = way.step, [share], (1.0, 0.0)
     if field:
         if method == "euler":

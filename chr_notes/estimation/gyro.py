@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike
 from chr_notes._arrays import Floats
 from chr_notes._recordings import run
 from chr_notes._samples import WILD_RATE, held_out, periods, start
+from chr_notes._units import warn_of_rates
 from chr_notes.euler import wrap_angle
 from chr_notes.generated.scalar.estimation import gyro_step, gyro_turn
 from chr_notes.quaternions import euler_from_quaternion, quaternion_from_euler
@@ -48,6 +49,14 @@ def integrate_gyro(
         If a shape is wrong, a time step is negative or no number, the initial attitude is not
         finite, or the method is neither of the two.
 
+    Warns
+    -----
+    UnitWarning
+        If a sample turns by more than half a revolution within its time step, which nobody can tell
+        from less; or if, of 100 samples or more, more than one in a hundred are faster than 70
+        rad/s (4000 °/s), or most time steps are above 1 s. So it is with rates in °/s, with
+        milliseconds, and where a clock has jumped.
+
     Notes
     -----
     Ledger: estimation.3.2, estimation.3.3, estimation.3.a.
@@ -57,6 +66,7 @@ def integrate_gyro(
         raise ValueError(msg)
     rates, missing = held_out("body_rates", body_rates, WILD_RATE)
     steps = periods(dt, len(rates))
+    warn_of_rates(rates, steps)
     first = start("initial", initial)
     if method == "quaternion":
         begin = quaternion_from_euler(first).tolist()

@@ -10,6 +10,7 @@ from chr_notes._arrays import Floats
 from chr_notes._recordings import run
 from chr_notes._rows import Rows
 from chr_notes._samples import WILD_RATE, complete, number, periods, same_length, samples
+from chr_notes._units import warn_of_rates
 from chr_notes.estimation.fixed_gain import way_of
 from chr_notes.estimation.gyro import attitudes_in_range
 from chr_notes.estimation.starts import check_gain, first_tilt
@@ -174,6 +175,11 @@ def monitored_observer(  # noqa: PLR0913 (three sensors, and what they are measu
     ValueError
         As for the two functions.
 
+    Warns
+    -----
+    UnitWarning
+        As `integrate_gyro`.
+
     Notes
     -----
     Ledger: validation.10, validation.11, validation.17.
@@ -183,6 +189,7 @@ def monitored_observer(  # noqa: PLR0913 (three sensors, and what they are measu
     count = same_length(("body_rates", rates), ("accel", forces), ("mag", field))
     down = part_down(number("reference_down", reference_down))
     dt = periods(dt, count)
+    warn_of_rates(rates, dt)
     begin, first = first_tilt(forces)
     watch = monitor.begin()
     if begin < count:

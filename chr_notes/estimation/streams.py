@@ -5,13 +5,14 @@ out, and the estimate goes on without it.
 """
 
 from collections.abc import Iterable, Iterator
-from math import inf, isfinite
+from math import inf, isfinite, pi
 from typing import NamedTuple
 
 from numpy.typing import ArrayLike
 
 from chr_notes._arrays import Floats
 from chr_notes._samples import WILD_RATE, one_sample, period, start
+from chr_notes._units import warn_of_turn
 from chr_notes.estimation.fixed_gain import Method, angles_in_range, is_in_range, way_of
 from chr_notes.estimation.starts import canonical, check_gain
 from chr_notes.generated.scalar import estimation as steps
@@ -50,15 +51,23 @@ def observe_sample(  # noqa: PLR0913 (a state and a sample)
     ------
     ValueError
         As `fixed_gain_observer`.
+
+    Warns
+    -----
+    UnitWarning
+        If the sample turns by more than half a revolution within its time step.
     """
     way, share, step = way_of(method), check_gain("gain", gain), period(dt)
+    rates = one_sample("body_rates", body_rates)
+    if not sum(map(abs, rates)) * step < pi:
+        warn_of_turn(rates, step)
     take = way.quick_sample
     found = take(euler, body_rates, accel, step, share, None) if take is not None else None
     # Of several samples, or a start that is no attitude, the rest has to say.
     if found is not None and found.ndim == 1 and is_in_range(*found.tolist()):
         return found
     before = start("euler", euler)
-    rates, force = one_sample("body_rates", body_rates), one_sample("accel", accel)
+    force = one_sample("accel", accel)
     return angles_in_range(way.sample(*before, *rates, *force, step, share))
 
 
@@ -104,6 +113,11 @@ def observe(
     ------
     ValueError
         As for `fixed_gain_observer`, when the sample comes.
+
+    Warns
+    -----
+    UnitWarning
+        If a sample turns by more than half a revolution within its time step.
     """
     way, share = way_of(method), check_gain("gain", gain)
     state = None if initial is None else way.begin(*canonical("initial", initial))
@@ -113,12 +127,15 @@ def observe(
         x, y, z = force
         heard = 0 < abs(x) + abs(y) + abs(z) < inf or (any(force) and all(map(isfinite, force)))
         p, q, r = rates
-        turned = abs(p) < WILD_RATE and abs(q) < WILD_RATE and abs(r) < WILD_RATE
+        size, step = abs(p) + abs(q) + abs(r), period(dt)
+        turned = size < WILD_RATE or all(abs(rate) < WILD_RATE for rate in rates)
+        if not size * step < pi:
+            warn_of_turn(rates, step)
         incomplete += not (heard and turned)
         if state is None:
             if not heard:
                 continue
             state = way.begin(*steps.tilt_from_accelerometer(*force), 0.0)
         else:
-            state = way.advance(*state, *rates, *force, period(dt), share)
+            state = way.advance(*state, *rates, *force, step, share)
         yield Estimate(way.angles(state), incomplete)
