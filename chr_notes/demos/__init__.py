@@ -2,6 +2,7 @@
 
 from chr_notes.demos.drift import DriftDemo
 from chr_notes.demos.gimbal_lock import GimbalLockDemo
+from chr_notes.demos.quaternion import QuaternionDemo
 from chr_notes.demos.tilt import TiltDemo
 
-__all__ = ["DriftDemo", "GimbalLockDemo", "TiltDemo"]
+__all__ = ["DriftDemo", "GimbalLockDemo", "QuaternionDemo", "TiltDemo"]

@@ -16,7 +16,7 @@ import traitlets
 
 from chr_notes import palette
 
-__all__ = ["BUILT", "SOURCES", "Control", "Demo", "formatted", "rounded", "styles"]
+__all__ = ["BUILT", "SOURCES", "Control", "Demo", "entry", "formatted", "rounded", "styles"]
 
 SOURCES = Path(__file__).parent
 BUILT = SOURCES / "built"
@@ -38,6 +38,11 @@ def formatted(value: float) -> str:
 def rounded(value: float) -> str:
     """Return two decimals at most, as the demos show an angle."""
     return f"{float(f'{value:.2f}') + 0.0:.15g}".replace("-", "−")
+
+
+def entry(value: float) -> str:
+    """Return three decimals, as the demos show an element of a matrix or a quaternion."""
+    return f"{round(value, 3) + 0.0:.3f}".replace("-", "−")
 
 
 class Control(traitlets.Float[float, float]):

@@ -1,4 +1,4 @@
-"""Bundle the demos: ``python -m chr_notes.demos.build [--check]``.
+"""Bundle and minify the demos: ``python -m chr_notes.demos.build [--check]``.
 
 One ES module a widget for anywidget, and one classic script for the pages of the book, which
 also works from ``file://``. The output is committed, so that neither installing nor building
@@ -25,7 +25,7 @@ from chr_notes.printed.table_1 import ROWS
 ESBUILD = "esbuild@0.28.2"
 """The exact bundler: the same version writes the same bytes."""
 
-WIDGETS = ("drift", "gimbal_lock", "tilt")
+WIDGETS = ("drift", "gimbal_lock", "quaternion", "tilt")
 PAGES = "pages"
 CONSTANTS = {
     "STANDARD_GRAVITY": STANDARD_GRAVITY,
@@ -54,7 +54,7 @@ def bundle(folder: Path) -> None:
     if npx is None:
         msg = "bundling the demos needs Node.js with npx on the path; reading and using them do not"
         raise RuntimeError(msg)
-    common = [npx, "--yes", ESBUILD, "--bundle", "--charset=utf8", "--target=es2022"]
+    common = [npx, "--yes", ESBUILD, "--bundle", "--minify", "--charset=utf8", "--target=es2022"]
     common += ["--log-level=warning", f"--banner:js={_BANNER}"]
     common += [f"--define:{name}={json.dumps(value)}" for name, value in CONSTANTS.items()]
     jobs = [["--format=esm", f"--outfile={folder / name}.mjs", f"{name}.js"] for name in WIDGETS]

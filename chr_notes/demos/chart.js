@@ -75,6 +75,44 @@ export function words(context, text, [x, y], { colour, size = 12, align = "left"
   context.fillText(text, x, y);
 }
 
+/** Draw in a part of the picture, as if it were all of it. */
+export function inPart(context, [x, y, width, height], drawIt) {
+  context.save();
+  context.translate(x, y);
+  context.beginPath();
+  context.rect(0, 0, width, height);
+  context.clip();
+  drawIt({ width, height });
+  context.restore();
+}
+
+/**
+ * Numbers from -1 to 1 as bars in rows: [{ text, value, colour, twin }]. A twin is a second
+ * number, shown as a ring.
+ */
+export function bars(context, { width, height }, title, rows, colours) {
+  const [left, right, top] = [26, width - 12, 24];
+  const step = (height - top - 8) / rows.length;
+  const x = linear(-1, 1, left, right);
+  words(context, title, [left, 12], { colour: colours("muted"), weight: 600 });
+  line(context, [[x(0), top], [x(0), height - 6]], { colour: colours("muted"), width: 1 });
+  rows.forEach(({ text, value, colour, twin }, i) => {
+    const y = top + step * (i + 0.5);
+    words(context, text, [left - 10, y], { colour: colours(colour), size: 14, align: "center", weight: 600 });
+    line(context, [[left, y], [right, y]], { colour: colours("line"), width: 1 });
+    line(context, [[x(0), y], [x(value), y]], { colour: colours(colour), width: Math.min(10, step / 2) });
+    if (twin !== undefined) ringAt(context, [x(twin), y], colours(colour));
+  });
+}
+
+function ringAt(context, [x, y], colour) {
+  context.beginPath();
+  context.arc(x, y, 4, 0, 2 * Math.PI);
+  context.strokeStyle = colour;
+  context.lineWidth = 1.5;
+  context.stroke();
+}
+
 /** From values between `low` and `high` to pixels between `start` and `end`. */
 export const linear = (low, high, start, end) => (value) =>
   start + ((value - low) / (high - low)) * (end - start);

@@ -15,7 +15,7 @@ import {
   arrowhead, camera, cross, label, loft, mixed, paint, parsed, placed, ring, scaled, strip,
   sum, toParent,
 } from "./draw.js";
-import { formatted, rounded } from "./parts.js";
+import { entry, formatted, rounded } from "./parts.js";
 import { widget } from "./widget.js";
 
 const DEGREE = Math.PI / 180;
@@ -65,9 +65,6 @@ function rings(state) {
   const short = formatted(Math.min(apart, 180 - apart));
   return `The roll axis is ${short}° from the line of the yaw axis. To follow the aircraft, the yaw ring turns at up to ${fastest} × its speed.`;
 }
-
-// Rounded twice, so that nothing is shown as −0.000.
-const entry = (value) => Number(value.toFixed(3)).toFixed(3).replace("-", "−").padStart(6);
 
 function readouts(state) {
   const angles = [state.roll * DEGREE, state.pitch * DEGREE, state.yaw * DEGREE];

@@ -4,9 +4,10 @@
  */
 import { mount as drift } from "./drift.js";
 import { mount as gimbalLock } from "./gimbal_lock.js";
+import { mount as quaternion } from "./quaternion.js";
 import { mount as tilt } from "./tilt.js";
 
-const DEMOS = { drift, "gimbal-lock": gimbalLock, tilt };
+const DEMOS = { drift, "gimbal-lock": gimbalLock, quaternion, tilt };
 const WAIT = 250; // milliseconds without a change before the address follows
 
 const hashOf = (name, state) =>

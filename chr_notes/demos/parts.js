@@ -11,6 +11,9 @@ export function formatted(value) {
 /** Two decimals at most. */
 export const rounded = (value) => String(Number(value.toFixed(2))).replace("-", "−");
 
+/** Three decimals in a column; rounded twice, so that nothing is shown as −0.000. */
+export const entry = (value) => Number(value.toFixed(3)).toFixed(3).replace("-", "−").padStart(6);
+
 /** An element with attributes and children. */
 export function node(tag, attributes = {}, ...children) {
   const element = document.createElement(tag);

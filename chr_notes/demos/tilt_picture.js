@@ -1,7 +1,7 @@
 /** The picture of the tilt demo: two views of the aircraft, and the errors of a second of readings. */
 import { accelerometerAtRest, matrixFromEuler } from "../generated/javascript/attitude.mjs";
 import { aircraft } from "./aircraft.js";
-import { arrow, beside, line, linear, mark, words } from "./chart.js";
+import { arrow, beside, inPart, line, linear, mark, words } from "./chart.js";
 import { camera, label, paint, parsed, placed, scaled, sum, toParent } from "./draw.js";
 import { attitude, estimates, reading, readings, unaccelerated } from "./tilt_estimates.js";
 
@@ -46,17 +46,6 @@ export function draw(context, { width, height }, state, colours) {
     );
   });
   line(context, [[half, 10], [half, height - 10]], { colour: colours("line"), width: 1 });
-}
-
-/** Draw in a part of the picture, as if it were all of it. */
-function inPart(context, [x, y, width, height], drawIt) {
-  context.save();
-  context.translate(x, y);
-  context.beginPath();
-  context.rect(0, 0, width, height);
-  context.clip();
-  drawIt({ width, height });
-  context.restore();
 }
 
 function scene(context, size, state, { title, view }, { unknown }, colours) {

@@ -1,17 +1,19 @@
 """Where the parts of a demo are, for the tests of all demos."""
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 
+import numpy as np
 import pytest
 from playwright.sync_api import Locator, Page
 
-from chr_notes.demos import DriftDemo, GimbalLockDemo, TiltDemo
+from chr_notes.demos import DriftDemo, GimbalLockDemo, QuaternionDemo, TiltDemo
+from chr_notes.demos.base import Demo, entry, rounded
 
 Visit = Callable[..., Page]
 PageOf = Callable[..., str]
 
-DEMOS = (DriftDemo, GimbalLockDemo, TiltDemo)
+DEMOS = (DriftDemo, GimbalLockDemo, QuaternionDemo, TiltDemo)
 
 each_demo = pytest.mark.parametrize("demo", DEMOS, ids=lambda demo: demo.element)
 
@@ -87,3 +89,42 @@ def drawn(page: Page) -> list[tuple[str, str]]:
     page.evaluate(RECORD)
     picture(page)
     return [(text, colour) for text, colour in page.evaluate("drawn")]
+
+
+Numbers = Mapping[str, float | Sequence[float]]
+
+
+def random_states(
+    demo: type[Demo], steps: Mapping[str, float], seed: int
+) -> list[dict[str, float]]:
+    """Fifty states within the sliders of a demo, each value on a step of its slider."""
+    random = np.random.default_rng(seed)
+    limits = {name: demo.class_traits()[name] for name in demo.controls}
+    return [
+        {
+            name: round(
+                float(random.integers(each.min / step, each.max / step, endpoint=True) * step), 6
+            )
+            for (name, each), step in zip(limits.items(), steps.values(), strict=True)
+        }
+        for _ in range(50)
+    ]
+
+
+def shown(value: float | Sequence[float]) -> str:
+    """A number, or numbers in a column, as an output shows it."""
+    if isinstance(value, (int, float)):
+        return rounded(value)
+    return "\n".join(entry(each).rjust(6) for each in value)
+
+
+def check_readouts(
+    page: Page, states: list[dict[str, float]], expected: Callable[[dict[str, float]], Numbers]
+) -> None:
+    """Set the sliders to each state, and compare the outputs with the expected numbers."""
+    for state, (now, texts) in zip(states, page.evaluate(SET_AND_READ, states), strict=True):
+        assert now == state
+        numbers = expected(state)
+        assert {name: texts[name] for name in numbers} == {
+            name: shown(value) for name, value in numbers.items()
+        }, state

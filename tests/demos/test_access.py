@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import expect
 
-from chr_notes.demos import DriftDemo, GimbalLockDemo, TiltDemo
+from chr_notes.demos import DriftDemo, GimbalLockDemo, QuaternionDemo, TiltDemo
 from chr_notes.demos.base import SOURCES, Demo
 from chr_notes.palette import PALETTE
 
@@ -26,7 +26,7 @@ from .parts import (
 )
 
 MINUS_ZERO = re.compile(r"[−-]0(?:\.0+)?(?![\d.])")
-UNITS = ("degrees", "metres per second squared", "second", "minute", "hour")
+UNITS = ("degrees", "metres per second squared", "second", "minute", "hour", "q v")
 
 # ── by keyboard ────────────────────────────────────────────────────────────────────────────────
 
@@ -38,7 +38,7 @@ def test_tab_reaches_each_control_and_shows_where_it_is(
     for theme in ("light", "dark"):
         page = visit(page_of(demo(), theme=theme))
         reached = []
-        picture_first = [None] if demo is GimbalLockDemo else []  # which can be turned
+        picture_first = [None] * page.locator("canvas.chr-turns").count()
         buttons = ["play", "reset", "link", "python"]
         for _ in range(len([*picture_first, *demo.controls, *buttons])):
             page.keyboard.press("Tab")
@@ -152,6 +152,10 @@ def test_everything_has_a_name(visit: Visit, page_of: PageOf, demo: type[Demo]) 
         ),
         (TiltDemo(vibration=2), "single readings scatter round it"),
         (DriftDemo(time=600), "At 10 minutes velocity is off by 102.6 m/s, position by 30.8 km"),
+        (
+            QuaternionDemo(angle=360, product=2),
+            "turned by 360° about an axis at yaw 40°, pitch 35°. Its quaternion is −1.000",
+        ),
         (DriftDemo(angle_error=0), "Without an error of angle it is empty."),
     ],
 )
@@ -237,7 +241,7 @@ WRITTEN = """() => [...document.querySelectorAll(".chr-demo *")].filter((each) =
 
 @pytest.mark.parametrize("theme", ["light", "dark"])
 def test_words_and_edges_stand_out(visit: Visit, page_of: PageOf, theme: str) -> None:
-    page = visit(page_of(GimbalLockDemo(), TiltDemo(pitch=90), DriftDemo(), theme=theme))
+    page = visit(page_of(*(demo() for demo in DEMOS), TiltDemo(pitch=90), theme=theme))
     written = page.evaluate(WRITTEN)
     assert len(written) > 60
     for text, colour, background in written:
@@ -323,6 +327,8 @@ def test_demos_work_from_a_server(
         TiltDemo(roll=-0.001, pitch=-0.001, forward_acceleration=-0.001),
         TiltDemo(roll=180, pitch=-90, lateral_acceleration=-0.001),
         DriftDemo(angle_error=0, time=1),
+        QuaternionDemo(axis_yaw=0, axis_pitch=0, angle=0),
+        QuaternionDemo(axis_yaw=-180, axis_pitch=-90, angle=720, product=2),
     ],
 )
 def test_no_number_is_minus_zero(visit: Visit, page_of: PageOf, demo: Demo) -> None:

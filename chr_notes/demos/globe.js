@@ -1,0 +1,60 @@
+/** A sphere of directions round a body, seen by a camera: circles, arrows and names on it. */
+import { matrixFromEuler } from "../generated/javascript/attitude.mjs";
+import { aircraft } from "./aircraft.js";
+import { arrow, line } from "./chart.js";
+import { camera, label, paint, parsed, placed, scaled, sum, toParent } from "./draw.js";
+
+const DEGREE = Math.PI / 180;
+const DISTANCE = 7;
+const [NORTH, EAST, DOWN] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+const NAMES = [["N", NORTH], ["E", EAST], ["S", scaled(NORTH, -1)], ["W", scaled(EAST, -1)], ["down", DOWN]];
+
+/** A camera at a viewpoint in degrees, which shows a sphere of radius 1 and names round it. */
+export const looking = ({ heading, elevation }, size) =>
+  camera(matrixFromEuler(0, elevation * DEGREE, heading * DEGREE), DISTANCE, size, { wide: 2.75, high: 2.75, shift: 0 });
+
+/** Points round the origin from the unit vector `u` towards `v`, which is at right angles to it. */
+export const arcOf = (u, v, from = 0, to = 2 * Math.PI, count = 72) =>
+  Array.from({ length: count + 1 }, (_, i) => {
+    const angle = from + ((to - from) * i) / count;
+    return sum(scaled(u, Math.cos(angle)), scaled(v, Math.sin(angle)));
+  });
+
+const nearer = (point, eye) => point[0] * eye[0] + point[1] * eye[1] + point[2] * eye[2] > 0;
+
+/** A path on the sphere; what is on the far side is thin. */
+export function path(context, { eye, project }, points, { width = 2, ...style }) {
+  points.slice(1).forEach((point, i) => {
+    const thin = nearer(point, eye) ? width : width / 3;
+    line(context, [project(points[i]), project(point)], { ...style, width: thin });
+  });
+}
+
+/** The sphere: its level circle, and the meridians through north and through east. */
+export function globe(context, view, colours, size) {
+  const circles = [arcOf(NORTH, EAST), arcOf(NORTH, DOWN), arcOf(EAST, DOWN)];
+  circles.forEach((circle, i) => path(context, view, circle, { colour: colours(i === 0 ? "muted" : "shade"), width: 1.2 }));
+  NAMES.forEach(([name, direction]) =>
+    label(context, [name], view.project(scaled(direction, 1.13)), {
+      colour: colours("muted"), rim: colours("page"), size: 12, width: size.width,
+    }),
+  );
+}
+
+/** The aircraft at the centre, in an attitude given as a matrix from the inertial frame. */
+export function flown(context, view, matrix, colours, size = 1) {
+  const fills = Object.fromEntries(["body", "glass", "x", "y", "z"].map((name) => [name, parsed(colours(name))]));
+  paint(context, placed(aircraft(fills), scaled(matrix, size)), view);
+}
+
+/** An arrow from the centre, or from another point, with a name at its end. */
+export function pointer(context, view, end, { name, from = [0, 0, 0], colour, colours, width, ...style }) {
+  arrow(context, view.project(from), view.project(end), { colour: colours(colour), width: 3, ...style });
+  if (name)
+    label(context, name, view.project(sum(end, scaled(end, 0.12 / (Math.hypot(...end) || 1)))), {
+      colour: colours(colour), rim: colours("page"), size: 13, width,
+    });
+}
+
+/** Where the nose points at a yaw and a pitch in degrees: a direction by two angles. */
+export const direction = (yaw, pitch) => toParent(matrixFromEuler(0, pitch * DEGREE, yaw * DEGREE), NORTH);

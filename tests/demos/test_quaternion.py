@@ -1,0 +1,66 @@
+"""The quaternion demo: its readouts are Python's numbers, over two whole turns."""
+
+import numpy as np
+from playwright.sync_api import expect
+
+import chr_notes
+from chr_notes.demos import QuaternionDemo
+
+from .parts import PageOf, Visit, check_readouts, output, random_states
+
+STEPS = {"axis_yaw": 1, "axis_pitch": 1, "angle": 5, "product": 0.05}
+
+
+def part(axis: np.ndarray, degrees: float) -> np.ndarray:
+    """Cosine and sine of half an angle, so that the sign is kept."""
+    half = np.radians(degrees) / 2
+    return np.array([np.cos(half), *np.sin(half) * axis])
+
+
+def expected(state: dict[str, float]) -> dict[str, float | list[float]]:
+    angles = np.radians([0, state["axis_pitch"], state["axis_yaw"]])
+    axis = chr_notes.matrix_from_euler(angles)[0]
+    left = part(axis, min(1, state["product"]) * state["angle"])
+    right = part(axis, max(0, state["product"] - 1) * state["angle"])
+    product = chr_notes.quaternion_multiply(
+        chr_notes.quaternion_multiply(left, [0, 1, 0, 0]), chr_notes.quaternion_conjugate(right)
+    )
+    return {
+        "half_angle": state["angle"] / 2,
+        "quaternion": part(axis, state["angle"]).tolist(),
+        "product": product.tolist(),
+    }
+
+
+def test_readouts_are_the_numbers_of_python(visit: Visit, page_of: PageOf) -> None:
+    states = random_states(QuaternionDemo, STEPS, seed=5)
+    states += [
+        {"axis_yaw": yaw, "axis_pitch": pitch, "angle": angle, "product": product}
+        for yaw, pitch in ((0, 0), (-180, 90), (180, -90))
+        for angle, product in ((0, 0), (360, 1), (720, 2), (180, 2))
+    ]
+    check_readouts(visit(page_of(QuaternionDemo())), states, expected)
+    for state in states:
+        found = QuaternionDemo(**state).readouts()
+        for name, value in expected(state).items():
+            np.testing.assert_allclose(found[name], value, atol=1e-14)
+
+
+def test_after_both_products_the_vector_points_along_the_nose() -> None:
+    found = QuaternionDemo(axis_yaw=20, axis_pitch=-40, angle=250, product=2).readouts()
+    q, product = found["quaternion"], found["product"]
+    nose = chr_notes.rotate_to_inertial(q, [1, 0, 0])
+    np.testing.assert_allclose(product, [0, *nose], atol=1e-14)
+
+
+def test_360_degrees_are_not_home_and_720_are(visit: Visit, page_of: PageOf) -> None:
+    page = visit(page_of(QuaternionDemo(angle=360), QuaternionDemo(angle=720)))
+    for i, (sentence, scalar) in enumerate([("q = −1", "−1.000"), ("q = 1", " 1.000")]):
+        expect(output(page, "meaning").nth(i)).to_contain_text(sentence)
+        assert str(output(page, "quaternion").nth(i).text_content()).startswith(scalar)
+
+
+def test_text_has_the_state_and_the_numbers() -> None:
+    text = QuaternionDemo(axis_yaw=0, axis_pitch=-90, angle=90, product=1).fallback()
+    assert "yaw 0° and pitch −90°. Half the angle is 45°, the quaternion 0.707, 0.000" in text
+    assert "After 1 of 2 products the vector is 0.000, 0.707, 0.707, 0.000." in text
