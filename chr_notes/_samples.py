@@ -42,6 +42,12 @@ def complete(array: Floats, below: float = np.inf) -> NDArray[np.bool_]:
     return np.asarray(np.logical_and.reduce([np.abs(column) < below for column in array.T]))
 
 
+@np.errstate(all="ignore")  # without end is a length too
+def lengths(vectors: Floats) -> Floats:
+    """Lengths of vectors, shape (N, 3)."""
+    return np.asarray(np.linalg.norm(vectors, axis=1))
+
+
 def held_out(
     name: str, value: ArrayLike, below: float = np.inf
 ) -> tuple[Floats, NDArray[np.bool_]]:

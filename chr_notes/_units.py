@@ -7,7 +7,7 @@ from math import hypot, inf, pi, sqrt
 import numpy as np
 
 from chr_notes._arrays import Floats
-from chr_notes._samples import WILD_RATE, complete
+from chr_notes._samples import WILD_RATE, complete, lengths
 from chr_notes.errors import UnitWarning
 
 ENOUGH = 100
@@ -20,7 +20,7 @@ _SLOW = 1.0  # seconds from sample to sample, of which no inertial sensor takes 
 
 def warn_of_force(forces: Floats, gravity: float) -> None:
     """Notice a recording of readings that gravity cannot explain."""
-    sizes = np.linalg.norm(forces[complete(forces)], axis=1)
+    sizes = lengths(forces[complete(forces)])
     if len(sizes) < ENOUGH or not gravity > 0:
         return
     usual = float(np.median(sizes))
@@ -66,11 +66,11 @@ def warn_of_rates(rates: Floats, steps: Floats, longest: float = inf, *, inner: 
     """
     if not rates.size:
         return
-    most = sqrt(3) * max(rates.max(), -rates.min())  # or NaN, of which the rest can tell
-    if most < FAST and most * steps.max() < pi:
+    most = sqrt(3) * float(max(rates.max(), -rates.min()))  # or NaN, of which the rest can tell
+    if most < FAST and most * float(steps.max()) < pi:
         warn_of_steps(steps, len(rates), inner + 1)
         return
-    sizes = np.linalg.norm(np.where(complete(rates, WILD_RATE)[:, np.newaxis], rates, 0.0), axis=1)
+    sizes = lengths(np.where(complete(rates, WILD_RATE)[:, np.newaxis], rates, 0.0))
     if len(sizes) >= ENOUGH and np.mean(sizes > FAST) > _SELDOM:
         fast = float(np.median(sizes[sizes > FAST]))
         _warn(
@@ -80,7 +80,8 @@ def warn_of_rates(rates: Floats, steps: Floats, longest: float = inf, *, inner: 
         )
         return
     warn_of_steps(steps, len(rates), inner + 1)
-    turns = np.where(steps <= longest, sizes * steps, 0.0)
+    with np.errstate(all="ignore"):
+        turns = np.where(steps <= longest, sizes * steps, 0.0)
     beyond = np.flatnonzero(turns > pi)
     if beyond.size:
         _warn(_turn(turns[beyond[0]], f" at {beyond[0]}, the first of {beyond.size}"), inner)

@@ -155,8 +155,10 @@ def slerp(p: ArrayLike, q: ArrayLike, share: ArrayLike) -> Floats:
     part = quaternion_from_axis_angle(axis, shares * angle)
     start = floats("p", p, 4)
     # In units of the largest element, whose square is a number.
-    start = start / np.abs(start).max(axis=-1, keepdims=True)
-    return quaternion_multiply(start / np.linalg.norm(start, axis=-1, keepdims=True), part)
+    with np.errstate(all="ignore"):
+        start = start / np.abs(start).max(axis=-1, keepdims=True)
+        start /= np.linalg.norm(start, axis=-1, keepdims=True)
+    return quaternion_multiply(start, part)
 
 
 def continuous_quaternions(q: ArrayLike) -> Floats:

@@ -127,7 +127,8 @@ def change_axes(vector: ArrayLike, source: Axes, target: Axes) -> Floats:
     array = floats("vector", vector, 3)
     for table in (_BODY, _NAVIGATION):
         if source in table and target in table:
-            return np.asarray(array @ (table[target].T @ table[source]).T)
+            with np.errstate(all="ignore"):
+                return np.asarray(array @ (table[target].T @ table[source]).T)
     msg = (
         f"expected source and target of {', '.join(_BODY)}, or both of {', '.join(_NAVIGATION)}, "
         f"got {source!r} and {target!r}"

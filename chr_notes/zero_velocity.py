@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from chr_notes._samples import WILD_RATE, complete, periods, positive, same_length, samples
+from chr_notes._samples import WILD_RATE, complete, lengths, periods, positive, same_length, samples
 from chr_notes.conventions import STANDARD_GRAVITY
 from chr_notes.sensors.still import window_sums
 
@@ -79,13 +79,14 @@ def zero_velocity(  # noqa: PLR0913 (three thresholds)
     if not count:
         return np.zeros(0, dtype=np.bool_)
     usual = float(np.median(steps))
-    width = min(count, max(1, round(window / usual))) if usual > 0 else 1
+    width = min(count, max(1, round(min(window / usual, count)))) if usual > 0 else 1
     known = complete(rates, WILD_RATE) & complete(forces, WILD_RATE)
     whole = np.where(known, 1.0, 0.0)
-    turning = (np.where(known[:, np.newaxis], rates, 0.0) ** 2).sum(axis=1)
-    sizes = np.linalg.norm(np.where(known[:, np.newaxis], forces, 0.0), axis=1)
-    pushed = np.where(known, sizes / gravity - 1, 0.0) ** 2
-    mean_turning, mean_pushed = (_around(part, whole, width) for part in (turning, pushed))
+    turning = lengths(np.where(known[:, np.newaxis], rates, 0.0))
+    sizes = lengths(np.where(known[:, np.newaxis], forces, 0.0))
+    with np.errstate(all="ignore"):
+        pushed = np.where(known, sizes / gravity - 1, 0.0)
+        mean_turning, mean_pushed = (_around(part**2, whole, width) for part in (turning, pushed))
     return known & (mean_turning <= rate_limit**2) & (mean_pushed <= force_limit**2)
 
 

@@ -1,6 +1,7 @@
 """What tests share: recordings beside the project, and a browser without a network."""
 
 import functools
+import sys
 import threading
 from collections.abc import Callable, Iterator
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
@@ -10,6 +11,10 @@ from types import ModuleType
 import pytest
 from hypothesis import settings
 from playwright.sync_api import Browser, ConsoleMessage, Page, Route, expect, sync_playwright
+
+from chr_notes import _recordings
+from chr_notes._kernels import kernel
+from chr_notes._rows import Rows
 
 # A first call compiles and caches; how long one example takes says nothing.
 settings.register_profile("project", deadline=None)
@@ -53,6 +58,26 @@ def recordings(rules: ModuleType) -> Path:
     """The folder with other people's recordings."""
     rules.wait_for("../shared/data")
     return Path(__file__).resolve().parents[2] / "shared" / "data"
+
+
+@pytest.fixture(params=[pytest.param("kernels", marks=pytest.mark.kernels), "NumPy"])
+def each_way(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    """Compute by the kernels, and by NumPy."""
+    modules = [module for name, module in sys.modules.items() if name.startswith("chr_notes.")]
+    rows = {
+        id(value): value
+        for module in modules
+        for value in vars(module).values()
+        if isinstance(value, Rows)
+    }
+    assert len(rows) > 20
+    if request.param == "NumPy":
+        for value in rows.values():
+            value.use(None)
+        monkeypatch.setattr(_recordings, "kernel", lambda _: None)
+    yield
+    for value in rows.values():
+        value.use(kernel(value.name))
 
 
 @pytest.fixture(scope="session")

@@ -1,7 +1,6 @@
 """Where results go: `out` of every function of arrays, by the kernels and by NumPy."""
 
-import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -10,8 +9,6 @@ from numpy.testing import assert_array_equal
 from numpy.typing import NDArray
 
 import chr_notes
-from chr_notes._kernels import kernel
-from chr_notes._rows import Rows
 
 Floats = NDArray[np.float64]
 EULER, RATES = [0.3, -0.7, 1.9], [1.0, -2.0, 0.5]
@@ -58,26 +55,9 @@ FUNCTIONS: dict[str, tuple[Callable[..., Any], tuple[Any, ...]]] = {
     "MagnetometerCalibration.measure": (IRON.measure, (RATES,)),
     "MagnetometerCalibration.correct": (IRON.correct, (RATES,)),
 }
+pytestmark = pytest.mark.usefixtures("each_way")
 every = pytest.mark.parametrize("name", FUNCTIONS)
 ROWS = 7
-
-
-@pytest.fixture(params=[pytest.param("kernels", marks=pytest.mark.kernels), "NumPy"], autouse=True)
-def _computed_by(request: pytest.FixtureRequest) -> Iterator[None]:
-    modules = [module for name, module in sys.modules.items() if name.startswith("chr_notes.")]
-    rows = {
-        id(value): value
-        for module in modules
-        for value in vars(module).values()
-        if isinstance(value, Rows)
-    }
-    assert len(rows) >= len(FUNCTIONS) - 6  # sensors measure alike, whatever they sense
-    if request.param == "NumPy":
-        for value in rows.values():
-            value.use(None)
-    yield
-    for value in rows.values():
-        value.use(kernel(value.name))
 
 
 def several(arguments: tuple[Any, ...]) -> list[Floats]:

@@ -57,7 +57,7 @@ def bias_of(bias: Bias, rates: Floats, forces: Floats, dt: Floats, longest_step:
 def _stillest(rates: Floats, dt: Floats) -> Floats:
     """Mean over the stillest two seconds, or over all if there is less."""
     usual = float(np.median(dt)) if dt.size else 0.0
-    length = min(len(rates), round(REST / usual) if usual > 0 else len(rates))
+    length = round(min(REST / usual, len(rates))) if usual > 0 else len(rates)
     found = [each for part in _still_parts(rates, length) if (each := _steady(part, length))]
     if not found:
         return _none("no stretch as long without a gap in the rates")

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from chr_notes._arrays import Floats
-from chr_notes._samples import complete, number, periods, positive, same_length, samples
+from chr_notes._samples import complete, lengths, number, periods, positive, same_length, samples
 from chr_notes.conventions import STANDARD_GRAVITY
 from chr_notes.validation import part_down, validation_factor
 
@@ -88,8 +88,8 @@ def accelerated(
     """
     forces = samples("accel", accel)
     pull = positive("gravity", gravity)
-    sizes = np.linalg.norm(np.where(complete(forces)[:, np.newaxis], forces, pull), axis=1) / pull
-    off = complete(forces) & (np.abs(sizes - 1) > positive("limit", limit))
+    sizes = lengths(np.where(complete(forces)[:, np.newaxis], forces, pull))
+    off = complete(forces) & (np.abs(sizes - pull) > positive("limit", limit) * pull)
     return _lasting(off, periods(dt, len(forces)), patience)
 
 
@@ -164,8 +164,8 @@ def doubtful_sensors(  # noqa: PLR0913 (what is known of the field, and three li
     whole, known = positive("strength", strength), complete(field)
     down = part_down(number("reference_down", reference_down))
     shaken = accelerated(forces, steps, patience=patience, gravity=gravity)
-    sizes = np.linalg.norm(np.where(known[:, np.newaxis], field, 0.0), axis=1) / whole
-    iron = known & (np.abs(sizes - 1) > positive("strength_limit", strength_limit))
+    sizes = lengths(np.where(known[:, np.newaxis], field, 0.0))
+    iron = known & (np.abs(sizes - whole) > positive("strength_limit", strength_limit) * whole)
     factor = np.asarray(validation_factor(field, angles[:, :2], down))
     turned = known & (factor > positive("factor_limit", factor_limit)) & ~iron
     # What the gyros alone have led astray is pulled back no faster than that.
@@ -182,6 +182,8 @@ _RECOVERY = 3.0  # times the patience, until an observer has come back to the ve
 
 def _lasting(off: NDArray[np.bool_], steps: Floats, patience: float) -> NDArray[np.bool_]:
     """Keep true for a while after the last true sample."""
-    time = np.cumsum(np.broadcast_to(steps, off.shape))
-    last = np.maximum.accumulate(np.where(off, time, -np.inf)) if len(off) else time
-    return np.asarray(time - last < positive("patience", patience) * (1 + 1e-9))
+    wait = positive("patience", patience) * (1 + 1e-9)
+    with np.errstate(all="ignore"):
+        time = np.cumsum(np.broadcast_to(steps, off.shape))
+        last = np.maximum.accumulate(np.where(off, time, -np.inf)) if len(off) else time
+        return np.asarray(time - last < wait)

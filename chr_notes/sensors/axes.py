@@ -149,8 +149,9 @@ def relate_axes(body_rates: ArrayLike, vector: ArrayLike, dt: ArrayLike) -> Axes
         return _UNKNOWN
     usable = complete(rates) & complete(readings) & (steps <= _GAP * step)
     rates, readings = (np.where(usable[:, np.newaxis], each, np.nan) for each in (rates, readings))
-    changes, terms = _equations(rates, readings, steps, step)
-    return _solved(changes, terms, max(1, round(2 * _BLOCK / _WINDOW)))
+    with np.errstate(all="ignore"):
+        changes, terms = _equations(rates, readings, steps, step)
+        return _solved(changes, terms, max(1, round(2 * _BLOCK / _WINDOW)))
 
 
 _UNKNOWN = AxesRelation(
@@ -162,8 +163,8 @@ def _equations(
     rates: Floats, readings: Floats, steps: Floats, step: float
 ) -> tuple[Floats, Floats]:
     """Integrate over windows that overlap by half: changes (K, 3), and terms (K, 3, 9) of M."""
-    width = max(1, round(_SMOOTHED / step))
-    half = max(1, round(_WINDOW / step / 2))
+    width = max(1, round(min(_SMOOTHED / step, len(steps))))
+    half = max(1, round(min(_WINDOW / step / 2, len(steps))))
     rates, readings = _smoothed(rates, width), _smoothed(readings, width)
     steps = steps[width - 1 :]
     starts = np.arange(0, len(readings) - 1, half)

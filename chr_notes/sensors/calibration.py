@@ -134,7 +134,8 @@ def fit_gyro_bias(body_rates: ArrayLike, *, still_limit: float = STILL_LIMIT) ->
     # A glitch is left out where it would count.
     away = np.abs(rates - np.median(rates, axis=0)).max(axis=1)
     rates = rates[~(without_glitches(rates)[1] & (away > still_limit))]
-    spread = rates.std(axis=0)
+    with np.errstate(all="ignore"):
+        spread = rates.std(axis=0)
     if not spread.max() <= still_limit:
         msg = (
             f"body_rates: expected a sensor at rest, with a standard deviation of at most "

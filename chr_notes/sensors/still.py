@@ -135,7 +135,7 @@ def static_intervals(
     steps = np.broadcast_to(periods(dt, count), (count,))
     seconds = positive("shortest", shortest)
     usual = float(np.median(steps)) if count else 0.0
-    width = max(_FEWEST, round(seconds / 2 / usual)) if usual > 0 else _FEWEST
+    width = max(_FEWEST, round(min(seconds / 2 / usual, count + 1))) if usual > 0 else _FEWEST
     if count < width:
         return []
     known = complete(rates, WILD_RATE) & complete(forces, WILD_RATE)
@@ -182,6 +182,7 @@ def steady_mean(readings: Floats) -> Floats:
     return np.asarray(steady[~glitches].mean(axis=0))
 
 
+@np.errstate(all="ignore")  # far beyond all is a glitch
 def without_glitches(readings: Floats) -> tuple[Floats, NDArray[np.bool_]]:
     """Replace glitches of one or two rows by the median around them, and say which rows.
 
@@ -246,4 +247,4 @@ def window_sums(values: ArrayLike, length: int) -> Floats:
 def _resolution(readings: Floats) -> float:
     """Half of the smallest step between readings, below which no spread says anything."""
     steps = np.abs(np.diff(readings, axis=0))
-    return float(steps[steps > 0].min(initial=np.inf) / 2) if (steps > 0).any() else 0.0
+    return float(steps[steps > 0].min(initial=np.inf)) / 2 if (steps > 0).any() else 0.0
