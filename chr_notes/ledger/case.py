@@ -10,7 +10,7 @@ from sympy.logic.boolalg import Boolean
 from chr_notes.derivations.steps import Step
 from chr_notes.ledger.edits import Edit, edited
 from chr_notes.ledger.entry import Weight
-from chr_notes.ledger.reading import Read
+from chr_notes.ledger.reading import Defined, Read
 from chr_notes.ledger.rules import substitutions
 from chr_notes.printed import BY_ID, Printed
 
@@ -217,5 +217,5 @@ def _uses(case: Case, definition: Case) -> bool:
         case.id != definition.id
         and isinstance(defining, Eq)
         and case.printed.statement.has(defining.lhs)
-        and case.reading.is_by(defining.lhs, definition.id)
+        and case.reading.definition(defining.lhs) == Defined(definition.id)
     )

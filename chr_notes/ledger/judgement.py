@@ -9,8 +9,8 @@ The rules, in this order:
 - `proved`: read with the derived quantities, it holds for all values, or for all that the
   document or the convention presumes;
 - `qualified`: it holds under the condition brought with it, and fails at a witness outside it;
-- `corrected`: the printed statement with the edits brought with it is proved, and as printed it
-  fails at a witness.
+- `corrected`: the printed statement with the edits brought with it is proved, keeps what
+  `chr_notes.ledger.corrections` asks for, and as printed it fails at a witness.
 
 Anything else is an error that says which part was not proved and what was left over: the ledger
 has no entry that was not decided.
@@ -18,7 +18,7 @@ has no entry that was not decided.
 
 from typing import NamedTuple
 
-from sympy import And, Basic, Eq, Expr, Limit, sympify
+from sympy import And, Eq, Limit, sympify
 from sympy.logic.boolalg import Boolean
 
 from chr_notes.ledger.case import CannotJudgeError, Case, Condition, Reading
@@ -30,19 +30,17 @@ from chr_notes.ledger.checks import (
     check_says_something,
     check_witness,
 )
+from chr_notes.ledger.corrections import check_correction
 from chr_notes.ledger.domain import undefined_where
 from chr_notes.ledger.edits import in_order, marked
 from chr_notes.ledger.entry import Entry, Verdict
 from chr_notes.ledger.evaluation import evaluate, parts, work_out
-from chr_notes.ledger.identities import equal
 from chr_notes.ledger.proof import Finding, examine, excludes, fails, proves
 from chr_notes.ledger.search import is_exact
 from chr_notes.ledger.witness import number, witness
 from chr_notes.printed.statement import Approximately
-from chr_notes.symbols import BODY_RATES, EULER, EULER_RATES, g, m
 from chr_notes.typeset import latex
 
-DERIVED_NAMES = frozenset((*EULER, *EULER_RATES, *BODY_RATES, g, m))
 LONG = 400  # characters of LaTeX
 
 
@@ -147,22 +145,12 @@ def _qualified(case: Case, condition: Condition) -> Judged:
 def _corrected(case: Case) -> Judged:
     right = case.right
     findings = _prove(case, right, "the correction is not proved", *case.given)
-    if any(_is_empty(part) for part in parts(right)):
-        msg = f"{case.id}: the correction says nothing: {right}"
-        raise CannotJudgeError(msg)
+    check_correction(case)
     if case.witness and right is not None and fails(right, case.reading, case.witness):
         msg = f"{case.id}: the correction fails at the witness {case.witness} too"
         raise CannotJudgeError(msg)
     shown = "as printed it fails at the witness" if case.witness else "as printed it fails"
     return Judged("corrected", f"the correction is proved: {_how(findings)}; {shown}")
-
-
-def _is_empty(relation: Basic) -> bool:
-    """Whether a relation holds whatever its symbols stand for."""
-    if isinstance(relation, Approximately):
-        return not relation.lhs.free_symbols
-    left, right = (in_order(side).doit() for side in (relation.lhs, relation.rhs))
-    return left == right or (isinstance(left, Expr) and not left.is_Matrix and equal(left, right))
 
 
 def _prove(

@@ -100,11 +100,12 @@ class Read:
             return self.meaning[name] == Defined(by)
         return self.base is None or self.base.defines(name, by)
 
-    def is_by(self, name: Basic, definition: str) -> bool:
-        """Whether a name is read by a printed definition."""
+    def definition(self, name: Basic) -> "Defined | None":
+        """Find the printed definition by which a name is read, if it is by one."""
         if name in self.meaning:
-            return self.meaning[name] == Defined(definition)
-        return self.base is not None and self.base.is_by(name, definition)
+            meaning = self.meaning[name]
+            return meaning if isinstance(meaning, Defined) else None
+        return None if self.base is None else self.base.definition(name)
 
     def with_names(self, expression: Basic) -> Basic:
         """Put the derived quantities in place of the symbols, and leave the notation."""

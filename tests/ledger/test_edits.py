@@ -43,17 +43,11 @@ def test_what_is_put_in_stands_in_a_box() -> None:
         ((Edit(y, x),), "expected in print 1 times, found 2 times"),
         ((Edit(y, x, times=3),), "expected in print 3 times, found 2 times"),
         ((Edit(STATEMENT, Eq(x, x, evaluate=False)),), "a whole statement"),
-        ((Edit(z, y), Edit(x * sin(y) + cos(y), y)), "both sides"),
     ],
 )
 def test_what_is_not_printed_so_is_refused(edits: tuple[Edit, ...], says: str) -> None:
     with pytest.raises(ValueError, match=says):
         edited(STATEMENT, edits)
-
-
-def test_a_side_may_be_wrapped_and_the_other_replaced() -> None:
-    wrapped = edited(Eq(x, y), (Edit(x, 2 * x), Edit(y, 2 * y)))
-    assert wrapped == Eq(2 * x, 2 * y)
 
 
 def test_each_relation_of_several_is_edited() -> None:
