@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 Floats = NDArray[np.float64]
+_DOUBLE = np.dtype(np.float64)
 
 
 def floats(name: str, value: ArrayLike, *last: int) -> Floats:
@@ -27,6 +28,10 @@ def floats(name: str, value: ArrayLike, *last: int) -> Floats:
     TypeError
         If what is given are not real numbers.
     """
+    if type(value) is np.ndarray and value.dtype is _DOUBLE and value.flags.c_contiguous:
+        axes = value.ndim - len(last)
+        if axes >= 0 and value.shape[axes:] == last:  # as is the rule, and quick to see
+            return value
     try:
         array = np.asarray(value)
     except ValueError:
@@ -77,8 +82,9 @@ def common_shape(*arguments: tuple[str, Floats, int]) -> tuple[int, ...]:
         If the leading axes do not fit each other.
     """
     leading = [array.shape[: array.ndim - axes] for _, array, axes in arguments]
-    if leading.count(leading[0]) == len(leading):
-        return leading[0]
+    first = leading[0]
+    if all(shape == first for shape in leading):
+        return first
     try:
         return np.broadcast_shapes(*leading)
     except ValueError:

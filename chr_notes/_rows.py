@@ -24,8 +24,8 @@ Matrices that are printed with four digits still pass.
 """
 BLOCK = 8192
 """Rows that NumPy works on at a time: few enough to stay in cache."""
-# A squared length between these lost nothing, and neither does its square.
-_LEAST, _MOST = 2.0**-380, 2.0**380
+# A squared length below this, and above its inverse, lost nothing, and neither does its square.
+_MOST = 2.0**380
 
 
 @dataclass(frozen=True)
@@ -181,6 +181,7 @@ class Rows:
         odd = None if left is None else np.frombuffer(left, dtype=np.bool_)
         locked = 0
         places: list[Places] = []
+        whole = odd is None and count <= BLOCK
         with np.errstate(all="ignore"):
             for start in range(0, count, BLOCK):
                 block: slice | Places = slice(start, min(start + BLOCK, count))
@@ -188,8 +189,8 @@ class Rows:
                     block = start + np.flatnonzero(odd[block])
                     if not block.size:
                         continue
-                parts = [array if len(array) == 1 else array[block] for array in rows]
-                values = flat[block]  # a view, but where rows were picked
+                parts = [array if whole or len(array) == 1 else array[block] for array in rows]
+                values = flat if whole else flat[block]  # a view, but where rows were picked
                 try:
                     lock = self._block(parts, values)
                 except _WrongRow as wrong:
@@ -206,11 +207,12 @@ class Rows:
         return Locked(locked, np.concatenate(places)) if places else NONE_LOCKED
 
     def _block(self, parts: list[Floats], values: Floats) -> Bools | None:
-        missing = _missing(parts)
+        ordinary = self._scaled is not None and _is_ordinary(parts[0])
+        missing = _missing(parts[1:] if ordinary else parts)
         if self._rotation:
             _check_rotations(parts[0], missing)
         exponent = None
-        if self._scaled is not None:
+        if self._scaled is not None and not ordinary:
             parts[0], exponent = _scaled(parts[0], refused=self._scaled == "refused")
         lock = self._general(*parts, values)
         if exponent is not None and self._degree:
@@ -274,6 +276,8 @@ def handed_out(parts: tuple[Floats, ...], out: tuple[Floats, ...] | None) -> tup
 
 def _rows(array: Floats, leading: tuple[int, ...], last: tuple[int, ...]) -> Floats:
     """Write an array as rows: as many as there are results, or one for all."""
+    if array.shape == (len(array) if array.ndim else 1, *last) and len(leading) == 1:
+        return array
     if array.size == prod(last):
         return array.reshape(1, *last)
     if array.shape != (*leading, *last):
@@ -291,19 +295,22 @@ def _missing(parts: list[Floats]) -> Bools | None:
     return np.asarray(reduce(np.logical_or, each))
 
 
-def _scaled(rows: Floats, *, refused: bool) -> tuple[Floats, NDArray[np.intc] | None]:
-    """Bring each row's largest element to between 1/2 and 1, exactly, if one needs it.
+def _is_ordinary(rows: Floats) -> bool:
+    """Say whether no row has NaN, or a length whose square or its square loses anything."""
+    squares = np.einsum("ij,ij->i", rows, rows)
+    return bool(np.add.reduce(squares + 1 / squares) < _MOST)
+
+
+def _scaled(rows: Floats, *, refused: bool) -> tuple[Floats, NDArray[np.intc]]:
+    """Bring each row's largest element to between 1/2 and 1, exactly.
 
     Returns
     -------
     rows
         The scaled rows.
     exponent
-        Power of two by which each was divided; None if none was.
+        Power of two by which each was divided.
     """
-    squares = np.einsum("ij,ij->i", rows, rows)
-    if np.minimum.reduce(squares) > _LEAST and np.maximum.reduce(squares) < _MOST:
-        return rows, None
     largest = reduce(np.maximum, np.abs(rows).T)
     if refused and (largest == 0).any():
         row = int(np.argmax(largest == 0))

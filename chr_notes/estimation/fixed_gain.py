@@ -44,8 +44,8 @@ class _Way:
         The same for one sample.
     sample
         From Euler angles and sample to the next Euler angles.
-    quick_sample
-        A kernel that does the same with arrays, if there is one.
+    quick_advance, quick_sample
+        Kernels that do the same with arrays, if there are any.
     begin
         From Euler angles to a state.
     end, angles
@@ -55,21 +55,27 @@ class _Way:
     step: Callable[..., tuple[float, ...]]
     advance: Callable[..., tuple[float, ...]]
     sample: Callable[..., tuple[float, ...]]
+    quick_advance: Callable[..., Floats | None] | None
     quick_sample: Callable[..., Floats | None] | None
     begin: Callable[..., Sequence[float]]
     end: Callable[[Floats], Floats]
-    angles: Callable[[Sequence[float]], Floats]
+    angles: Callable[[Sequence[float] | Floats], Floats]
 
 
 _quick_quaternion = of_numbers(quaternion_from_euler)
 _quick_euler = of_numbers(euler_from_quaternion)
+_euler_of_array = kernel("euler_from_quaternion")
 
 
 def _quaternion(*euler: float) -> Sequence[float]:
     return _quick_quaternion(*euler) or quaternion_from_euler(*euler)
 
 
-def _angles(quaternion: Sequence[float]) -> Floats:
+def _angles(quaternion: Sequence[float] | Floats) -> Floats:
+    if _euler_of_array is not None and type(quaternion) is np.ndarray:
+        euler = _euler_of_array(quaternion, None)
+        if type(euler) is np.ndarray and pi not in euler.tolist():
+            return euler
     found = _quick_euler(*quaternion) or euler_from_quaternion(*quaternion)
     roll, pitch, yaw = found[:3]
     return np.array((roll if roll < pi else -pi, pitch, yaw if yaw < pi else -pi))
@@ -80,7 +86,7 @@ def is_in_range(roll: float, pitch: float, yaw: float) -> bool:
     return -pi <= roll < pi and -pi <= yaw < pi and -pi / 2 <= pitch <= pi / 2
 
 
-def angles_in_range(euler: Sequence[float]) -> Floats:
+def angles_in_range(euler: Sequence[float] | Floats) -> Floats:
     """Write three angles in these ranges."""
     if is_in_range(*euler):
         return np.array(euler)
@@ -92,6 +98,7 @@ _WAYS = {
         steps.observer_turn,
         of_numbers(steps.observer_turn),
         of_numbers(steps.observer_step),
+        kernel("observer_turn"),
         kernel("observer_step"),
         _quaternion,
         attitudes_in_range,
@@ -101,6 +108,7 @@ _WAYS = {
         steps.euler_observer_step,
         of_numbers(steps.euler_observer_step),
         of_numbers(steps.euler_observer_step),
+        kernel("euler_observer_step"),
         kernel("euler_observer_step"),
         lambda *euler: euler,
         in_range,

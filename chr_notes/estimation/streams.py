@@ -4,10 +4,11 @@ A sample with NaN or infinity, or with a rate of 1e12 rad/s and more, which no g
 out, and the estimate goes on without it.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from math import inf, isfinite, pi
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from chr_notes._arrays import Floats
@@ -58,8 +59,8 @@ def observe_sample(  # noqa: PLR0913 (a state and a sample)
         If the sample turns by more than half a revolution within its time step.
     """
     way, share, step = way_of(method), check_gain("gain", gain), period(dt)
-    rates = one_sample("body_rates", body_rates)
-    if not sum(map(abs, rates)) * step < pi:
+    rates = p, q, r = one_sample("body_rates", body_rates)
+    if not (abs(p) + abs(q) + abs(r)) * step < pi:
         warn_of_turn(rates, step)
     take = way.quick_sample
     found = take(euler, body_rates, accel, step, share, None) if take is not None else None
@@ -120,7 +121,9 @@ def observe(
         If a sample turns by more than half a revolution within its time step.
     """
     way, share = way_of(method), check_gain("gain", gain)
-    state = None if initial is None else way.begin(*canonical("initial", initial))
+    quick = way.quick_advance
+    keep: Callable[..., Any] = tuple if quick is None else np.array
+    state = None if initial is None else keep(way.begin(*canonical("initial", initial)))
     incomplete = 0
     for body_rates, accel, dt in stream:
         rates, force = one_sample("body_rates", body_rates), one_sample("accel", accel)
@@ -135,7 +138,9 @@ def observe(
         if state is None:
             if not heard:
                 continue
-            state = way.begin(*steps.tilt_from_accelerometer(*force), 0.0)
+            state = keep(way.begin(*steps.tilt_from_accelerometer(*force), 0.0))
+        elif quick and (found := quick(state, body_rates, accel, step, share, None)) is not None:
+            state = found
         else:
-            state = way.advance(*state, *rates, *force, step, share)
+            state = keep(way.advance(*state, *rates, *force, step, share))
         yield Estimate(way.angles(state), incomplete)

@@ -34,6 +34,8 @@ PLAIN_NUMPY = "plain NumPy"
 # Its functions return arrays, so what goes from one to the next is an array; lists are taken too,
 # and Python's own numbers in them are multiplied faster.
 TRANSFORMS3D, ON_LISTS = "transforms3d", "transforms3d, given lists"
+# Arrays of its quaternions, of which some have one row, and single ones, which are no arrays.
+OBJECTS = "numpy-quaternion, one at a time"
 
 
 @dataclass(frozen=True)
@@ -264,12 +266,13 @@ ONE: dict[str, dict[str, Task]] = {
     },
     "products of quaternions": {
         SCALAR: lambda d: partial(scalar.quaternion_multiply, *d.p[0].tolist(), *d.q[0].tolist()),
-        OURS: lambda d: partial(chr_notes.quaternion_multiply, d.p[0], d.q[0]),
+        OURS: lambda d: partial(chr_notes.quaternion_multiply, d.p[:1], d.q[:1]),
         "SciPy": lambda d: partial(
             Rotation.__mul__, Rotation.from_quat(d.p[0], scalar_first=True), d.scipy[0]
         ),
         "ahrs": lambda d: partial(ahrs.Quaternion(d.p[0]).product, d.q[0]),
-        "numpy-quaternion": lambda d: partial(
+        "numpy-quaternion": MANY["products of quaternions"]["numpy-quaternion"],
+        OBJECTS: lambda d: partial(
             operator.mul,
             numpy_quaternion.quaternion(*d.p[0]),
             numpy_quaternion.quaternion(*d.q[0]),
