@@ -19,7 +19,7 @@ from chr_notes import kernels_in_use
 ROOT = Path(__file__).resolve().parent
 RECORDINGS = "../shared/data"
 # Folders whose tests share what is made once a run.
-ONCE = ("tests/book/", "tests/ledger/")
+ONCE = ("tests/book/", "tests/codegen/", "tests/ledger/")
 
 # What a test waits for: a program, or a folder beside the project. Then the tests that do.
 PERMITTED = {
@@ -146,7 +146,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 class Together(LoadScopeScheduling):
-    """Files stay whole on a worker, and so do all that read the built book or judge the ledger.
+    """Files stay whole on a worker, and so do those that read the book, lower formulas or judge.
 
     Neither `--dist loadfile` nor marks would do: the first builds the book more than once, and a
     notebook's cells must stay together whatever `--dist` says.

@@ -14,7 +14,13 @@ def book(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return build(output=tmp_path_factory.mktemp("book")).parent
 
 
-@pytest.fixture(scope="session", params=["http", "file"])
-def address(request: pytest.FixtureRequest, book: Path, serve: Callable[[Path], str]) -> str:
-    """Where the book is read: from a server, or straight from the disk."""
-    return serve(book) if request.param == "http" else f"{book.as_uri()}/"
+@pytest.fixture(scope="session")
+def served(book: Path, serve: Callable[[Path], str]) -> str:
+    """Where a server has the book."""
+    return serve(book)
+
+
+@pytest.fixture(params=["http", "file"])
+def address(request: pytest.FixtureRequest, book: Path, served: str) -> str:
+    """Where the book is read: from a server, and straight from the disk."""
+    return served if request.param == "http" else f"{book.as_uri()}/"

@@ -100,10 +100,7 @@ def test_a_formula_that_cannot_be_set_stops_the_build(tmp_path: Path) -> None:
     assert not (tmp_path / "out" / "index.html").exists()
 
 
-@pytest.mark.parametrize("name", ["notebooks/euler.html", "book/errata.html"])
-def test_formulas_stand_without_a_script(
-    visit: Visit, browser: Browser, address: str, name: str
-) -> None:
+def test_formulas_stand_without_a_script(visit: Visit, browser: Browser, address: str) -> None:
     boxes = """() => [...document.querySelectorAll("math")].map((formula) => {
       const { width, height } = formula.getBoundingClientRect();
       return [width, height];
@@ -114,9 +111,9 @@ def test_formulas_stand_without_a_script(
         java_script_enabled=False, viewport={"width": 1280, "height": 900}
     )
     plain = context.new_page()
-    plain.goto(address + name)
+    plain.goto(address + "notebooks/euler.html")
     assert plain.evaluate(fonts) == ["loaded"]
-    assert plain.evaluate(boxes) == visit(address + name).evaluate(boxes)
+    assert plain.evaluate(boxes) == visit(address + "notebooks/euler.html").evaluate(boxes)
     context.close()
 
 
@@ -162,8 +159,8 @@ def test_a_copied_formula_is_latex(visit: Visit, tmp_path: Path) -> None:
     assert opened.locator("body > div").count() == 1
 
 
-def test_a_formula_of_the_book_is_copied(visit: Visit, address: str) -> None:
-    page = visit(address + "notebooks/euler.html")
+def test_a_formula_of_the_book_is_copied(visit: Visit, served: str) -> None:
+    page = visit(served + "notebooks/euler.html")
     formula = page.locator("div.math math").first
     latex = formula.locator("annotation").text_content()
     formula.evaluate("(element) => { element.id = 'chosen'; }")

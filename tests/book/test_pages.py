@@ -23,6 +23,10 @@ CHAPTERS = [
 ]
 MADE = ["genindex", "py-modindex", "search"]
 PAGES = [f"{name}.html" for name in (TOC["root"], *CHAPTERS, *MADE)]
+# From the disk the theme's scripts do the same on each page: those with demos, and one of a kind.
+KINDS = ("search.html", "book/ledger/sensors.html", "book/speed.html")
+FROM_DISK = [name for name in PAGES if name.startswith("notebooks/") or name in KINDS]
+FROM_DISK.append(PAGES[0])
 
 
 # What a page may load, in bytes before compression: by name, else without formulas or with them.
@@ -42,8 +46,8 @@ LEFT_OVER = """() => {
 
 TOO_WIDE = """() => [...document.querySelectorAll(".bd-article *")].filter((element) => {
   const { right, width } = element.getBoundingClientRect();
-  const scrolls = element.closest(".math, pre, .cell_output, table");
-  return width > 0 && right > innerWidth + 1 && !scrolls;
+  const scrolls = () => element.closest(".math, pre, .cell_output, table");
+  return width > 0 && right > innerWidth + 1 && !scrolls();
 }).map((element) => element.outerHTML.slice(0, 80))"""
 
 
@@ -53,18 +57,8 @@ def test_each_chapter_is_a_page_and_nothing_else_is(book: Path) -> None:
     assert built == {*PAGES, "index.html"}
 
 
-@pytest.mark.parametrize("name", PAGES)
-def test_page_stands_by_itself(
-    visit: Visit, address: str, name: str, record_property: Callable[[str, object], None]
-) -> None:
-    # `visit` fails on any request to elsewhere, missing file or error on the console.
-    served = address.startswith("http")
-    page = visit(address + name, color_scheme="light" if served else "dark")
-    if served:
-        weight = page.evaluate(WEIGHT)
-        record_property("measured", f"{name} {weight / 1000:.0f} kB")
-        plain = page.locator("math").count() == 0
-        assert 500_000 < weight <= LIMITS.get(name, LIGHT if plain else LARGEST)
+def looked_at(page: Page) -> None:
+    """Fail on a formula not set, a picture without words, a dead demo, and what is too wide."""
     left_over = page.evaluate(LEFT_OVER)
     assert "$" not in left_over
     assert "\\" not in left_over
@@ -75,6 +69,29 @@ def test_page_stands_by_itself(
         page.set_viewport_size({"width": width, "height": 900})
         assert page.evaluate("document.documentElement.scrollWidth") <= width
         assert page.evaluate(TOO_WIDE) == []
+
+
+# `visit` fails on any request to elsewhere, missing file or error on the console.
+@pytest.mark.parametrize("name", PAGES)
+def test_page_stands_by_itself(
+    visit: Visit, served: str, name: str, record_property: Callable[[str, object], None]
+) -> None:
+    page = visit(served + name, color_scheme="light")
+    weight = page.evaluate(WEIGHT)
+    record_property("measured", f"{name} {weight / 1000:.0f} kB")
+    plain = page.locator("math").count() == 0
+    assert 500_000 < weight <= LIMITS.get(name, LIGHT if plain else LARGEST)
+    looked_at(page)
+
+
+@pytest.mark.parametrize("name", FROM_DISK)
+def test_page_stands_from_the_disk(visit: Visit, book: Path, name: str) -> None:
+    looked_at(visit((book / name).as_uri(), color_scheme="dark"))
+
+
+def test_pages_with_scripts_of_their_own_are_tried_from_the_disk(book: Path) -> None:
+    own = [name for name in PAGES if "data-demo" in (book / name).read_text(encoding="utf-8")]
+    assert {*own} <= {*FROM_DISK}
 
 
 def test_first_page_leads_to_the_book(visit: Visit, address: str) -> None:
@@ -120,8 +137,8 @@ def test_link_to_an_entry_goes_there(visit: Visit, book: Path) -> None:
     expect(page.locator('[id="euler.7.d"]')).to_be_in_viewport()
 
 
-def test_on_a_phone_the_picture_of_a_demo_stays_below_the_bar(visit: Visit, address: str) -> None:
-    page = visit(address + "notebooks/estimation.html")
+def test_on_a_phone_the_picture_of_a_demo_stays_below_the_bar(visit: Visit, served: str) -> None:
+    page = visit(served + "notebooks/estimation.html")
     page.set_viewport_size({"width": 390, "height": 844})
     demo = page.locator("[data-demo='tilt']").first
     for name in ("lateral_acceleration", "vibration"):

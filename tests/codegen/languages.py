@@ -3,6 +3,7 @@
 import math
 import subprocess
 from collections.abc import Callable
+from functools import cache
 from importlib import import_module
 from pathlib import Path
 
@@ -29,7 +30,12 @@ WARNINGS = [
     "-Werror",
 ]
 GCC = ("gcc", "-std=c99", "-O2", *WARNINGS)
-PROGRAMS = {target.name: lower(target, by_library) for target in TARGETS}
+
+
+@cache
+def programs() -> dict[str, Program]:
+    """The functions as they are computed, by name."""
+    return {target.name: lower(target, by_library) for target in TARGETS}
 
 
 def python(vectors: list[Vector]) -> Results:
@@ -54,10 +60,10 @@ def _arrays(name: str, vectors: list[Vector]) -> list[np.ndarray]:
     own = [v for v in vectors if v.target.name == name]
     given = []
     for (_, elements), shape in zip(
-        PROGRAMS[name].target.arrays, SHAPES[name][0].values(), strict=True
+        programs()[name].target.arrays, SHAPES[name][0].values(), strict=True
     ):
         # An array may have elements that the function does not need.
-        names = [argument.name for argument in PROGRAMS[name].target.arguments]
+        names = [argument.name for argument in programs()[name].target.arguments]
         columns = [
             [v.arguments[names.index(e.name)] if e.name in names else 0.0 for v in own]
             for e in elements
@@ -69,7 +75,7 @@ def _arrays(name: str, vectors: list[Vector]) -> list[np.ndarray]:
 def numpy(vectors: list[Vector]) -> Results:
     """Call the functions of arrays, each once with all its vectors as rows."""
     results = {}
-    for name, program in PROGRAMS.items():
+    for name, program in programs().items():
         if name not in SHAPES or program.target.over_samples:
             continue
         given = _arrays(name, vectors)
@@ -87,7 +93,7 @@ def numpy(vectors: list[Vector]) -> Results:
 def kernels(vectors: list[Vector]) -> Results:
     """Call the kernels; of a row that one leaves to the general way nothing is returned."""
     results = {}
-    for name, program in PROGRAMS.items():
+    for name, program in programs().items():
         if name not in SHAPES or program.target.over_samples:
             continue
         given = _arrays(name, vectors)
@@ -109,8 +115,8 @@ def _in_order(vectors: list[Vector], results: dict[str, Results]) -> Results:
 def node(file: Path, folder: Path) -> Results:
     """Call the JavaScript functions in Node."""
     module = (FOLDER / "javascript" / "attitude.mjs").as_uri()
-    names = ", ".join(f"{name}: attitude.{camel(name)}" for name in PROGRAMS)
-    counts = ", ".join(f"{name}: {len(p.target.arguments)}" for name, p in PROGRAMS.items())
+    names = ", ".join(f"{name}: attitude.{camel(name)}" for name in programs())
+    counts = ", ".join(f"{name}: {len(p.target.arguments)}" for name, p in programs().items())
     script = folder / "run.mjs"
     script.write_text(
         f"""\
@@ -142,7 +148,7 @@ def c(file: Path, folder: Path, kind: str) -> Results:
         "double" or "float".
     """
     suffix = "" if kind == "double" else "_f"
-    calls = "\n".join(_c_call(program, kind, suffix) for program in PROGRAMS.values())
+    calls = "\n".join(_c_call(program, kind, suffix) for program in programs().values())
     main = folder / f"main_{kind}.c"
     main.write_text(
         f"""\

@@ -46,6 +46,7 @@ class Reference:
         self.rounded = rounded
         self.epsilon = epsilon
         self.largest = largest
+        self.constants: dict[Basic, Number] = {}
 
     def results(self, target: Target, values: tuple[float, ...]) -> list[Number]:
         """Compute the elements of the result, and after them the flag if there is one."""
@@ -81,12 +82,18 @@ class Reference:
         if isinstance(expression, BooleanTrue):
             return True
         if _is_constant(expression):
-            constant = expression.subs(EPSILON, Float(self.epsilon, 30))
-            if isinstance(constant, Rational):
-                return MP.mpf(constant.p) / constant.q
-            return MP.mpf(self.rounded(float(constant)))
+            if expression not in self.constants:
+                self.constants[expression] = self.constant(expression)
+            return self.constants[expression]
         arguments = [self.value(argument, known) for argument in expression.args]
         return OPERATIONS[_kind(expression)](expression, arguments)
+
+    def constant(self, expression: Basic) -> Number:
+        """Compute an expression without symbols, rounded as the type that computes does."""
+        constant = expression.subs(EPSILON, Float(self.epsilon, 30))
+        if isinstance(constant, Rational):
+            return MP.mpf(constant.p) / constant.q
+        return MP.mpf(self.rounded(float(constant)))
 
 
 @cache

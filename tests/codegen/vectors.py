@@ -4,6 +4,7 @@ import math
 import random
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 import mpmath
@@ -96,6 +97,7 @@ def _draw(name: str, source: random.Random) -> float:
     return source.choice((-1, 1)) * source.uniform(0.3, 1.2)
 
 
+@cache
 def vectors(reference: Reference) -> list[Vector]:
     """Make all vectors of one precision."""
     return [
