@@ -58,17 +58,13 @@ def test_each_chapter_is_a_page_and_nothing_else_is(book: Path) -> None:
 
 
 def looked_at(page: Page) -> None:
-    """Fail on a formula not set, a picture without words, a dead demo, and what is too wide."""
+    """Fail on a formula not set, a picture without words and a dead demo."""
     left_over = page.evaluate(LEFT_OVER)
     assert "$" not in left_over
     assert "\\" not in left_over
     assert page.locator("img:not([alt]), img[alt='']").count() == 0
     demos = page.locator("[data-demo]").count()
     assert page.locator("[data-demo] > .chr-demo").count() == demos
-    for width in (1280, 390):
-        page.set_viewport_size({"width": width, "height": 900})
-        assert page.evaluate("document.documentElement.scrollWidth") <= width
-        assert page.evaluate(TOO_WIDE) == []
 
 
 # `visit` fails on any request to elsewhere, missing file or error on the console.
@@ -82,6 +78,10 @@ def test_page_stands_by_itself(
     plain = page.locator("math").count() == 0
     assert 500_000 < weight <= LIMITS.get(name, LIGHT if plain else LARGEST)
     looked_at(page)
+    for width in (1280, 390):
+        page.set_viewport_size({"width": width, "height": 900})
+        assert page.evaluate("document.documentElement.scrollWidth") <= width
+        assert page.evaluate(TOO_WIDE) == []
 
 
 @pytest.mark.parametrize("name", FROM_DISK)
