@@ -158,6 +158,17 @@ def test_a_result_past_the_cache_is_that_of_its_rows() -> None:
             assert_array_equal(large[place], chr_notes.matrix_from_euler(euler[place]))
 
 
+def test_a_result_in_new_memory_is_that_of_its_rows() -> None:
+    axis = np.array([[0.0, 0.6, 0.8]])  # one for all
+    angle = np.linspace(-9, 9, (1 << 20) + 77)
+    odd = [5, 1 << 14, (3 << 14) + 9, len(angle) - 1]
+    angle[odd] = nan
+    large = chr_notes.quaternion_from_axis_angle(axis, angle)
+    edges = np.array([*odd, 0, (1 << 14) - 1, 5 << 14, len(angle) - 2])
+    assert_array_equal(large[edges], chr_notes.quaternion_from_axis_angle(axis, angle[edges]))
+    assert np.isnan(large).sum() == 4 * len(odd)
+
+
 def test_without_kernels_the_generated_function_takes_the_numbers(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

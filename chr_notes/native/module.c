@@ -24,6 +24,8 @@
 #include "../generated/c/stamp.h"
 
 enum { LONG = 10000, MOST_ELEMENTS = 24, MOST_AXES = 32, FEW = 256 };
+/* Numbers that fill 32 MB, and rows that leave a cache room. */
+enum { NEW_MEMORY = 1 << 22, FEW_ROWS = 1 << 14 };
 
 /* An argument: where its rows begin, and the axes over which they stand. */
 typedef struct {
@@ -80,9 +82,30 @@ static PyObject *new_result(const Kernel *kernel, const Rows *model)
     return PyArray_SimpleNew(model->axes + last, shape, NPY_DOUBLE);
 }
 
+/*
+ * Memory that is new comes to the cache when the system clears it, page after page, so it is
+ * written to there and not past the cache, as kernels do with many rows. Smaller results get the
+ * memory of earlier ones.
+ */
+static int64_t run(const Kernel *kernel, npy_intp rows, const double *const *in,
+    const ptrdiff_t *step, double *out, unsigned char *odd, int is_new)
+{
+    const npy_intp width = kernel->result ? kernel->result : 1;
+    const npy_intp part = is_new && rows * width > NEW_MEMORY ? FEW_ROWS : rows;
+    const double *from[MOST_ARRAYS];
+    int64_t any = 0;
+    for (npy_intp start = 0; start < rows; start += part) {
+        const npy_intp count = rows - start < part ? rows - start : part;
+        for (int array = 0; array < kernel->arrays; array++)
+            from[array] = in[array] + start * step[array];
+        any |= kernel->run(count, from, step, out + start * width, odd + start);
+    }
+    return any;
+}
+
 /* Compute into `result`, a new reference, which is returned or given up. */
 static PyObject *compute(const Kernel *kernel, npy_intp rows, const double *const *in,
-    const ptrdiff_t *step, PyObject *result)
+    const ptrdiff_t *step, PyObject *result, int is_new)
 {
     double *const out = PyArray_DATA((PyArrayObject *)result);
     unsigned char few[FEW] = {0}, *const odd = rows <= FEW ? few : calloc((size_t)rows, 1);
@@ -95,7 +118,7 @@ static PyObject *compute(const Kernel *kernel, npy_intp rows, const double *cons
         any = kernel->run(rows, in, step, out, odd);
     } else {
         Py_BEGIN_ALLOW_THREADS
-        any = kernel->run(rows, in, step, out, odd);
+        any = run(kernel, rows, in, step, out, odd, is_new);
         Py_END_ALLOW_THREADS
     }
     if (any) {
@@ -157,7 +180,7 @@ static PyObject *call(PyObject *self, PyObject *const *given, Py_ssize_t count)
             if (overlap(&target, arrays + array)) Py_RETURN_NONE;
         Py_INCREF(result);
     }
-    return compute(kernel, model->rows, in, step, result);
+    return compute(kernel, model->rows, in, step, result, result != given[count - 1]);
 }
 
 static PyObject *call_with_numbers(PyObject *self, PyObject *const *given, Py_ssize_t count)
