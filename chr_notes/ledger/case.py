@@ -3,15 +3,14 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
-from sympy import And, Basic, Eq, ImmutableMatrix, Or, false, pi
-from sympy.core.relational import Relational
+from sympy import Basic, Eq, ImmutableMatrix, pi
 from sympy.logic.boolalg import Boolean
 
 from chr_notes.derivations.steps import Step
+from chr_notes.ledger.condition import Condition
 from chr_notes.ledger.edits import Edit, edited
 from chr_notes.ledger.entry import Weight
 from chr_notes.ledger.reading import Defined, Read
-from chr_notes.ledger.rules import substitutions
 from chr_notes.printed import BY_ID, Printed
 
 DEGREE = pi / 180
@@ -20,55 +19,6 @@ NOTHING = ImmutableMatrix.zeros(3, 1)
 
 class CannotJudgeError(Exception):
     """A statement is neither proved nor shown to fail with what was brought before it."""
-
-
-@dataclass(frozen=True)
-class Condition:
-    """A condition under which a statement is claimed to hold.
-
-    Parameters
-    ----------
-    holds
-        The condition: what the reader sees, and what the proof is made under.
-    """
-
-    holds: Boolean
-
-    def __post_init__(self) -> None:
-        """Refuse a condition that says nothing, that cannot be met, or that no rule can state.
-
-        Raises
-        ------
-        ValueError
-            Then.
-        """
-        if not self.holds.args:
-            msg = f"expected a relation or several as condition, got {self.holds}"
-            raise ValueError(msg)
-        for relation in self.relations:
-            if not isinstance(relation, Relational) or not relation.lhs.free_symbols:
-                msg = f"expected relations with a quantity on the left, got {relation}"
-                raise ValueError(msg)
-        if any(self.holds.xreplace(dict(by)) == false for by in substitutions(self.holds)):
-            msg = f"expected a condition that can be met, got {self.holds}"
-            raise ValueError(msg)
-
-    @property
-    def relations(self) -> tuple[Basic, ...]:
-        """All that it is made of, in whichever ways it may be met."""
-        waiting, found = [self.holds], []
-        while waiting:
-            part = waiting.pop()
-            if isinstance(part, And | Or):
-                waiting += part.args
-            else:
-                found.append(part)
-        return tuple(found)
-
-    @property
-    def by(self) -> tuple[Mapping[Basic, Basic], ...]:
-        """Substitutions that reach all of it, one mapping a case, by `chr_notes.ledger.rules`."""
-        return substitutions(self.holds)
 
 
 @dataclass(frozen=True)
@@ -101,8 +51,8 @@ class Case:
     read
         The document's symbols as derived quantities; the document's own reading if left out.
     given
-        What the document itself, or the convention, presumes: the range of an angle, a gain
-        between 0 and 1, free fall. Everything is judged within it, the witness included.
+        Everything is judged within it, the witness included: what the document's reading says that
+        it presumes, which `complete` adds, and single values that a general statement leaves out.
     condition
         For a statement that holds only under it.
     edits
@@ -180,12 +130,13 @@ def complete(
         The document's reading, for all statements that bring none.
     settled
         Cases with a condition, a correction, steps, or more names than the document's reading.
+        Each is judged under what the reading presumes for it.
 
     Raises
     ------
     CannotJudgeError
         If a case has no printed statement, or reads a symbol otherwise than the document, or if
-        no statement is read by what is brought as a definition.
+        no statement is read by what is brought as a definition, or one otherwise.
     """
     by_id = {case.id: case for case in settled}
     names = {statement.id for statement in printed}
@@ -202,19 +153,35 @@ def complete(
         elif not case.read.extends(read):
             msg = f"{case.id}: read otherwise than the document; give more names by `READ.also`"
             raise CannotJudgeError(msg)
-        cases.append(case)
+        presumed = (each.holds for each in read.presumed if case.id in each.presuming)
+        cases.append(replace(case, given=(*case.given, *presumed)))
     for case in cases:
         if case.definition and not any(_uses(other, case) for other in cases):
             msg = f"{case.id}: brought as a definition, yet no statement is read by it"
             raise CannotJudgeError(msg)
+        other = next((each for each in cases if _means_otherwise(each, case)), None)
+        if other is not None:
+            msg = f"{case.id}: brought as a definition, yet {other.id} reads its name otherwise"
+            raise CannotJudgeError(msg)
     return tuple(cases)
 
 
-def _uses(case: Case, definition: Case) -> bool:
-    """Whether a statement has the name that another one defines, and reads it by that one."""
+def _means_otherwise(case: Case, definition: Case) -> bool:
+    """Whether a name that is defined once has another meaning for a statement."""
     defining = definition.printed.statement
     return (
-        case.id != definition.id
+        definition.definition
+        and definition.replaces is None
+        and isinstance(defining, Eq)
+        and not case.reading.defines(defining.lhs, by=definition.id)
+    )
+
+
+def _uses(case: Case, definition: Case) -> bool:
+    """Whether a statement that is derived has the name that another one defines, read by it."""
+    defining = definition.printed.statement
+    return (
+        not (case.definition or case.reported is not None)
         and isinstance(defining, Eq)
         and case.printed.statement.has(defining.lhs)
         and case.reading.definition(defining.lhs) == Defined(definition.id)

@@ -21,7 +21,8 @@ from sympy import (
 from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
 
-from chr_notes.ledger.case import CannotJudgeError, Case, Condition
+from chr_notes.ledger.case import CannotJudgeError, Case
+from chr_notes.ledger.condition import Condition
 from chr_notes.ledger.edits import in_order
 from chr_notes.ledger.evaluation import evaluate, parts, sides
 from chr_notes.ledger.identities import difference, is_zero
@@ -30,9 +31,10 @@ from chr_notes.ledger.roots import ROOTS
 from chr_notes.ledger.search import is_met_somewhere
 from chr_notes.printed import BY_ID, DOCUMENTS
 from chr_notes.printed.statement import Approximately
-from chr_notes.symbols import BODY_RATES, EULER, EULER_RATES, g, m
+from chr_notes.symbols import BODY_RATES, EULER, EULER_RATES, QUATERNION, g, m
 
 DERIVED_NAMES = frozenset((*EULER, *EULER_RATES, *BODY_RATES, g, m))
+ATTITUDE = frozenset((*EULER, *QUATERNION))
 
 
 def check_root(case: Case, *, failing: bool) -> None:
@@ -112,9 +114,14 @@ def _introduces_name(case: Case) -> bool:
         isinstance(name, Symbol | MatrixSymbol | AppliedUndef)
         and name not in known
         and case.reading.defines(name, by=case.id)
-        and not name.free_symbols & statement.rhs.free_symbols
+        and not name.free_symbols & _all_names(statement.rhs, case)
         for name in names
     )
+
+
+def _all_names(side: Basic, case: Case) -> set[Basic]:
+    """List the names in an expression, and those in what these are read as."""
+    return side.free_symbols | case.reading(side).free_symbols
 
 
 def _left_sides_before(case: Case) -> set[Basic]:
@@ -144,6 +151,52 @@ def _plain(side: Basic) -> Basic:
     if isinstance(side, Limit):
         return side.args[0] if side.args[1] not in side.args[0].free_symbols else side
     return side.doit() if isinstance(side, Subs) else side
+
+
+def check_given(case: Case) -> None:
+    """Refuse what is given without the document's words, and an attitude fixed without its own.
+
+    A general statement may leave out single values; anything else that is given is presumed by the
+    document, as its reading says. The formulas are about any attitude: one is fixed only by the
+    words of the statement itself, and never by a condition that the document leaves out.
+    """
+    for given in case.given:
+        said = [
+            each.says
+            for each in case.reading.presumed
+            if each.holds == given and case.id in each.presuming and each.is_said
+        ]
+        general = all(isinstance(relation, Ne) for relation in given.relations)
+        if not (general or said):
+            msg = f"{case.id}: the document does not say that it presumes {given.holds}"
+            raise CannotJudgeError(msg)
+        if _fixes_attitude(given) and case.id not in said:
+            msg = f"{case.id}: its own words do not say {given.holds}"
+            raise CannotJudgeError(msg)
+    if case.condition is not None and _fixes_attitude(case.condition):
+        msg = f"{case.id}: {case.condition.holds} is one attitude; it is no condition of a formula"
+        raise CannotJudgeError(msg)
+
+
+def _fixes_attitude(condition: Condition) -> bool:
+    """Whether an equation binds the angles or elements of an attitude; its norm is none of it."""
+    equations = (
+        Eq(*pair, evaluate=False)
+        for relation in condition.relations
+        if isinstance(relation, Eq)
+        for pair in _pairs(relation)
+    )
+    return any(
+        each.free_symbols and each.free_symbols <= ATTITUDE and each.free_symbols != {*QUATERNION}
+        for each in equations
+    )
+
+
+def _pairs(relation: Eq) -> Iterator[tuple[Basic, Basic]]:
+    if isinstance(relation.lhs, MatrixBase):
+        yield from zip(*relation.args, strict=True)
+    else:
+        yield relation.args
 
 
 def check_conditions(case: Case) -> None:

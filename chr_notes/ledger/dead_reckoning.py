@@ -17,7 +17,8 @@ from sympy import (
 from chr_notes.derivations import dead_reckoning as derived
 from chr_notes.derivations.steps import Step
 from chr_notes.ledger import table_1
-from chr_notes.ledger.case import DEGREE, Case, Condition, complete
+from chr_notes.ledger.case import DEGREE, Case, complete
+from chr_notes.ledger.condition import Condition
 from chr_notes.ledger.dead_reckoning_reading import (
     ACCELERATION_THEN,
     ADDED_G,

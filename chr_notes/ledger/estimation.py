@@ -19,7 +19,8 @@ from chr_notes.derivations import estimation as derived
 from chr_notes.derivations.calibration import COUPLING
 from chr_notes.derivations.steps import Step
 from chr_notes.ledger import ranges
-from chr_notes.ledger.case import DEGREE, NOTHING, Case, Condition, complete
+from chr_notes.ledger.case import DEGREE, Case, complete
+from chr_notes.ledger.condition import Condition
 from chr_notes.ledger.edits import Edit
 from chr_notes.ledger.estimation_observer import SETTLED as OBSERVER
 from chr_notes.ledger.estimation_reading import (
@@ -53,8 +54,6 @@ from chr_notes.symbols import (
     yaw_rate,
 )
 
-PITCH_RANGE = ranges.up_to_right_angle(theta)
-AT_REST = Condition(Eq(FORCE, NOTHING))
 NO_FORCE = dict.fromkeys(FORCE, 0)
 WEIGHT_DOWN = ImmutableMatrix([0, 0, m * g])
 BODY = ImmutableMatrix(BODY_RATES)
@@ -66,7 +65,6 @@ SETTLED = (
     ),
     Case(
         "estimation.2.2",
-        given=(AT_REST,),
         steps=(
             Step(
                 "Without a net force only gravity is left in the equation before.",
@@ -101,7 +99,6 @@ SETTLED = (
     ),
     Case(
         "estimation.2.4",
-        given=(AT_REST,),
         steps=(
             Step(
                 "In the body frame the force of gravity has these components, see estimation.2.3.",
@@ -125,7 +122,6 @@ SETTLED = (
     Case(
         "estimation.2.5",
         READ_TILT,
-        given=(AT_REST, PITCH_RANGE),
         steps=(
             Step(
                 "The first component of the equation before is all that pitch needs.",
@@ -149,7 +145,6 @@ SETTLED = (
     Case(
         "estimation.2.6",
         READ_TILT,
-        given=(AT_REST, PITCH_RANGE),
         condition=ranges.acute(phi),
         witness={**NO_FORCE, phi: 150 * DEGREE, theta: 0, m: 1, g: Rational(98, 10)},
         root="roll-quadrant",
@@ -167,7 +162,6 @@ SETTLED = (
     ),
     Case(
         "estimation.2.a",
-        given=(AT_REST,),
         edits=(Edit(printed.F_G, MatAdd(printed.F_G, SUPPORT)),),
         witness={**NO_FORCE, phi: 0, theta: 0, m: 1, g: Rational(98, 10)},
         root="gravity-alone",

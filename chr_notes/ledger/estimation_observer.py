@@ -1,11 +1,12 @@
 """The note on attitude estimation before the judgement: gyro and accelerometer together."""
 
-from sympy import And, Eq, Gt, Lt, Ne, Rational, cos, sqrt
+from sympy import Eq, Ne, Rational, cos, sqrt
 
 from chr_notes.derivations import estimation as derived
 from chr_notes.derivations.steps import Step
 from chr_notes.ledger import ranges
-from chr_notes.ledger.case import DEGREE, Case, Condition
+from chr_notes.ledger.case import DEGREE, Case
+from chr_notes.ledger.condition import Condition
 from chr_notes.ledger.estimation_reading import BIAS, READ_PREDICTION, READ_UPDATE, SETTLED_ERROR
 from chr_notes.ledger.shared_steps import held
 from chr_notes.printed import estimation as printed
@@ -38,7 +39,6 @@ SETTLED = (
     Case(
         "estimation.4.4",
         READ_UPDATE,
-        given=(ranges.acute(printed.ROLL_ACCEL), ranges.from_0_to_1(printed.L)),
         condition=ranges.short_turn(printed.ROLL_PLUS, printed.ROLL_ACCEL),
         witness={
             printed.ROLL_PLUS: 170 * DEGREE,
@@ -67,7 +67,6 @@ SETTLED = (
     Case("estimation.4.b", READ_UPDATE),
     Case(
         "estimation.4.c",
-        given=(ranges.above_0_to_1(printed.L),),
         steps=(
             Step(
                 "One step multiplies the error by 1 - L, after the gyro's bias b has added bT to "
@@ -113,7 +112,6 @@ SETTLED = (
     ),
     Case(
         "estimation.4.e",
-        given=(ranges.proper_fractions(printed.L_1, printed.L_2),),
         condition=Condition(Ne(cos(derived.omega * T), 1)),
         witness={
             derived.omega: 0,
@@ -154,7 +152,6 @@ SETTLED = (
     ),
     Case(
         "estimation.4.f",
-        given=(Condition(And(Gt(printed.L, 0), Lt(printed.L, 1))),),
         condition=Condition(Eq(BIAS, 0)),
         witness={
             BIAS: DEGREE,

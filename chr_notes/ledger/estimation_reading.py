@@ -3,6 +3,7 @@
 from functools import partial
 
 from sympy import (
+    Eq,
     Expr,
     FiniteSet,
     ImmutableMatrix,
@@ -17,6 +18,9 @@ from chr_notes.derivations import calibration
 from chr_notes.derivations import estimation as derived
 from chr_notes.derivations.euler import euler_rates
 from chr_notes.derivations.sensors import specific_force
+from chr_notes.ledger import ranges
+from chr_notes.ledger.case import NOTHING
+from chr_notes.ledger.condition import Condition, Presumed
 from chr_notes.ledger.reading import elements, reading
 from chr_notes.ledger.shared_steps import HOLDING, PROOF_MASS
 from chr_notes.printed import estimation as printed
@@ -85,7 +89,37 @@ READ = reading(
             )
             for name, gain in zip(names, (printed.L_1, printed.L_2), strict=True)
         },
-    }
+    },
+    presumed=(
+        Presumed(
+            Condition(Eq(FORCE, NOTHING)),
+            "add up to nothing",
+            "estimation.2.2",
+            ("estimation.2.2", "estimation.2.4", "estimation.2.5", "estimation.2.6"),
+        ),
+        Presumed(Condition(Eq(FORCE, NOTHING)), "add up to zero", "estimation.2.a"),
+        Presumed(
+            ranges.up_to_right_angle(theta),
+            "Pitch",
+            "estimation.2.5",
+            ("estimation.2.5", "estimation.2.6"),
+        ),
+        # The note takes the arctangent of a quotient for it.
+        Presumed(
+            ranges.acute(printed.ROLL_ACCEL),
+            "Roll from the accelerometer",
+            "estimation.2.6",
+            ("estimation.4.4",),
+        ),
+        Presumed(ranges.from_0_to_1(printed.L), "the gain L", "estimation.4.4"),
+        Presumed(ranges.above_0_to_1(printed.L), "combined", "estimation.4.c"),
+        Presumed(ranges.between_0_and_1(printed.L), "pull", "estimation.4.f"),
+        Presumed(
+            ranges.proper_fractions(printed.L_1, printed.L_2),
+            "Of two gains, the larger",
+            "estimation.4.e",
+        ),
+    ),
 )
 # At rest the accelerometer's angles are those of the body.
 READ_TILT = READ.also({printed.ROLL_ACCEL: phi, printed.PITCH_ACCEL: theta})

@@ -15,7 +15,8 @@ from sympy import (
 )
 
 from chr_notes.derivations.steps import Step, equation
-from chr_notes.ledger.case import DEGREE, Case, Condition, complete
+from chr_notes.ledger.case import DEGREE, Case, complete
+from chr_notes.ledger.condition import Condition
 from chr_notes.ledger.edits import Edit
 from chr_notes.ledger.euler_lock import SETTLED as LOCK
 from chr_notes.ledger.euler_rates import SETTLED as RATES

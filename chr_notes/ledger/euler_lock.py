@@ -5,7 +5,7 @@ from sympy import FiniteSet, ImmutableMatrix, Integer, MatMul, cos, pi, sin
 from chr_notes.derivations.steps import Step, equation
 from chr_notes.ledger.case import Case
 from chr_notes.ledger.edits import Edit
-from chr_notes.ledger.euler_reading import DETERMINANT_313, DETERMINANT_321, SHIFT, UPRIGHT
+from chr_notes.ledger.euler_reading import DETERMINANT_313, DETERMINANT_321, SHIFT
 from chr_notes.printed import euler as printed
 from chr_notes.printed import euler_claims as claims
 from chr_notes.printed.statement import InOrder, Rotation
@@ -54,7 +54,6 @@ SETTLED = (
     ),
     Case(
         "euler.6.c",
-        given=(UPRIGHT,),
         edits=(Edit(claims.E_X, -claims.E_X),),
         witness={theta: pi / 2, phi: 0, psi: 0},
         root="opposite-at-the-lock",

@@ -14,7 +14,8 @@ from sympy import (
 from sympy.matrices.expressions.matexpr import MatrixElement
 
 from chr_notes.derivations.steps import Step, equation
-from chr_notes.ledger.case import DEGREE, Case, Condition
+from chr_notes.ledger.case import DEGREE, Case
+from chr_notes.ledger.condition import Condition
 from chr_notes.ledger.edits import Edit
 from chr_notes.ledger.euler_reading import PITCH_TURN, ROLL_TURN, YAW_TURN
 from chr_notes.printed import euler as printed

@@ -15,7 +15,8 @@ from sympy import (
 
 from chr_notes.derivations import euler as derived
 from chr_notes.derivations.sensors import specific_force
-from chr_notes.ledger.case import NOTHING, Condition
+from chr_notes.ledger.case import NOTHING
+from chr_notes.ledger.condition import Condition, Presumed
 from chr_notes.ledger.reading import Meaning, elements, reading
 from chr_notes.printed import euler as printed
 from chr_notes.printed import euler_claims as claims
@@ -44,9 +45,6 @@ DETERMINANT_321, DETERMINANT_313 = (
 )
 # An angle by which yaw and roll change together.
 SHIFT = Symbol("delta", real=True)
-
-# What is presumed where the note speaks of one pitch.
-UPRIGHT = Condition(Eq(theta, pi / 2))
 
 
 def _other_arguments_of_d() -> Set:
@@ -93,4 +91,7 @@ _MEANING: dict[Basic, Meaning] = {
     DETERMINANT_313: lambda: derived.sequence_determinant(2, 0, 2),
     claims.OTHER_DETERMINANT: derived.yaw_roll_yaw_upright,
 }
-READ = reading(_MEANING)
+READ = reading(
+    _MEANING,
+    presumed=(Presumed(Condition(Eq(theta, pi / 2)), "At a pitch of 90 degrees", "euler.6.c"),),
+)

@@ -21,15 +21,17 @@ from typing import NamedTuple
 from sympy import And, Eq, Limit, sympify
 from sympy.logic.boolalg import Boolean
 
-from chr_notes.ledger.case import CannotJudgeError, Case, Condition, Reading
+from chr_notes.ledger.case import CannotJudgeError, Case, Reading
 from chr_notes.ledger.checks import (
     check_conditions,
     check_definition,
+    check_given,
     check_reported,
     check_root,
     check_says_something,
     check_witness,
 )
+from chr_notes.ledger.condition import Condition
 from chr_notes.ledger.corrections import check_correction
 from chr_notes.ledger.domain import undefined_where
 from chr_notes.ledger.edits import in_order, marked
@@ -118,6 +120,7 @@ def _verdict(case: Case) -> Judged:
     if case.definition:
         return Judged("definition", "the name has no meaning before; it is read by this later")
     check_says_something(case)
+    check_given(case)
     check_conditions(case)
     if case.condition is None and case.right is None:
         findings = _prove(case, case.printed.statement, "not proved as printed", *case.given)
@@ -134,6 +137,11 @@ def _qualified(case: Case, condition: Condition) -> Judged:
         case, case.printed.statement, "not proved under the condition", *case.given, condition
     )
     exact = is_exact(case, condition)
+    if not exact and any(
+        isinstance(each, Eq) and not each.rhs.free_symbols for each in condition.relations
+    ):
+        msg = f"{case.id}: single values, {condition.holds}, of several; it is no condition"
+        raise CannotJudgeError(msg)
     outside = (
         "at all points that a search tries outside it, it fails"
         if exact

@@ -31,7 +31,7 @@ from sympy import (
 from sympy.core.relational import Relational
 from sympy.logic.boolalg import BooleanFalse, BooleanTrue
 
-from chr_notes.ledger.case import Condition
+from chr_notes.ledger.condition import Condition
 from chr_notes.ledger.evaluation import evaluate, parts, put, sides
 from chr_notes.ledger.identities import (
     difference,

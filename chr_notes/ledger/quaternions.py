@@ -173,7 +173,6 @@ SETTLED = (
     ),
     Case(
         "quaternions.3.3",
-        given=(UNIT,),
         edits=(Edit(TO_BODY, TO_INERTIAL),),
         witness=YAW_90,
         root="quaternion-direction",
@@ -239,7 +238,6 @@ SETTLED = (
     ),
     Case(
         "quaternions.3.b",
-        given=(UNIT,),
         readings=READINGS,
         remark="The sentence says body to inertial, and that is where the products and the printed "
         "matrix lead. The formulas before and after it say the opposite. " + ALSO,

@@ -1,10 +1,10 @@
 """The quaternion note's section 4, conversion to Euler angles, before the judgement."""
 
-from sympy import Abs, Eq, ImmutableMatrix, cos, pi, sin, symbols
+from sympy import Eq, ImmutableMatrix, cos, pi, sin, symbols
 
 from chr_notes.derivations import quaternions as derived
 from chr_notes.derivations.steps import Step
-from chr_notes.ledger.case import Case, Condition
+from chr_notes.ledger.case import Case
 from chr_notes.ledger.quaternions_reading import (
     READ_AT_ITS_WORD,
     READ_AT_LOCK,
@@ -100,7 +100,6 @@ SETTLED = (
     Case(
         "quaternions.4.b",
         READ_AT_LOCK,
-        given=(Condition(Eq(Abs(theta), pi / 2)),),
         remark="Only the sum or the difference of roll and yaw is left at the lock. The quaternion "
         "notices nothing: its derivative is a product of its elements and the body rates.",
     ),

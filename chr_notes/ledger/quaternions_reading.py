@@ -7,6 +7,7 @@ and the statements that differ are tried in the first one as well.
 """
 
 from sympy import (
+    Abs,
     Basic,
     Eq,
     I,
@@ -20,13 +21,15 @@ from sympy import (
     cos,
     expand,
     fraction,
+    pi,
     sin,
     symbols,
 )
 
 from chr_notes.derivations import hamilton
 from chr_notes.derivations import quaternions as derived
-from chr_notes.ledger.case import Condition, Reading
+from chr_notes.ledger.case import Reading
+from chr_notes.ledger.condition import Condition, Presumed
 from chr_notes.ledger.reading import Meaning, Notation, Read, defined, reading
 from chr_notes.printed import quaternions as printed
 from chr_notes.printed import quaternions_claims as claims
@@ -82,7 +85,6 @@ NOTATION: Notation = {
 
 ANGLES = derived.euler_from_matrix(derived.matrix_from_quaternion())
 NORM = hamilton.norm_squared(derived.ATTITUDE)
-# The attitude quaternion has norm one, says 2.1; its square then stands for 1 wherever it stands.
 UNIT = Condition(Eq(NORM, 1))
 
 # What steps speak of: any vector.
@@ -109,7 +111,12 @@ _ATTITUDE: dict[Basic, Basic] = {
     theta: asin(derived.pitch_sine(derived.matrix_from_quaternion())),
     psi: ANGLES[2],
 }
-READ = reading({**_NUMBERS, **_NAMES, **_ATTITUDE}, NOTATION)
+PRESUMED = (
+    # Its square then stands for 1 wherever it stands.
+    Presumed(UNIT, "of norm one", "quaternions.2.1", ("quaternions.3.3", "quaternions.3.b")),
+    Presumed(Condition(Eq(Abs(theta), pi / 2)), "At a pitch of ±90°", "quaternions.4.b"),
+)
+READ = reading({**_NUMBERS, **_NAMES, **_ATTITUDE}, NOTATION, PRESUMED)
 # Where the note names atan2 itself, an arctangent would be one of the quotient alone.
 READ_AT_ITS_WORD = Read({}, {kind: how for kind, how in NOTATION.items() if kind is not atan}, READ)
 

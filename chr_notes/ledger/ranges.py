@@ -2,7 +2,7 @@
 
 from sympy import Abs, And, Expr, Ge, Gt, Le, Lt, Symbol, pi
 
-from chr_notes.ledger.case import Condition
+from chr_notes.ledger.condition import Condition
 
 
 def acute(*angles: Symbol) -> Condition:
@@ -34,3 +34,8 @@ def from_0_to_1(number: Symbol) -> Condition:
 def above_0_to_1(number: Symbol) -> Condition:
     """Let a number be above 0 and at most 1."""
     return Condition(And(Gt(number, 0), Le(number, 1)))
+
+
+def between_0_and_1(number: Symbol) -> Condition:
+    """Let a number be between 0 and 1."""
+    return Condition(And(Gt(number, 0), Lt(number, 1)))

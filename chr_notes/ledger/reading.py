@@ -1,4 +1,4 @@
-"""How a document's notation is read: its symbols replaced by what they name."""
+"""How a document is read: its symbols replaced by what they name, and what it presumes."""
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
@@ -8,6 +8,7 @@ from typing import TypeAlias
 from sympy import Basic, MatrixBase, preorder_traversal
 
 from chr_notes.derivations.euler import FRAMES, TURNS, rotation
+from chr_notes.ledger.condition import Presumed
 from chr_notes.printed import BY_ID
 from chr_notes.printed.statement import Rotation
 
@@ -57,14 +58,21 @@ class Read:
         stands within is worked out.
     base
         The reading that this one adds names to; it is used first.
+    presumed
+        What the document presumes, if there is no base.
     """
 
     def __init__(
-        self, meaning: Mapping[Basic, Meaning], notation: Notation, base: "Read | None" = None
+        self,
+        meaning: Mapping[Basic, Meaning],
+        notation: Notation,
+        base: "Read | None" = None,
+        presumed: tuple[Presumed, ...] = (),
     ) -> None:
         self.meaning = meaning
         self.notation = notation
         self.base = base
+        self.presumed: tuple[Presumed, ...] = presumed if base is None else base.presumed
         self._worked_out: dict[Basic, Basic] = {}
         self._met: set[Basic] = set()  # names that are being worked out
 
@@ -136,9 +144,13 @@ class Read:
         return self.notation[type(node)](whole) if type(node) in self.notation else whole
 
 
-def reading(meaning: Mapping[Basic, Meaning], notation: Notation = EULER_NOTATION) -> Read:
+def reading(
+    meaning: Mapping[Basic, Meaning],
+    notation: Notation = EULER_NOTATION,
+    presumed: tuple[Presumed, ...] = (),
+) -> Read:
     """Make the reading of a document; rotations are by Euler angles, if nothing else is said."""
-    return Read(meaning, notation)
+    return Read(meaning, notation, presumed=presumed)
 
 
 @dataclass(frozen=True)

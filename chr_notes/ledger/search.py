@@ -1,6 +1,7 @@
 """Is a condition exact? A search outside it for points at which the statement holds as well."""
 
 from collections.abc import Iterator, Mapping
+from functools import lru_cache
 from itertools import product
 from random import Random
 
@@ -10,6 +11,10 @@ from sympy import (
     Basic,
     Eq,
     Expr,
+    Ge,
+    Gt,
+    Le,
+    Lt,
     MatrixBase,
     MatrixSymbol,
     N,
@@ -24,7 +29,8 @@ from sympy import (
 from sympy.core.relational import Relational
 from sympy.logic.boolalg import Boolean, BooleanFalse, BooleanTrue
 
-from chr_notes.ledger.case import Case, Condition
+from chr_notes.ledger.case import Case
+from chr_notes.ledger.condition import Condition
 from chr_notes.ledger.evaluation import parts
 from chr_notes.ledger.proof import fails
 from chr_notes.printed.statement import Approximately
@@ -57,13 +63,20 @@ def outside(case: Case, condition: Condition) -> Iterator[Point]:
 
 
 def is_met_somewhere(case: Case) -> bool:
-    """Whether a point is found that meets the condition of a case and what is given."""
+    """Whether a point is found that meets the condition of a case and what is given, inside."""
     conditions = (*case.given, *((case.condition,) if case.condition is not None else ()))
     names = sorted(set().union(*(each.holds.free_symbols for each in conditions)), key=str)
     random = Random(case.id)  # noqa: S311 (the same points each time, no secret)
     wanted = And(*(each.holds for each in conditions), evaluate=False)
     plain = [name for name in names if isinstance(name, Symbol)]
-    return any(True for way in _alternatives(wanted) for _ in _points(way, plain, random))
+    ways = (tuple(map(_strictly, way)) for way in _alternatives(wanted))
+    return any(True for way in ways for _ in _points(way, plain, random))
+
+
+def _strictly(relation: Relational) -> Relational:
+    """Leave out the ends: bounds that leave nothing between them say that two things are equal."""
+    kind = {Ge: Gt, Le: Lt}.get(type(relation))
+    return relation if kind is None else kind(*relation.args, evaluate=False)
 
 
 def _holds(case: Case, point: Point) -> bool:
@@ -164,12 +177,13 @@ def _solve(equation: Eq, point: dict[Basic, Basic], random: Random) -> bool:
     return False
 
 
-def _roots(left_over: Expr, name: Symbol) -> list[Expr]:
+@lru_cache(maxsize=64)
+def _roots(left_over: Expr, name: Symbol) -> tuple[Expr, ...]:
     """Find where an expression vanishes; a straight line needs no search."""
     slope = left_over.diff(name)
     if slope.is_Rational and slope != 0:
-        return [-left_over.subs(name, 0) / slope]
-    return list(solve(left_over, name))
+        return (-left_over.subs(name, 0) / slope,)
+    return tuple(solve(left_over, name))
 
 
 def _true(relation: Relational, point: Point) -> bool:

@@ -4,7 +4,8 @@ from sympy import Eq, ImmutableMatrix, MatAdd, MatMul, Rational
 
 from chr_notes.derivations.calibration import BIAS, SENSITIVITY
 from chr_notes.derivations.steps import Step, equation
-from chr_notes.ledger.case import NOTHING, Case, Condition
+from chr_notes.ledger.case import NOTHING, Case
+from chr_notes.ledger.condition import Condition
 from chr_notes.ledger.edits import Edit
 from chr_notes.ledger.sensors_reading import (
     FORCE,

@@ -7,10 +7,12 @@ same model, for section 4 says that theirs are essentially equivalent.
 """
 
 from sympy import (
+    And,
     Basic,
     Eq,
     ImmutableMatrix,
     Integer,
+    Lt,
     MatAdd,
     MatMul,
     MatrixSymbol,
@@ -25,14 +27,15 @@ from chr_notes.derivations import calibration as derived
 from chr_notes.derivations import sensors as physics
 from chr_notes.derivations.estimation import tilt, weight
 from chr_notes.derivations.euler import rotation
-from chr_notes.ledger.case import NOTHING, Condition
+from chr_notes.ledger.case import NOTHING
+from chr_notes.ledger.condition import Condition, Presumed
 from chr_notes.ledger.reading import Meaning, defined, elements, reading
 from chr_notes.ledger.shared_steps import HOLDING, PROOF_MASS
 from chr_notes.printed import BY_ID
 from chr_notes.printed import sensors as printed
 from chr_notes.printed import sensors_claims as claims
 from chr_notes.printed.statement import words
-from chr_notes.symbols import BODY_RATES, g, m
+from chr_notes.symbols import ACCELEROMETER, BODY_RATES, g, m, phi, theta
 
 # All forces on the sensor. Those that hold it against gravity balance that one, says section 2.
 FORCE = ImmutableMatrix(symbols("F_x F_y F_z", real=True))
@@ -41,8 +44,25 @@ STANDARD_GRAVITY = Rational("9.80665")  # m/s²
 TEMPERATURES = symbols("T_1 T_2", real=True)
 SLOPES = symbols(r"\beta' S'", real=True)  # of bias and sensitivity, per kelvin
 
-NO_FORCE = Condition(Eq(FORCE, NOTHING, evaluate=False))
-SAME_BIAS = Condition(Eq(printed.BETA_A, printed.BETA, evaluate=False))
+_NO_FORCE = Condition(Eq(FORCE, NOTHING, evaluate=False))
+_FLAT = Condition(And(Eq(phi, 0), Eq(theta, 0)))
+_STRAIGHT_DOWN = Condition(
+    And(Eq(ACCELEROMETER[0], 0), Eq(ACCELEROMETER[1], 0), Lt(ACCELEROMETER[2], 0))
+)
+PRESUMED = (
+    Presumed(_NO_FORCE, "external forces are trivial", "sensors.2.2"),
+    Presumed(_NO_FORCE, "Without acceleration", "sensors.2.a"),
+    Presumed(Condition(Eq(FORCE, weight(), evaluate=False)), "In free fall", "sensors.2.b"),
+    Presumed(_NO_FORCE, "on a table", "sensors.2.c"),
+    Presumed(_FLAT, "Flat", "sensors.2.c"),
+    Presumed(_STRAIGHT_DOWN, "gravity points straight down", "sensors.2.d"),
+    Presumed(
+        Condition(Eq(printed.BETA_A, printed.BETA, evaluate=False)),
+        "is that of the correction",
+        "sensors.2.j",
+        ("sensors.2.5", "sensors.2.e"),
+    ),
+)
 
 
 def _model(misalignment: Basic, sensitivity: Basic, bias: Basic, actual: Basic) -> Basic:
@@ -101,7 +121,7 @@ _MEANING: dict[Basic, Meaning] = {
         ImmutableMatrix(derived.HARD_IRON),
     ),
 }
-READ = reading(_MEANING)
+READ = reading(_MEANING, presumed=PRESUMED)
 
 # The reading as the specific force; as the sensor puts it out; and the correction besides: the
 # term that is wanted, and what is printed.

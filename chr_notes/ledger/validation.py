@@ -30,7 +30,6 @@ from chr_notes.ledger.validation_reading import (
     ROLL_STEP,
     SOME_ATTITUDE,
     SOME_FIELD,
-    UNDISTURBED,
 )
 from chr_notes.printed import DOCUMENTS
 from chr_notes.printed import validation as printed
@@ -73,7 +72,6 @@ DIVISOR = Step(
 SETTLED = (
     Case(
         "validation.10",
-        given=(ranges.acute(printed.ROLL_ACCEL), ranges.from_0_to_1(printed.ALPHA)),
         condition=ranges.short_turn(ROLL_STEP, printed.ROLL_ACCEL),
         witness={
             printed.ROLL_BEFORE: 170 * DEGREE,
@@ -118,7 +116,6 @@ SETTLED = (
     ),
     Case(
         "validation.12",
-        given=(UNDISTURBED,),
         edits=(Edit(printed.R_IB, printed.R_BI),),
         witness={**SOME_ATTITUDE, **SOME_FIELD},
         root="matrix-label",
@@ -135,7 +132,6 @@ SETTLED = (
     Case(
         "validation.13",
         READ_STEPS,
-        given=(UNDISTURBED,),
         steps=(
             TO_LEVEL,
             TURNED_BY_YAW,
@@ -153,7 +149,6 @@ SETTLED = (
     Case(
         "validation.14",
         READ_STEPS,
-        given=(UNDISTURBED,),
         steps=(
             TO_LEVEL,
             TURNED_BY_YAW,

@@ -20,7 +20,6 @@ from chr_notes.ledger.edits import Edit
 from chr_notes.ledger.validation_reading import (
     NOT_EAST,
     NOT_NORTH,
-    PITCH_RANGE,
     READ_STEPS,
     READ_TILT,
     READINGS,
@@ -149,7 +148,6 @@ SETTLED = (
     Case(
         "validation.3",
         READ_TILT,
-        given=(PITCH_RANGE,),
         condition=ranges.acute(phi),
         witness={phi: 150 * DEGREE, theta: 0, g: Rational(98, 10)},
         root="roll-quadrant",
@@ -167,7 +165,6 @@ SETTLED = (
     Case(
         "validation.4",
         READ_TILT,
-        given=(PITCH_RANGE,),
         edits=(Edit(printed.G_XB / sqrt(WHOLE), -printed.G_XB / sqrt(WHOLE)),),
         witness={phi: 0, theta: 30 * DEGREE, g: Rational(98, 10)},
         root="gravity-or-reading",

@@ -2,12 +2,9 @@
 
 from sympy import (
     Abs,
-    And,
     EmptySet,
     Eq,
-    Gt,
     ImmutableMatrix,
-    Lt,
     MatMul,
     Ne,
     Rational,
@@ -20,22 +17,21 @@ from sympy import (
 from chr_notes.derivations import estimation
 from chr_notes.derivations import validation as derived
 from chr_notes.derivations.steps import Step
-from chr_notes.ledger.case import DEGREE, Case, Condition
+from chr_notes.ledger.case import DEGREE, Case
+from chr_notes.ledger.condition import Condition
 from chr_notes.ledger.edits import Edit
 from chr_notes.ledger.validation_attitude import NO_INFORMATION, ROTATED_GRAVITY, TANGENT
+from chr_notes.ledger.validation_presumed import SEEN
 from chr_notes.ledger.validation_reading import (
     BIAS,
     E_ALONG_FIELD,
-    EXACT_TILT,
     FIELD_X_NORTH,
     GROUND_DIRECTION,
     HIGH_DIRECTION,
-    NORMALISED,
     READ_GRAVITY,
     READ_SOUTH,
     READ_STEPS,
     READINGS,
-    SEEN,
     SIGNED_GROWTH,
     SOME_ATTITUDE,
     SOME_FIELD,
@@ -119,7 +115,6 @@ SETTLED = (
     Case("validation.o", READ_GRAVITY),
     Case(
         "validation.c",
-        given=(Condition(And(Gt(printed.ALPHA, 0), Lt(printed.ALPHA, 1))),),
         condition=Condition(Eq(BIAS, 0)),
         witness={
             BIAS: DEGREE,
@@ -152,7 +147,6 @@ SETTLED = (
     ),
     Case(
         "validation.d",
-        given=(EXACT_TILT, *NORMALISED),
         condition=Condition(Eq(SEEN[2], printed.M_ZI)),
         witness={
             **SOME_ATTITUDE,
@@ -184,7 +178,6 @@ SETTLED = (
     Case(
         "validation.e",
         READ_SOUTH,
-        given=(Condition(Eq(derived.declination, 0)),),
         edits=(
             Edit(
                 printed.M_E * cos(printed.INCLINATION),

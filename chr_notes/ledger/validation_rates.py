@@ -3,7 +3,8 @@
 from sympy import Derivative, Eq, ImmutableMatrix, MatMul, cos, sin
 
 from chr_notes.derivations.steps import Step
-from chr_notes.ledger.case import DEGREE, Case, Condition
+from chr_notes.ledger.case import DEGREE, Case
+from chr_notes.ledger.condition import Condition
 from chr_notes.ledger.edits import Edit
 from chr_notes.ledger.validation_attitude import LABEL
 from chr_notes.ledger.validation_reading import (

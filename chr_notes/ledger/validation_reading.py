@@ -10,7 +10,6 @@ from functools import partial
 
 from sympy import (
     Abs,
-    Add,
     Basic,
     Eq,
     Expr,
@@ -34,11 +33,11 @@ from chr_notes.derivations import estimation
 from chr_notes.derivations import validation as derived
 from chr_notes.derivations.euler import X, Y, Z, body_rates, euler_rates, rotation
 from chr_notes.derivations.quaternions import turned
-from chr_notes.ledger import ranges
-from chr_notes.ledger.case import Condition, Reading
+from chr_notes.ledger.case import Reading
 from chr_notes.ledger.edits import in_order
 from chr_notes.ledger.identities import reduced
 from chr_notes.ledger.reading import Meaning, Read, defined, elements, reading
+from chr_notes.ledger.validation_presumed import PRESUMED, SEEN, UNDISTURBED
 from chr_notes.printed import BY_ID
 from chr_notes.printed import validation as printed
 from chr_notes.printed import validation_claims as claims
@@ -55,15 +54,6 @@ from chr_notes.symbols import (
 )
 
 VECTOR = ImmutableMatrix(symbols("v_x v_y v_z", real=True))
-# The normalised field where the magnetometer is, iron and the magnetometer's own errors included,
-# in the inertial frame. The paper's M_i is the field as it was when all angles were zero.
-SEEN = ImmutableMatrix(symbols(r"\tilde{M}_{xi} \tilde{M}_{yi} \tilde{M}_{zi}", real=True))
-UNDISTURBED = Condition(Eq(SEEN, printed.M_I))
-NORMALISED = tuple(
-    Condition(Eq(Add(*(part**2 for part in field)), 1)) for field in (printed.M_I, SEEN)
-)
-EXACT_TILT = Condition(Eq(printed.ROLL_COMP, phi) & Eq(printed.PITCH_COMP, theta))
-PITCH_RANGE = ranges.up_to_right_angle(theta)
 # The gyro's bias while at rest; the altitude.
 BIAS = AngularRate("b", real=True)
 ALTITUDE = Symbol("h", positive=True)
@@ -232,7 +222,7 @@ _MEANING: dict[Basic, Meaning] = {
     claims.MAGNETOMETER_IN_FILTER: magnetometer_in_filter,
     claims.DRIFT: lambda: estimation.gyro_error_after().subs(estimation.bias, BIAS),
 }
-READ = reading(_MEANING)
+READ = reading(_MEANING, presumed=PRESUMED)
 _TILT: dict[Basic, Meaning] = {printed.ROLL_ACCEL: phi, printed.PITCH_ACCEL: theta}
 READ_TILT = READ.also(_TILT)
 _BODY_RATES = elements(BODY_RATES, body_rates)

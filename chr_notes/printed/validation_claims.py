@@ -215,7 +215,8 @@ with as_printed():
             "validation.n",
             "claim",
             "after equation 11, paragraph 2",
-            "The field in the inertial frame is what the compass reads when all angles are zero.",
+            "The normalised field in the inertial frame is what the compass reads when all angles "
+            "are zero.",
             Eq(M_I, READING_AT_ZERO),
         ),
         Printed(

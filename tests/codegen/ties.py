@@ -11,7 +11,7 @@ from sympy import Abs, Basic, Eq, FiniteSet, ImmutableMatrix, Integer, MatrixBas
 from sympy.logic.boolalg import Boolean
 
 from chr_notes.derivations import hamilton, quaternions
-from chr_notes.ledger.case import Condition
+from chr_notes.ledger.condition import Condition
 from chr_notes.ledger.quaternions_reading import NORM, UNIT_AXIS
 from chr_notes.printed import quaternions as printed
 from chr_notes.printed.hamilton import Conjugate, Pure

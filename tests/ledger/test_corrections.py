@@ -10,7 +10,7 @@ from chr_notes.ledger.cases import CASES
 from chr_notes.ledger.corrections import check_correction
 from chr_notes.ledger.edits import Edit
 from chr_notes.ledger.evaluation import parts
-from chr_notes.ledger.validation_reading import SEEN
+from chr_notes.ledger.validation_presumed import SEEN
 from chr_notes.printed import BY_ID
 from chr_notes.printed import quaternions as quaternion
 from chr_notes.printed import validation as paper

@@ -28,7 +28,8 @@ from sympy import (
 
 from chr_notes import printed
 from chr_notes.derivations.steps import Step
-from chr_notes.ledger.case import CannotJudgeError, Case, Condition, Reading, complete
+from chr_notes.ledger.case import CannotJudgeError, Case, Reading, complete
+from chr_notes.ledger.condition import Condition, Presumed
 from chr_notes.ledger.edits import Edit
 from chr_notes.ledger.entry import Entry
 from chr_notes.ledger.judgement import judge
@@ -50,7 +51,14 @@ Say = Callable[..., Entry]
 def say(monkeypatch: pytest.MonkeyPatch) -> Say:
     """Let a document print statements, and judge the first of them, or the one asked for."""
 
-    def judged(*statements: Basic, of: int = 1, read: Read = READ, **brought: object) -> Entry:
+    def judged(
+        *statements: Basic,
+        of: int = 1,
+        read: Read = READ,
+        given: tuple[Condition, ...] = (),
+        unsaid: tuple[Condition, ...] = (),
+        **brought: object,
+    ) -> Entry:
         document = tuple(
             Printed(f"tried.1.{n}", "equation", "nowhere", "A statement.", statement)
             for n, statement in enumerate(statements, 1)
@@ -58,7 +66,10 @@ def say(monkeypatch: pytest.MonkeyPatch) -> Say:
         monkeypatch.setitem(printed.DOCUMENTS, "tried", document)
         for each in document:
             monkeypatch.setitem(printed.BY_ID, each.id, each)
-        case = Case(f"tried.1.{of}", **brought)  # type: ignore[arg-type]
+        if given:
+            said = tuple(Presumed(each, "A statement", f"tried.1.{of}") for each in given)
+            read = Read(read.meaning, read.notation, presumed=said)
+        case = Case(f"tried.1.{of}", given=unsaid, **brought)  # type: ignore[arg-type]
         return judge(complete(document, read, (case,))[of - 1])
 
     return judged
@@ -98,9 +109,47 @@ def test_what_says_nothing_is_refused(say: Say) -> None:
 def test_an_exact_condition_is_told_from_a_sufficient_one(say: Say) -> None:
     exact = say(Eq(y, x**2 + z), condition=Condition(Eq(z, 0)), witness={x: 2, z: 1}, **ROOTED)
     assert (exact.verdict, exact.exact) == ("qualified", True)
-    only_if = say(FALSE, condition=Condition(Eq(x, 0)), witness={x: 2}, **ROOTED)
+    positive = Eq(Abs(z), z, evaluate=False)
+    only_if = say(positive, condition=Condition(Gt(z, 1)), witness={z: -1}, **ROOTED)
     assert (only_if.verdict, only_if.exact) == ("qualified", False)
     assert "holds as well" in only_if.method
+
+
+def test_single_values_of_several_are_no_condition(say: Say) -> None:
+    with pytest.raises(CannotJudgeError, match="single values"):
+        say(FALSE, condition=Condition(Eq(x, 0)), witness={x: 2}, **ROOTED)
+    some = reading({y: sin(theta)})
+    level: Bring = {"condition": Condition(Eq(theta, 0)), "witness": {theta: 1}, "read": some}
+    with pytest.raises(CannotJudgeError, match="is one attitude"):
+        say(Eq(y, -sin(theta)), **level, **ROOTED)
+
+
+def test_what_is_given_is_said_by_the_document(say: Say) -> None:
+    true = Eq(Abs(z), z, evaluate=False)
+    positive, unequal = Condition(Gt(z, 0)), Condition(Ne(x, 1))
+    assert say(true, given=(positive,)).verdict == "proved"
+    with pytest.raises(CannotJudgeError, match="does not say that it presumes z > 0"):
+        say(true, unsaid=(positive,))
+    for said in ("No such words", ""):
+        read = Read(READ.meaning, READ.notation, presumed=(Presumed(positive, said, "tried.1.1"),))
+        with pytest.raises(CannotJudgeError, match="does not say"):
+            say(true, read=read)
+    # A general statement leaves out single values by itself.
+    quotient = Eq(y * (x - 1) / (x - 1), x**2, evaluate=False)
+    needed = Step("So.", Ne(x - 1, 0, evaluate=False))
+    assert say(quotient, unsaid=(unequal,), steps=(needed,)).verdict == "proved"
+
+
+def test_an_attitude_is_fixed_by_the_words_of_the_statement_alone(say: Say) -> None:
+    wrong, level = Eq(y, -sin(theta), evaluate=False), Condition(Eq(theta, 0))
+    for where, says in (("tried.1.1", None), ("tried.1.2", "own words do not say")):
+        presumed = Presumed(level, "A statement", where, ("tried.1.1",))
+        read = Read({y: sin(theta)}, READ.notation, presumed=(presumed,))
+        if says is None:
+            assert say(wrong, Eq(y, y + 0), read=read).verdict == "proved"
+        else:
+            with pytest.raises(CannotJudgeError, match=says):
+                say(wrong, Eq(y, y + 0), read=read)
 
 
 def test_the_condition_shown_is_the_one_that_is_proved(say: Say) -> None:

@@ -33,7 +33,7 @@ from sympy import (
     tan,
 )
 
-from chr_notes.ledger.case import Condition
+from chr_notes.ledger.condition import Condition
 from chr_notes.ledger.identities import equal, is_positive, is_zero, same_angle, settle
 from chr_notes.ledger.proof import excludes, fails, proves
 from chr_notes.printed.statement import Approximately

@@ -28,7 +28,7 @@ from sympy import (
 from sympy.logic.boolalg import Boolean
 
 from chr_notes.ledger import ranges
-from chr_notes.ledger.case import Condition
+from chr_notes.ledger.condition import Condition
 from chr_notes.ledger.identities import OnSphere
 from chr_notes.ledger.proof import proves
 from chr_notes.ledger.reading import Read

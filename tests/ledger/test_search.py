@@ -5,7 +5,8 @@ from sympy import And, Eq, Gt, Lt, Ne, Or, cos, symbols
 from sympy.logic.boolalg import Boolean
 
 from chr_notes import printed
-from chr_notes.ledger.case import Case, Condition
+from chr_notes.ledger.case import Case
+from chr_notes.ledger.condition import Condition
 from chr_notes.ledger.reading import reading
 from chr_notes.ledger.search import outside
 from chr_notes.printed import Printed
