@@ -1,29 +1,69 @@
 """The command line: build the book, print the ledger, export the generated code."""
 
 import argparse
+import io
+import os
+import shutil
+import signal
 import sys
 from collections.abc import Sequence
 from pathlib import Path
 
+from chr_notes import __version__
+
+# As shells tell of a program that was interrupted, and of one whose output nobody reads.
+INTERRUPTED, UNREAD = 130, 141
 VERDICTS = ("definition", "proved", "qualified", "corrected", "reported")
+DOCUMENTS = ("euler", "quaternions", "sensors", "estimation", "dead_reckoning", "validation")
+EXIT_CODES = "Exit codes: 0 done, 1 something is wrong, 2 what was asked cannot be done."
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command and return its exit code."""
     options = _parser().parse_args(arguments)
-    # Each command loads what it needs: the book wants Sphinx, judging wants SymPy.
-    if options.command == "book":
-        from chr_notes.book import build  # noqa: PLC0415
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="replace")  # a sign that a console lacks is no reason to stop
+    try:
+        code = COMMANDS[options.command](options)
+        sys.stdout.flush()
+    except KeyboardInterrupt:
+        print(f"{options.command}: stopped before the end", file=sys.stderr)
+        return INTERRUPTED
+    except BrokenPipeError:
+        # What is still to be written goes nowhere, without a second complaint at the end.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return UNREAD
+    return code
 
-        try:
-            build(open_browser=options.open)
-        except RuntimeError as error:
-            # It says what is missing or wrong; where in the program does not help.
-            print(f"book: {error}", file=sys.stderr)
-            return 1
-        return 0
-    if options.command == "ledger":
-        return _ledger(options)
+
+# Each command loads what it needs: the book wants Sphinx, judging wants SymPy.
+def _book(options: argparse.Namespace) -> int:
+    from chr_notes.book import build  # noqa: PLC0415
+
+    # Ended from outside, it ends what it began, as when it is interrupted.
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    try:
+        build(open_browser=options.open)
+    except (RuntimeError, OSError) as error:
+        # It says what is missing or wrong; where in the program does not help.
+        print(f"book: {error}", file=sys.stderr)
+        return 1
+    return 0
+
+
+def _ledger(options: argparse.Namespace) -> int:
+    from chr_notes.ledger import report  # noqa: PLC0415
+
+    if options.write:
+        return report.refresh(options.document)
+    if options.check:
+        return report.check(options.document)
+    width = shutil.get_terminal_size().columns if sys.stdout.isatty() else None
+    return report.run(options.document, options.verdict, as_json=options.json, width=width)
+
+
+def _export(options: argparse.Namespace) -> int:
     from chr_notes.export import export  # noqa: PLC0415
 
     try:
@@ -37,32 +77,53 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return 0
 
 
-def _ledger(options: argparse.Namespace) -> int:
-    """Print, check or refresh the stored verdicts."""
-    from chr_notes.ledger import report  # noqa: PLC0415
-
-    if options.write:
-        return report.refresh(options.document)
-    if options.check:
-        return report.check(options.document)
-    return report.run(options.document, options.verdict, as_json=options.json)
+COMMANDS = {"book": _book, "ledger": _ledger, "export": _export}
 
 
 def _parser() -> argparse.ArgumentParser:
+    def command(name: str, told: str, example: str) -> argparse.ArgumentParser:
+        return commands.add_parser(
+            name, help=told, description=f"{told[0].upper()}{told[1:]}.",
+            epilog=f"{example}\n\n{EXIT_CODES}",
+            formatter_class=argparse.RawDescriptionHelpFormatter,
+        )  # fmt: skip
+
     parser = argparse.ArgumentParser(
-        prog="chr-notes", description="The CH Robotics notes, checked."
+        prog="chr-notes",
+        description="The CH Robotics notes on attitude, checked, taught and made into code.",
+        epilog="`chr-notes COMMAND --help` says more of each.",
     )
-    commands = parser.add_subparsers(dest="command", required=True)
-    book = commands.add_parser("book", help="build the book into book/_build/html")
+    parser.add_argument("--version", action="version", version=f"chr-notes {__version__}")
+    commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
+
+    book = command(
+        "book", "build the book into book/_build/html",
+        "Needs the sources of the book, a clone of the project, and\n"
+        'python -m pip install -e ".[book]". Takes about a minute.',
+    )  # fmt: skip
     book.add_argument("--open", action="store_true", help="open it in the browser when built")
-    ledger = commands.add_parser("ledger", help="print every printed statement with its verdict")
-    ledger.add_argument("--document", help="only this one, such as euler")
-    ledger.add_argument("--verdict", choices=VERDICTS, help="only entries with this one")
+
+    ledger = command(
+        "ledger", "print every statement that the documents print, with its verdict",
+        "chr-notes ledger --document euler --verdict corrected\n"
+        "chr-notes ledger --json | python -m json.tool",
+    )  # fmt: skip
+    for name, choices in (("document", DOCUMENTS), ("verdict", VERDICTS)):
+        told = f"only the entries of this one: {', '.join(choices)}"
+        ledger.add_argument(f"--{name}", choices=choices, metavar=name.upper(), help=told)
     ledger.add_argument("--json", action="store_true", help="a list of objects, not a table")
     ledger.add_argument("--write", action="store_true", help="judge what changed, and store it")
-    ledger.add_argument("--check", action="store_true", help="judge all, compare with the stored")
-    code = commands.add_parser("export", help="write the generated code for another program")
-    code.add_argument("language", choices=("c", "js"))
+    ledger.add_argument(
+        "--check", action="store_true", help="judge all, compare with the stored; a minute"
+    )
+
+    code = command(
+        "export", "write the generated code for a program of your own, with a README",
+        "chr-notes export c my_rocket/attitude\n"
+        "chr-notes export js node_modules/attitude\n\n"
+        "What it wrote before it replaces; of other files it touches none.",
+    )  # fmt: skip
+    code.add_argument("language", choices=("c", "js"), help="C99, or a module of JavaScript")
     code.add_argument("folder", type=Path, help="written to; made if it is not there")
     return parser
 

@@ -35,7 +35,7 @@ ALLOWED = {
     | {"derivations", "codegen", "generated", "typeset", "printed"},
     "__init__": NUMERIC,
     "export": {"numeric"},  # the version
-    "__main__": {"book", "ledger", "export"},
+    "__main__": {"book", "ledger", "export", "numeric"},
 }
 
 

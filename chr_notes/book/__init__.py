@@ -1,11 +1,13 @@
 """The book: write the pages that come from data, then let Jupyter Book make HTML of it all."""
 
-import importlib.metadata
+import hashlib
 import importlib.util
 import shutil
 import subprocess
 import sys
+import tempfile
 import webbrowser
+from importlib import metadata
 from pathlib import Path
 
 __all__ = ["build"]
@@ -16,10 +18,14 @@ GENERATED = SOURCES / "_generated"
 
 _JUPYTER_BOOK = "from jupyter_book.cli.main import main; main()"
 _NEEDED = ("jupyter_book", "anywidget", "math_core", "fontTools", "brotli", "ziamath")
+_MAKERS = ("jupyter-book", "myst-nb", "sphinx", "sphinx-book-theme")
 
 
 def build(*, open_browser: bool = False, output: Path = SOURCES) -> Path:
     """Build the book and say where it is.
+
+    It is built aside and put in place when it is whole, so that one from before stays if anything
+    goes wrong. Of one that the same program built, only the pages change whose sources did.
 
     Parameters
     ----------
@@ -38,13 +44,27 @@ def build(*, open_browser: bool = False, output: Path = SOURCES) -> Path:
     RuntimeError
         If the sources of the book or a package of the extra ``book`` are missing, or if Jupyter
         Book finds anything wrong, warnings included.
+    OSError
+        If a file cannot be written.
     """
     _require()
-    _say("Judging every statement and writing the pages that come from data …")
+    _say("Writing the pages that come from data …")
     _write_generated()
-    _say("Building the pages …")
-    _run_jupyter_book(output)
-    first = output / "_build" / "html" / "index.html"
+    output.mkdir(parents=True, exist_ok=True)
+    built = output / "_build"
+    with tempfile.TemporaryDirectory(dir=output, prefix=".build-") as folder:
+        aside = Path(folder) / "_build"
+        made_by = _made_by()
+        whole = not _is_from(built, made_by)
+        if not whole:
+            shutil.copytree(built, aside)
+        _say("Building the pages …" if whole else "Building the pages that changed …")
+        _run_jupyter_book(aside.parent, whole=whole)
+        _write(aside / "made_by", made_by)
+        if built.exists():
+            built.rename(Path(folder) / "before")
+        aside.rename(built)
+    first = built / "html" / "index.html"
     _say(f"The book is in {first}")
     if open_browser:
         webbrowser.open(first.as_uri())
@@ -64,6 +84,23 @@ def _require() -> None:
         raise RuntimeError(msg)
 
 
+def _made_by() -> str:
+    """Stamp of what makes pages of their sources; where it differs, no page stays as it is."""
+    package = ROOT / "chr_notes"
+    files = [path for path in package.rglob("*") if path.is_file() and path.suffix != ".pyc"]
+    files += [SOURCES / name for name in ("_config.yml", "_toc.yml", "pages.css", "icons.css")]
+    digest = hashlib.sha256()
+    for path in sorted(files):
+        digest.update(str(path.relative_to(ROOT)).encode() + path.read_bytes())
+    digest.update(" ".join(f"{name} {metadata.version(name)}" for name in _MAKERS).encode())
+    return digest.hexdigest()
+
+
+def _is_from(built: Path, made_by: str) -> bool:
+    stamp = built / "made_by"
+    return stamp.is_file() and stamp.read_text(encoding="utf-8") == made_by
+
+
 def _write_generated() -> None:
     # Imported here, so that a missing package is reported in our words and not as an ImportError.
     from chr_notes.book import pages  # noqa: PLC0415
@@ -81,19 +118,20 @@ def _write_generated() -> None:
 
 def _write(path: Path, text: str) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(text, encoding="utf-8")
+    # What is as it was keeps its time, by which Sphinx sees what changed.
+    if not path.is_file() or path.read_text(encoding="utf-8") != text:
+        path.write_text(text, encoding="utf-8")
 
 
-def _run_jupyter_book(output: Path) -> None:
-    # All pages each time: what is unchanged would be left as it is, styles and warnings included.
+def _run_jupyter_book(output: Path, *, whole: bool) -> None:
     command = [
         sys.executable, "-c", _JUPYTER_BOOK, "build", ".",
         "--config", str(SOURCES / "_config.yml"), "--toc", str(SOURCES / "_toc.yml"),
-        "--path-output", str(output), "--all", "-W", "-n", "--keep-going",
+        "--path-output", str(output), "-W", "-n", "--keep-going", *(["--all"] if whole else []),
     ]  # fmt: skip
     done = subprocess.run(command, cwd=ROOT, check=False)  # noqa: S603 - a fixed command
     if done.returncode != 0:
-        msg = "Jupyter Book found errors or warnings; they are in its output above"
+        msg = "Jupyter Book found errors or warnings, in its output above; no page was changed"
         raise RuntimeError(msg)
 
 

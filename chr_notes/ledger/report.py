@@ -3,8 +3,9 @@
 import dataclasses
 import json
 import sys
+import textwrap
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from concurrent.futures import ProcessPoolExecutor
 from importlib import metadata
 
@@ -12,7 +13,13 @@ from chr_notes.ledger import stored
 from chr_notes.ledger.entry import Entry
 
 
-def run(document: str | None = None, verdict: str | None = None, *, as_json: bool = False) -> int:
+def run(
+    document: str | None = None,
+    verdict: str | None = None,
+    *,
+    as_json: bool = False,
+    width: int | None = None,
+) -> int:
     """Print stored entries on standard output.
 
     Parameters
@@ -23,14 +30,14 @@ def run(document: str | None = None, verdict: str | None = None, *, as_json: boo
         Only the entries with this verdict.
     as_json
         Print a list of objects instead of a table.
+    width
+        Columns of the screen, if one reads there; otherwise an entry is a line, however long.
 
     Returns
     -------
     int
-        Exit code: 2 if there is no such document, 1 if the stored verdicts are out of date, else 0.
+        Exit code: 1 if the stored verdicts are out of date, else 0.
     """
-    if not _known(document):
-        return 2
     try:
         rows = [
             entry
@@ -42,7 +49,7 @@ def run(document: str | None = None, verdict: str | None = None, *, as_json: boo
     except stored.StaleError as error:
         sys.stderr.write(f"ledger: {error}\n")
         return 1
-    sys.stdout.write(as_text(rows) if not as_json else as_list(rows))
+    sys.stdout.write(as_list(rows) if as_json else as_text(rows, width))
     return 0
 
 
@@ -52,10 +59,8 @@ def refresh(document: str | None = None) -> int:
     Returns
     -------
     int
-        Exit code: 2 if there is no such document, 1 if a case cannot be judged, else 0.
+        Exit code: 1 if a case cannot be judged, else 0.
     """
-    if not _known(document):
-        return 2
     topics = [t for t in stored.DOCUMENTS if document in (None, t) and stored.is_stale(t)]
     failed = False
     for topic, (entries, errors) in zip(topics, _judged(topics), strict=True):
@@ -73,10 +78,8 @@ def check(document: str | None = None) -> int:
     Returns
     -------
     int
-        Exit code: 2 if there is no such document, 1 if anything differs, else 0.
+        Exit code: 1 if anything differs, else 0.
     """
-    if not _known(document):
-        return 2
     topics = [topic for topic in stored.DOCUMENTS if document in (None, topic)]
     differing: list[str] = []
     for topic, (entries, errors) in zip(topics, _judged(topics), strict=True):
@@ -96,14 +99,19 @@ def check(document: str | None = None) -> int:
 def as_list(entries: Iterable[Entry]) -> str:
     """Write entries as a JSON list; each field is a string, an object, a list or null."""
     rows = [dataclasses.asdict(each) for each in entries]
-    return json.dumps(rows, indent=1, ensure_ascii=False) + "\n"
+    return json.dumps(rows, indent=1) + "\n"  # in ASCII, which every console and program reads
 
 
-def as_text(entries: Iterable[Entry]) -> str:
+def as_text(entries: Iterable[Entry], width: int | None = None) -> str:
     """Write entries as a table, with the counts of verdicts and of the errors behind them below."""
     rows = list(entries)
-    width = max((len(row.id) for row in rows), default=0)
-    lines = [f"{row.id:{width}}  {row.verdict:10}  {row.says}" for row in rows]
+    name = max((len(row.id) for row in rows), default=0)
+    room = None if width is None else max(width - name - 14, 20)
+    lines = []
+    for row in rows:
+        says = textwrap.wrap(row.says, room) if room else [row.says]
+        lines.append(f"{row.id:{name}}  {row.verdict:10}  {says[0]}")
+        lines += [" " * (name + 14) + line for line in says[1:]]
     counts = Counter(row.verdict for row in rows)
     total = ", ".join(f"{number} {verdict}" for verdict, number in counts.most_common())
     errors = Counter(row.root for row in rows if row.root is not None)
@@ -112,19 +120,16 @@ def as_text(entries: Iterable[Entry]) -> str:
     return "\n".join([*lines, "", f"{len(rows)} entries: {total}" if rows else "no entries"]) + "\n"
 
 
-def _known(document: str | None) -> bool:
-    if document in (None, *stored.DOCUMENTS):
-        return True
-    sys.stderr.write(f"expected one of {', '.join(stored.DOCUMENTS)}, got {document!r}\n")
-    return False
-
-
-def _judged(topics: list[str]) -> Iterable[tuple[list[Entry], list[str]]]:
+def _judged(topics: list[str]) -> Iterator[tuple[list[Entry], list[str]]]:
     """Judge documents side by side: for each the entries, and what cannot be judged."""
     if len(topics) < 2:  # noqa: PLR2004 (one needs no other process)
-        return map(judged, topics)
+        yield from map(judged, topics)
+        return
+    sys.stderr.write(f"judging {', '.join(topics)}: a minute or so\n")
     with ProcessPoolExecutor() as processes:
-        return list(processes.map(judged, topics))
+        for topic, found in zip(topics, processes.map(judged, topics), strict=True):
+            sys.stderr.write(f"{topic}: judged\n")
+            yield found
 
 
 def judged(document: str) -> tuple[list[Entry], list[str]]:

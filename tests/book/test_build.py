@@ -1,6 +1,8 @@
 """Building the book: what it says, and what it says when something is missing."""
 
+import errno
 import importlib.util
+import os
 from collections import Counter
 from pathlib import Path
 
@@ -40,6 +42,68 @@ def test_the_command_says_it_in_a_line(
     assert said.out == ""
     assert said.err.startswith("book: expected the sources of the book in ")
     assert said.err.count("\n") == 1
+
+
+@pytest.fixture
+def runs(monkeypatch: pytest.MonkeyPatch) -> list[bool]:
+    """Put a page of one word in place of the book's, and note whether each run is a whole one."""
+    whole_ones = []
+
+    def run(output: Path, *, whole: bool) -> None:
+        whole_ones.append(whole)
+        page = output / "_build" / "html" / "index.html"
+        assert page.exists() == (not whole)
+        page.parent.mkdir(parents=True, exist_ok=True)
+        page.write_text(f"run {len(whole_ones)}", encoding="utf-8")
+        if len(whole_ones) == 3:
+            msg = "the third"
+            raise RuntimeError(msg)
+
+    monkeypatch.setattr(chr_notes.book, "_run_jupyter_book", run)
+    monkeypatch.setattr(chr_notes.book, "_write_generated", lambda: None)
+    return whole_ones
+
+
+def test_a_book_is_put_in_place_when_it_is_whole(runs: list[bool], tmp_path: Path) -> None:
+    for number in (1, 2):
+        assert build(output=tmp_path).read_text(encoding="utf-8") == f"run {number}"
+    with pytest.raises(RuntimeError, match="the third"):
+        build(output=tmp_path)
+    # The one before stays, and nothing else does.
+    assert (tmp_path / "_build/html/index.html").read_text(encoding="utf-8") == "run 2"
+    assert [path.name for path in tmp_path.iterdir()] == ["_build"]
+    assert runs == [True, False, False]
+
+
+def test_another_program_makes_all_pages_anew(
+    runs: list[bool], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    build(output=tmp_path)
+    monkeypatch.setattr(chr_notes.book, "_MAKERS", ("numpy",))
+    build(output=tmp_path)
+    assert runs == [True, True]
+
+
+def test_a_folder_that_cannot_be_written_is_told_in_a_line(
+    runs: list[bool], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def full(*_: object, **__: object) -> None:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), "page.html")
+
+    monkeypatch.setattr(chr_notes.book, "_write_generated", full)
+    assert main(["book"]) == 1
+    assert capsys.readouterr().err == "book: [Errno 28] No space left on device: 'page.html'\n"
+    assert runs == []
+
+
+def test_what_did_not_change_keeps_its_time(tmp_path: Path) -> None:
+    page = tmp_path / "page.md"
+    page.write_text("one", encoding="utf-8")
+    os.utime(page, (1, 1))
+    chr_notes.book._write(page, "one")  # noqa: SLF001
+    assert page.stat().st_mtime == 1
+    chr_notes.book._write(page, "two")  # noqa: SLF001
+    assert page.stat().st_mtime > 1
 
 
 def test_each_convention_is_on_its_page() -> None:

@@ -33,8 +33,3 @@ def test_table_has_a_line_an_entry_and_the_counts(capsys: pytest.CaptureFixture[
     assert [line.split()[0] for line in lines[: len(corrected)]] == corrected
     count, errors = len(corrected), len({ledger.entry(name).root for name in corrected})
     assert lines[-1] == f"{count} entries: {count} corrected; {count} places of {errors} errors"
-
-
-def test_an_unknown_document_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["ledger", "--document", "nowhere"]) == 2
-    assert "expected one of" in capsys.readouterr().err

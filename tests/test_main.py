@@ -1,0 +1,89 @@
+"""The command line, as one meets it on any console."""
+
+import io
+import json
+import os
+import sys
+
+import pytest
+
+from chr_notes import __main__ as command
+from chr_notes import __version__
+from chr_notes.ledger import entries, stored
+
+
+def test_it_says_its_version(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as ended:
+        command.main(["--version"])
+    assert ended.value.code == 0
+    assert capsys.readouterr().out == f"chr-notes {__version__}\n"
+
+
+@pytest.mark.parametrize("name", ["book", "ledger", "export"])
+def test_help_tells_what_each_argument_does(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as ended:
+        command.main([name, "--help"])
+    assert ended.value.code == 0
+    told = capsys.readouterr().out
+    assert "Exit codes: 0 done" in told
+    assert all(len(line) <= 80 for line in told.splitlines())
+
+
+def test_choices_are_those_of_the_ledger() -> None:
+    assert command.DOCUMENTS == stored.DOCUMENTS
+    assert {entry.verdict for entry in entries()} == {*command.VERDICTS}
+
+
+def test_an_unknown_choice_is_answered_with_the_known_ones(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    with pytest.raises(SystemExit) as ended:
+        command.main(["ledger", "--document", "nowhere"])
+    assert ended.value.code == 2
+    assert "'nowhere' (choose from" in capsys.readouterr().err
+
+
+def written(arguments: list[str], encoding: str, monkeypatch: pytest.MonkeyPatch) -> str:
+    """What a command writes to a console of that encoding."""
+    console = io.TextIOWrapper(io.BytesIO(), encoding=encoding)
+    monkeypatch.setattr(sys, "stdout", console)
+    assert command.main(arguments) == 0
+    return console.buffer.getvalue().decode(encoding)  # type: ignore[attr-defined] # a BytesIO
+
+
+def test_a_console_of_ascii_gets_the_whole_ledger(monkeypatch: pytest.MonkeyPatch) -> None:
+    table = written(["ledger"], "ascii", monkeypatch)
+    assert len(table.splitlines()) == len(list(entries())) + 2
+    assert "?" in table  # in place of a sign that it lacks
+    rows = json.loads(written(["ledger", "--json"], "ascii", monkeypatch))
+    assert [row["says"] for row in rows] == [entry.says for entry in entries()]
+
+
+def test_on_a_screen_the_table_keeps_to_its_width(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("COLUMNS", "70")
+    console = io.StringIO()
+    monkeypatch.setattr(console, "isatty", lambda: True)
+    monkeypatch.setattr(sys, "stdout", console)
+    assert command.main(["ledger", "--document", "euler"]) == 0
+    table = console.getvalue().splitlines()
+    assert max(map(len, table[:-1])) <= 70
+    assert sum(not line.startswith(" ") for line in table[:-2]) < len(table) - 2
+
+
+def test_who_stops_it_gets_a_line(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def interrupted(_: object) -> int:
+        raise KeyboardInterrupt
+
+    monkeypatch.setitem(command.COMMANDS, "ledger", interrupted)
+    assert command.main(["ledger"]) == command.INTERRUPTED
+    assert capsys.readouterr().err == "ledger: stopped before the end\n"
+
+
+def test_a_reader_who_has_read_enough_is_no_error(monkeypatch: pytest.MonkeyPatch) -> None:
+    ours, theirs = os.pipe()
+    os.close(ours)
+    with os.fdopen(theirs, "w", encoding="utf-8") as output:
+        monkeypatch.setattr(sys, "stdout", output)
+        assert command.main(["ledger"]) == command.UNREAD
