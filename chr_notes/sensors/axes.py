@@ -202,18 +202,19 @@ def _solved(changes: Floats, terms: Floats, block: int) -> AxesRelation:
     changes, terms, sizes = changes[turns], terms[turns], sizes[turns]
     weights = 1 / np.maximum(sizes, strong)
     changes, terms = changes * weights[:, np.newaxis], terms * weights[:, np.newaxis, np.newaxis]
+    # einsum runs in one thread: for so little several cost more than they save.
     left, right = terms.reshape(-1, 9), changes.reshape(-1)
-    matrix = np.linalg.lstsq(left, right)[0].reshape(3, 3)
+    normal, projected = np.einsum("ni,nj->ij", left, left), np.einsum("ni,n->i", left, right)
+    matrix = np.linalg.lstsq(normal, projected)[0].reshape(3, 3)
     signed = _SIGNED.reshape(-1, 9)
-    along = signed @ (left.T @ right)
-    power = np.einsum("ij,jk,ik->i", signed, left.T @ left, signed)
+    along = signed @ projected
+    power = np.einsum("ij,jk,ik->i", signed, normal, signed)
     factors = np.maximum(along, 0) / np.where(power > 0, power, np.inf)
     gains = along * factors
     order = np.argsort(-gains, kind="stable")
     best = order[0]
-    residuals = [
-        ((changes - terms @ (f * m)) ** 2).sum(axis=1) for f, m in zip(factors, signed, strict=True)
-    ]
+    told = np.einsum("nij,kj->kni", terms, factors[:, np.newaxis] * signed)
+    residuals = ((changes - told) ** 2).sum(axis=2)
     blocks = np.arange(0, len(changes), block)
     margins = np.empty(len(signed))
     for place, residual in enumerate(residuals):

@@ -28,6 +28,7 @@ SIGNED = np.array(
 
 _ROWS = 6_000
 _RATE = 50.0  # Hz; enough for how sensors turn together
+_FEW = 5  # one row of so many chooses the part of a long log
 _SURE = 0.75  # share of an accelerometer's changes that turning explains, so that it tells
 _TURNED = np.cos(np.radians(20.0))  # between two rests, at least
 _LONGEST, _MOST, _FEWEST = 40.0, 6, 3  # seconds between rests; how many pairs of them
@@ -65,22 +66,27 @@ class Pair:
         return any(np.array_equal(each, np.eye(3)) for each in self.fitting)
 
 
-def relation(gyro: Floats, other: Floats, dt: Floats) -> AxesRelation:
-    """Relate a gyro to another sensor, in a long log where the gyro turns most."""
+def relations(gyro: Floats, others: Mapping[str, Floats], dt: Floats) -> dict[str, AxesRelation]:
+    """Relate a gyro to other sensors, in a long log where the gyro turns most."""
     every = max(1, round(1 / (float(np.median(dt)) * _RATE)))
     length = every * _ROWS
     start = 0
-    if len(gyro) > length:
+    if others and len(gyro) > length:
         # Glitches must not choose the part, and cube roots hardly notice them.
-        some = np.nan_to_num(gyro[::every])
+        some = np.nan_to_num(gyro[:: every * _FEW])
         turning = np.cbrt(np.abs(some - np.median(some, axis=0))).sum(axis=1)
         total = np.concatenate([[0.0], np.cumsum(turning)])
-        start = every * int(np.argmax(total[_ROWS:] - total[:-_ROWS]))
+        wide = _ROWS // _FEW
+        start = every * _FEW * int(np.argmax(total[wide:] - total[:-wide]))
     stop = start + min(length, len(gyro) - start) // every * every
-    gyro, other, steps = (
-        each[start:stop].reshape(-1, every, *each.shape[1:]) for each in (gyro, other, dt)
-    )
-    return relate_axes(gyro.mean(axis=1), other.mean(axis=1), steps.sum(axis=1))
+
+    def means(values: Floats) -> Floats:
+        return values[start:stop].reshape(-1, every, 3).mean(axis=1)
+
+    steps = dt[start:stop].reshape(-1, every).sum(axis=1)
+    return {
+        name: relate_axes(means(gyro), means(values), steps) for name, values in others.items()
+    }
 
 
 def by_turning(found: AxesRelation, *, steady: bool) -> Pair:

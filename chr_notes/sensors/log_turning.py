@@ -60,7 +60,7 @@ def _gyro(
         # Rests tell of the accelerometer more surely than its turning does.
         others = [name for name in ("mag", "accel") if name in values]
         others = [name for name in others if name == "mag" or between is None]
-        relations = {name: log_pairs.relation(gyro, values[name], dt) for name in others}
+        relations = log_pairs.relations(gyro, {name: values[name] for name in others}, dt)
     tells = [each for each in relations.values() if np.isfinite(each.factors).all()]
     certain = [each for each in tells if each.known]
     allowed = np.concatenate([each.factors for each in certain or tells]) if tells else None
