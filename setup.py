@@ -10,6 +10,7 @@ setup(
             sources=["chr_notes/native/module.c"],
             depends=[
                 "chr_notes/native/columns.h",
+                "chr_notes/native/decimals.h",
                 "chr_notes/native/elementary.h",
                 "chr_notes/generated/c/kernels.c",
                 "chr_notes/generated/c/stamp.h",

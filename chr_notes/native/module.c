@@ -10,6 +10,8 @@
  * completed(function of arrays, rest) is a function that returns the result alone: rest(what the
  * first one returned, its arguments) gives it where that was anything else.
  *
+ * decimals(text, starts, ends) reads fields of a text as numbers.
+ *
  * A function of numbers, whose name ends in _of_numbers, takes the elements of one row of each
  * array. It returns those of the result, or None where the row is left to the general way.
  */
@@ -20,6 +22,7 @@
 #include <numpy/arrayobject.h>
 #include <stdlib.h>
 
+#include "decimals.h"
 #include "../generated/c/kernels.c"
 #include "../generated/c/stamp.h"
 
@@ -249,7 +252,8 @@ static PyObject *completed(PyObject *self, PyObject *given)
     return result;
 }
 
-static PyMethodDef methods[] = {{"completed", completed, METH_VARARGS, NULL}, {NULL, NULL, 0, NULL}};
+static PyMethodDef methods[] = {{"completed", completed, METH_VARARGS, NULL},
+    {"decimals", decimals, METH_VARARGS, NULL}, {NULL, NULL, 0, NULL}};
 
 static PyMethodDef of_arrays = {"kernel", (PyCFunction)(void (*)(void))call, METH_FASTCALL, NULL};
 static PyMethodDef of_numbers = {

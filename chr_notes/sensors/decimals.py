@@ -1,21 +1,20 @@
 """Decimal numbers out of text, many at a time, rounded as `float` rounds them.
 
-Eight letters are one 64-bit word, on which NumPy works for all fields of a text at once; three
-words hold 24 letters. What is not simply digits with at most a point and a two-digit power of ten
-is left to the caller.
+A compiled function reads them (native/decimals.h). Where it was not built, eight letters are one
+64-bit word, on which NumPy works for all fields of a text at once; three words hold 24 letters.
 """
 
 import numpy as np
 from numpy.typing import NDArray
 
 from chr_notes._arrays import Floats
+from chr_notes._kernels import kernel
 
 Words = NDArray[np.uint64]
 Places = NDArray[np.int64]
 
-PADDING = 24
-"""How many bytes stand in front of the first field of a text, and are not read."""
-
+_COMPILED = kernel("decimals")
+_PADDING = 24  # letters in front of the first field, which are not read
 _LETTERS = 8  # of a word
 _ZEROS = int.from_bytes(b"0" * 8)
 _POINTS = int.from_bytes(b"." * 8)
@@ -46,21 +45,30 @@ def decimals(
     Parameters
     ----------
     text
-        In ASCII, with `PADDING` bytes in front.
+        Bytes, shape (L,).
     starts, ends
         Place of each field's first letter, and of what comes after its last, shape (N,).
 
     Returns
     -------
     values, read : ndarray
-        Numbers, and for which fields they are right; the others have a letter that is no digit, or
-        more of them than fit.
+        Numbers, and for which fields they are right. The others are no such numbers, are beyond
+        what a double holds, or have very many letters.
     """
+    return (_COMPILED or _by_numpy)(text, starts, ends)
+
+
+def _by_numpy(
+    text: NDArray[np.uint8], starts: Places, ends: Places
+) -> tuple[Floats, NDArray[np.bool_]]:
+    """Read digits with at most a point and a two-digit power of ten; no others."""
+    text = np.concatenate([np.full(_PADDING, ord("0"), dtype=np.uint8), text])
+    starts, ends = starts + _PADDING, ends + _PADDING
     first = text[starts]
     negative = first == ord("-")
     length = ends - starts - (negative | (first == ord("+")))
     ends, length, tens, read = _power_of_ten(text, ends, length)
-    count = min(max(-(-int(length.max(initial=1)) // _LETTERS), 1), PADDING // _LETTERS)
+    count = min(max(-(-int(length.max(initial=1)) // _LETTERS), 1), _PADDING // _LETTERS)
     overlapping: Words = np.ndarray((len(text) - 7,), "<u8", text, strides=(1,))
     words = []
     for place in range(count):

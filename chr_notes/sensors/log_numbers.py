@@ -2,6 +2,7 @@
 
 import re
 from decimal import Decimal
+from functools import lru_cache
 
 import numpy as np
 
@@ -24,6 +25,7 @@ def bare(text: str) -> str:
     return text[1:-1].strip() if quoted else text
 
 
+@lru_cache(maxsize=1000)  # a log has one word for what is missing, many times
 def number(text: str) -> float:
     """Read a number, or NaN where it is missing.
 

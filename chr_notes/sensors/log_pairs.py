@@ -81,12 +81,10 @@ def relations(gyro: Floats, others: Mapping[str, Floats], dt: Floats) -> dict[st
     stop = start + min(length, len(gyro) - start) // every * every
 
     def means(values: Floats) -> Floats:
-        return values[start:stop].reshape(-1, every, 3).mean(axis=1)
+        return np.asarray(values[start:stop].reshape(-1, every, 3).mean(axis=1))
 
     steps = dt[start:stop].reshape(-1, every).sum(axis=1)
-    return {
-        name: relate_axes(means(gyro), means(values), steps) for name, values in others.items()
-    }
+    return {name: relate_axes(means(gyro), means(values), steps) for name, values in others.items()}
 
 
 def by_turning(found: AxesRelation, *, steady: bool) -> Pair:

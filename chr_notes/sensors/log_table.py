@@ -11,8 +11,8 @@ import numpy as np
 
 from chr_notes._arrays import Floats
 from chr_notes.sensors.columns import SENSORS, Selected
-from chr_notes.sensors.decimals import PADDING, decimals
-from chr_notes.sensors.log_fields import Fields
+from chr_notes.sensors.decimals import decimals
+from chr_notes.sensors.log_fields import BESIDE, Fields
 from chr_notes.sensors.log_header import COMMENTS, Columns, Head, head, is_beside, split
 from chr_notes.sensors.log_numbers import Origin, number, origin, since
 from chr_notes.sensors.log_text import LONGEST, Readable, blocks, opened
@@ -165,16 +165,16 @@ class _Rows:
         """Read lines that have all as many fields; if not all have, say so and read none."""
         if self.head.decimal == ",":
             block = block.translate(_COMMA)
-        text = np.frombuffer(b"0" * PADDING + block, dtype=np.uint8)
+        text = np.frombuffer(block, dtype=np.uint8)
         ends = np.flatnonzero((text == ord(self.head.delimiter)) | (text == ord("\n")))
         fields = self.head.fields
         if len(ends) != rows * fields or (text[ends[fields - 1 :: fields]] != ord("\n")).any():
             return False
-        begins = np.concatenate([[PADDING], ends[:-1] + 1])
+        begins = np.concatenate([[0], ends[:-1] + 1])
         fields_of = Fields(text, begins.reshape(rows, fields), ends.reshape(rows, fields))
         self._anchor(numbers, rows)
         self._grow(rows)
-        self._keep(fields_of, spaces=b" " in block or b"\t" in block)
+        self._keep(fields_of, bare=not any(letter in block for letter in BESIDE))
         self.count += rows
         if not ended:
             self.warnings.append(
@@ -182,8 +182,8 @@ class _Rows:
             )
         return True
 
-    def _keep(self, fields: "Fields", *, spaces: bool) -> None:
-        """Read the fields of some lines."""
+    def _keep(self, fields: Fields, *, bare: bool) -> None:
+        """Read the fields of some lines, which may have nothing but numbers in them."""
         here = slice(self.count, self.count + len(fields.ends))
         columns = [place for each in self.head.selected.values() for place in each.places]
         if "time" in self.values:
@@ -194,7 +194,7 @@ class _Rows:
                 self.values["time"][here, 0] = self._long_times(times, self.origin)
                 columns = columns[1:]
         wanted = fields.of(columns)
-        values = self._numbers(wanted.trimmed() if spaces else wanted, columns)
+        values = self._numbers(wanted if bare else wanted.bare(), columns)
         values = values.reshape(-1, len(columns))
         place = 0
         for quantity, kept in self.values.items():
@@ -202,8 +202,11 @@ class _Rows:
                 kept[here] = values[:, place : place + kept.shape[1]]
                 place += kept.shape[1]
 
-    def _numbers(self, fields: "Fields", columns: Sequence[int]) -> Floats:
+    def _numbers(self, fields: Fields, columns: Sequence[int]) -> Floats:
         values, read = decimals(fields.all, fields.starts, fields.ends)
+        missing = fields.starts == fields.ends
+        values[missing] = np.nan
+        read |= missing
         for each in np.flatnonzero(~read).tolist():
             try:
                 values[each] = number(fields.text(each))
@@ -221,7 +224,7 @@ class _Rows:
         msg = f"{where}: {reason}"
         raise ValueError(msg)
 
-    def _long_times(self, times: "Fields", first: Origin) -> Floats:
+    def _long_times(self, times: Fields, first: Origin) -> Floats:
         """Count dates, and times of more digits than a double holds, from the first one."""
         values = np.empty(len(times.ends))
         for row in range(len(values)):
