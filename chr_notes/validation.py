@@ -49,10 +49,11 @@ def heading_from_magnetometer(
     Ledger: validation.12, validation.16.
     """
     level = floats("reference", reference, 2)
-    zero = np.asarray(~level.any(axis=-1))
-    if zero.any():
-        msg = f"reference: expected a horizontal field, got none at {_first(zero)}"
-        raise ValueError(msg)
+    if level.ndim > 1 or not any(level.tolist()):
+        zero = np.asarray(~level.any(axis=-1))
+        if zero.any():
+            msg = f"reference: expected a horizontal field, got none at {_first(zero)}"
+            raise ValueError(msg)
     yaw = _heading_from_magnetometer.compute(mag, tilt, level, out)
     return yaw[()] if out is None else yaw
 

@@ -40,7 +40,7 @@ class Target:
     says
         What it returns.
     arguments
-        Its scalar arguments in order.
+        Its scalar arguments in order; with none given, the elements of the arrays.
     formula
         Gives the derived formula: a scalar, a matrix returned row by row, or a computation of one
         of these.
@@ -63,3 +63,8 @@ class Target:
     entries: tuple[str, ...] = ()
     arrays: tuple[tuple[str, tuple[Argument, ...]], ...] = ()
     over_samples: bool = False
+
+    def __post_init__(self) -> None:
+        """Take the arguments from the arrays, where these have all of them."""
+        elements = (element for _, each in self.arrays for element in each)
+        object.__setattr__(self, "arguments", self.arguments or tuple(elements))
