@@ -79,6 +79,13 @@ from chr_notes.sensors.models import (
 from chr_notes.sensors.poses import fit_accelerometer_from_log
 from chr_notes.sensors.recording import Recording, Report
 from chr_notes.sensors.still import static_interval, static_intervals
+from chr_notes.sequences import (
+    angle_rates_matrix,
+    angles_from_matrix,
+    angles_from_quaternion,
+    matrix_from_angles,
+    quaternion_from_angles,
+)
 from chr_notes.validation import heading_from_magnetometer, validation_factor
 from chr_notes.zero_velocity import zero_velocity
 
@@ -110,6 +117,9 @@ __all__ = [
     "accelerometer_from_acceleration",
     "angle_between_attitudes",
     "angle_between_verticals",
+    "angle_rates_matrix",
+    "angles_from_matrix",
+    "angles_from_quaternion",
     "averaged_attitude",
     "averaging_bound",
     "averaging_observer",
@@ -143,6 +153,7 @@ __all__ = [
     "inertial_acceleration",
     "integrate_gyro",
     "kernels_in_use",
+    "matrix_from_angles",
     "matrix_from_euler",
     "matrix_from_quaternion",
     "monitored_observer",
@@ -150,6 +161,7 @@ __all__ = [
     "observe_averaging",
     "observe_sample",
     "quaternion_conjugate",
+    "quaternion_from_angles",
     "quaternion_from_axis_angle",
     "quaternion_from_euler",
     "quaternion_from_matrix",

@@ -12,10 +12,16 @@ from chr_notes.errors import GimbalLockError, GimbalLockWarning
 
 OnGimbalLock = Literal["warn", "ignore", "raise"]
 _CHOICES = get_args(OnGimbalLock)
+_ROLL = "roll is set to 0 and yaw carries the rest"
+_LAST = "the angle of the last turn is set to 0 and that of the first carries the rest"
 
 
 def with_lock(
-    function: Rows, given: ArrayLike, on_gimbal_lock: OnGimbalLock, out: Floats | None
+    function: Rows,
+    given: ArrayLike,
+    on_gimbal_lock: OnGimbalLock,
+    out: Floats | None,
+    turns: Floats | None = None,
 ) -> Floats:
     """Compute Euler angles; warn of attitudes at gimbal lock, or raise, or keep silent.
 
@@ -29,6 +35,8 @@ def with_lock(
         "warn", "ignore" or "raise".
     out
         For the angles.
+    turns
+        Axes of the three turns, for a function that takes them.
 
     Raises
     ------
@@ -41,7 +49,8 @@ def with_lock(
         msg = f"on_gimbal_lock: expected one of {_CHOICES}, got {on_gimbal_lock!r}"
         raise ValueError(msg)
     raises = on_gimbal_lock == "raise"
-    euler, locked = function.located(given, out=out, every_place=raises)
+    arguments = (given,) if turns is None else (given, turns)
+    euler, locked = function.located(*arguments, out=out, every_place=raises)
     if not locked.count or on_gimbal_lock == "ignore":
         return euler
     leading = euler.shape[:-1]
@@ -52,7 +61,7 @@ def with_lock(
     first = np.unravel_index(locked.places[0], leading or (1,))[: len(leading)]
     message = (
         f"{locked.count} attitude(s) at gimbal lock, the first at index "
-        f"{tuple(map(int, first))}: roll is set to 0 and yaw carries the rest"
+        f"{tuple(map(int, first))}: {_ROLL if turns is None else _LAST}"
     )
     # The caller of the public function that calls this one.
     warnings.warn(message, GimbalLockWarning, stacklevel=3)

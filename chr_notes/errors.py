@@ -2,7 +2,11 @@
 
 
 class GimbalLockWarning(UserWarning):
-    """Some attitudes are at gimbal lock: roll was set to 0 and yaw carries the rest."""
+    """Some attitudes are at gimbal lock: roll was set to 0 and yaw carries the rest.
+
+    In other sequences of turns than yaw, pitch, roll: the angle of the last turn about axes that
+    turn along was set to 0, and that of the first one carries the rest.
+    """
 
 
 class CalibrationWarning(UserWarning):
@@ -25,7 +29,7 @@ class GimbalLockError(ValueError):
     def __init__(self, indices: tuple[tuple[int, ...], ...]) -> None:
         self.indices = indices
         super().__init__(
-            f"expected attitudes off gimbal lock, got {len(indices)} at a pitch of ±90°, "
+            f"expected attitudes off gimbal lock, got {len(indices)} at it, "
             f"the first at index {indices[0]}"
         )
 

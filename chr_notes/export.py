@@ -99,8 +99,10 @@ Generated from derivations that were checked against the printed formulas; do no
 
 {use}
 Frames are north-east-down and forward-right-down, angles are radians, Euler angles come as roll,
-pitch, yaw and are turned in the order yaw, pitch, roll. Matrices lead from the inertial to the body
-frame and stand row by row. Quaternions are Hamilton's, scalar first, with v_I = q v_B q*.
+pitch, yaw and are turned in the order yaw, pitch, roll. Functions of angles in any other sequence
+take its axes as numbers, 3, 2, 1 for z, y, x: each turn is about an axis as the turns before have
+left it. Turns about fixed axes are these in the reversed order. Matrices lead from the inertial to
+the body frame and stand row by row. Quaternions are Hamilton's, scalar first, with v_I = q v_B q*.
 
 Licence: MIT.
 """

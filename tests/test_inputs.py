@@ -82,6 +82,15 @@ FUNCTIONS = {
     "quaternion_inverse": Function(chr_notes.quaternion_inverse, {"q": Q}, "q"),
     "rotate_to_inertial": Function(chr_notes.rotate_to_inertial, {"q": Q, "v_body": V}, "q"),
     "rotate_to_body": Function(chr_notes.rotate_to_body, {"q": Q, "v_inertial": V}, "q"),
+    "matrix_from_angles": Function(
+        lambda angles: chr_notes.matrix_from_angles(angles, "YXZ"), {"angles": EULER}
+    ),
+    "angles_from_quaternion": Function(
+        lambda q: chr_notes.angles_from_quaternion(q, "YXY", on_gimbal_lock="ignore"), {"q": Q}, "q"
+    ),
+    "angle_rates_matrix": Function(
+        lambda angles: chr_notes.angle_rates_matrix(angles, "XYX"), {"angles": EULER}
+    ),
 }
 every = pytest.mark.parametrize("function", FUNCTIONS.values(), ids=FUNCTIONS)
 with_zero = pytest.mark.parametrize(

@@ -34,6 +34,10 @@ class Range:
 
 _ANGLES = (Range("roll and yaw", (0, 2), "-pi", "pi"), Range("pitch", (1,), "-pi/2", "pi/2"))
 _TILT = (Range("roll", (0,), "-pi", "pi"), Range("pitch", (1,), "-pi/2", "pi/2"))
+_TURNS = (
+    Range("first and third", (0, 2), "-pi", "pi"),
+    Range("second", (1,), "-pi/2", "pi"),  # up to pi/2, or from 0 where the last axis is the first
+)
 _MATRIX = (Range("each", tuple(range(9)), "-1", "1"),)
 _ATTITUDE = (Range("a", (0,), "0", "1"), Range("b, c and d", (1, 2, 3), "-1", "1"))
 
@@ -51,6 +55,10 @@ RANGES = {
         Range("the angle", (3,), "0", "pi"),
     ),
     "inclination_from_quaternion": (Range("the angle", (0,), "0", "pi"),),
+    "matrix_from_angles": _MATRIX,
+    "angles_from_matrix": _TURNS,
+    "quaternion_from_angles": _ATTITUDE,
+    "angles_from_quaternion": _TURNS,
     "tilt_from_accelerometer": _TILT,
     "observer_step": _ANGLES,
     "heading_from_magnetometer": (Range("yaw", (0,), "-pi", "pi"),),

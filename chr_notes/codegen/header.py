@@ -11,7 +11,7 @@ from chr_notes.derivations.computation import Choice
 
 COMMAND = "python -m chr_notes.codegen"
 WIDTH = 100
-FLAG = "whether at gimbal lock, where roll is set to 0"
+FLAG = "whether at gimbal lock, where roll, the angle of the last turn, is set to 0"
 
 
 def made_how(programs: tuple[Program, ...]) -> list[str]:

@@ -61,18 +61,16 @@ def _columns(program: Program) -> list[str]:
         ),
         "        for (ptrdiff_t row = 0; row < padded; row++) {",
     ]
-    used = _used(program)
     inner: list[str] = []
     for name, elements in target.arrays:
         inner += [
             f"const double {element.name} = {name}_in[{place}][row];"
             for place, element in enumerate(elements)
-            if element.name in used
         ]
     for step in program.steps:
         inner += _branchless(step, program)
     inner += [f"results[{p}][row] = {COLUMN.written(v)};" for p, v in enumerate(program.results)]
-    kept = " & ".join(_handled(program, used))
+    kept = " & ".join(_handled(program))
     inner += [f"left[row] = !({kept});", "some |= left[row];"]
     lines += [part for line in inner for part in folded(f"            {line}")]
     return [
@@ -96,9 +94,12 @@ def _used(program: Program) -> set[str]:
     return {symbol.name for value in values for symbol in value.free_symbols}
 
 
-def _handled(program: Program, used: set[str]) -> list[str]:
-    """List the conditions under which a row is right: what is not met goes the general way."""
-    names = [a.name for a in program.target.arguments if a.name in used]
+def _handled(program: Program) -> list[str]:
+    """List the conditions under which a row is right: what is not met goes the general way.
+
+    NaN in an element that does not enter makes the row NaN too.
+    """
+    names = [element.name for _, elements in program.target.arrays for element in elements]
     conditions = [f"FINITE({' + '.join(names)})"]
     angles = {
         call.args[0]

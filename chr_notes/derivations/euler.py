@@ -13,7 +13,6 @@ from sympy import (
     Interval,
     Matrix,
     Set,
-    acos,
     cos,
     expand,
     eye,
@@ -183,36 +182,3 @@ def lock_pitches(domain: Set | None = None) -> Set:
     # Products of sines and cosines are sums of those of other angles, of which most cancel.
     products = ImmutableMatrix(derivatives.T * derivatives).applyfunc(lambda e: TR8(expand(e)))
     return solveset(simplify(products.det()), theta, domain)
-
-
-def sequence_determinant(*axes: int) -> Expr:
-    """Take the determinant of the matrix from angle rates to body rates, for turns about any axes.
-
-    Each column is the axis of a turn, seen from the body: the turns that follow are left to do.
-    The angles are psi, theta and phi, in the order of the turns; where it is zero, they lock.
-
-    Parameters
-    ----------
-    axes
-        0, 1 or 2 for x, y or z, in the order of the turns: 2, 1, 0 for yaw, pitch, roll.
-    """
-    matrix, columns = ImmutableMatrix(eye(3)), []
-    for axis, angle in zip(axes[::-1], (phi, theta, psi), strict=True):
-        columns.append(matrix * (X, Y, Z)[axis])
-        matrix = ImmutableMatrix(matrix * frame_rotation(axis, angle))
-    return simplify(Matrix.hstack(*columns).det())
-
-
-def sequence_locks(*axes: int) -> Set:
-    """Middle angles from 0° to 180° at which three turns about the given axes lock."""
-    return solveset(sequence_determinant(*axes), theta, Interval(0, pi))
-
-
-def yaw_roll_yaw_upright() -> Expr:
-    """`sequence_determinant` of turns about z, x, z where the nose points straight up.
-
-    The middle one of these three turns leads from the old z-axis to the new one, so its angle is
-    the one between the two.
-    """
-    upright = rotation("I", "B").subs(theta, pi / 2)
-    return sequence_determinant(2, 0, 2).subs(theta, acos(upright[2, 2]))

@@ -14,6 +14,7 @@ from sympy import (
 )
 
 from chr_notes.derivations import euler as derived
+from chr_notes.derivations import sequences
 from chr_notes.derivations.sensors import specific_force
 from chr_notes.ledger.case import NOTHING
 from chr_notes.ledger.condition import Condition, Presumed
@@ -85,11 +86,12 @@ _MEANING: dict[Basic, Meaning] = {
     claims.FIELD_I: FIELD,
     claims.FIELD_B: ImmutableMatrix(derived.rotation("I", "B") * FIELD),
     claims.ANY_ROTATION: derived.any_axes,
-    claims.LOCK_321: lambda: derived.sequence_locks(2, 1, 0),
-    claims.LOCK_313: lambda: derived.sequence_locks(2, 0, 2),
-    DETERMINANT_321: lambda: derived.sequence_determinant(2, 1, 0),
-    DETERMINANT_313: lambda: derived.sequence_determinant(2, 0, 2),
-    claims.OTHER_DETERMINANT: derived.yaw_roll_yaw_upright,
+    claims.LOCK_321: lambda: sequences.locks("ZYX"),
+    claims.LOCK_313: lambda: sequences.locks("ZXZ"),
+    # The note's order of the rates is roll, pitch, yaw: of the last turn first, as with fixed axes.
+    DETERMINANT_321: lambda: sequences.determinant("xyz"),
+    DETERMINANT_313: lambda: sequences.determinant("zxz"),
+    claims.OTHER_DETERMINANT: sequences.yaw_roll_yaw_upright,
 }
 READ = reading(
     _MEANING,

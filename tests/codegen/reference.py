@@ -143,6 +143,8 @@ def _atan2(_: Basic, parts: list[Number]) -> Number:
 
 def _relation(expression: Basic, parts: list[Number]) -> bool:
     left, right = parts
+    if expression.rel_op == "!=":
+        return bool(left != right)
     if MP.isnan(left) or MP.isnan(right):
         return False
     return {
@@ -150,6 +152,7 @@ def _relation(expression: Basic, parts: list[Number]) -> bool:
         "<=": left <= right,
         ">": left > right,
         ">=": left >= right,
+        "==": left == right,
     }[expression.rel_op]
 
 

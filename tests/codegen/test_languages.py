@@ -17,6 +17,8 @@ ULPS = 4.0
 ANGLES = {
     "euler_from_matrix": 3,
     "euler_from_quaternion": 3,
+    "angles_from_matrix": 3,
+    "angles_from_quaternion": 3,
     "tilt_from_accelerometer": 2,
     "heading_from_magnetometer": 1,
     "gyro_step": 3,
@@ -44,7 +46,8 @@ def scale(vector: Vector, epsilon: float) -> float:
     largest. The other functions add up their arguments.
     """
     target = vector.target
-    adds = target.topic not in ("euler", "quaternions") or target.name == "quaternion_rates"
+    attitudes = target.topic in ("euler", "quaternions", "sequences")
+    adds = not attitudes or target.name == "quaternion_rates"
     sums = vector.arguments if adds else ()
     numbers = [abs(float(number)) for number in (*vector.results, *sums)]
     largest = max((number for number in numbers if math.isfinite(number)), default=1.0)

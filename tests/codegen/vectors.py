@@ -31,7 +31,9 @@ POSITIVE = (
     "field_known",
     "still",
 )
-ANGLE_NAMES = ("roll", "pitch", "yaw", "angle", "angle_error")
+ANGLE_NAMES = ("roll", "pitch", "yaw", "angle", "angle_error", "first", "second", "third")
+# Any two of the ends make a sequence with this middle; other numbers are tried one by one.
+AXES = {"first_axis": (1.0, 3.0), "second_axis": (2.0,), "third_axis": (1.0, 3.0)}
 
 
 @dataclass(frozen=True)
@@ -55,6 +57,8 @@ class Vector:
 
 def special_values(name: str, rounded: Callable[[float], float], epsilon: float) -> list[float]:
     """Values at which something may go wrong, for an argument of that name."""
+    if name in AXES:
+        return [0.0, 1.0, 1.5, 2.0, 3.0, 4.0, math.nan]
     values = [0.0, -0.0, 1.0, -1.0, math.nan, math.inf, -math.inf]
     if name in ANGLE_NAMES:
         for pole in (rounded(math.pi), rounded(math.pi / 2)):
@@ -75,7 +79,7 @@ def arguments(
     many = len(names) > 9
     for place, name in enumerate(names):
         few = (0.0, math.nan, math.inf)
-        for value in few if many else special_values(name, rounded, epsilon):
+        for value in few if many and name not in AXES else special_values(name, rounded, epsilon):
             drawn = [rounded(_draw(other, source)) for other in names]
             drawn[place] = value
             yield tuple(drawn)
@@ -89,6 +93,8 @@ def arguments(
 
 
 def _draw(name: str, source: random.Random) -> float:
+    if name in AXES:
+        return source.choice(AXES[name])
     if name in ANGLE_NAMES:
         return source.uniform(-3.0, 3.0)
     if name in POSITIVE:

@@ -92,13 +92,6 @@ def test_lock_is_straight_up_and_straight_down() -> None:
     assert euler.lock_pitches() == FiniteSet(-pi / 2, pi / 2)
 
 
-def test_each_sequence_has_its_own_lock() -> None:
-    assert euler.sequence_locks(2, 1, 0) == FiniteSet(pi / 2)
-    assert euler.sequence_locks(2, 0, 2) == FiniteSet(0, pi)
-    assert euler.sequence_determinant(2, 1, 0) == euler.body_rates_matrix().det().simplify()
-    assert euler.yaw_roll_yaw_upright() == 1
-
-
 def test_any_axes_are_those_of_a_right_handed_frame() -> None:
     axes = euler.any_axes()
     assert simplify(axes * axes.T) == eye(3)

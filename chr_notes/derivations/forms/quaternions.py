@@ -32,7 +32,7 @@ def _norm() -> Let:
     return Let(NORM_SQUARED, hamilton.norm_squared(Q))
 
 
-def _positive(first: Expr) -> Choice:
+def positive(first: Expr) -> Choice:
     """Sign that makes the first element of a quaternion positive: q and -q are one attitude."""
     return Choice((SIGN,), ((first >= 0, (first**0,)), otherwise(-(first**0))))
 
@@ -110,7 +110,7 @@ def quaternion_from_euler() -> Computation:
     names = symbols("a b c d", real=True)
     elements = quaternions.from_euler()
     steps = tuple(Let(name, element) for name, element in zip(names, elements, strict=True))
-    return Computation((*steps, _positive(names[0])), ImmutableMatrix(names) * SIGN)
+    return Computation((*steps, positive(names[0])), ImmutableMatrix(names) * SIGN)
 
 
 @cache
@@ -131,7 +131,7 @@ def quaternion_from_matrix() -> Computation:
             (
                 Choice(names, (*branches, otherwise(*products.row(0)))),
                 Let(NORM_SQUARED, square),
-                _positive(names[0]),
+                positive(names[0]),
             ),
             ImmutableMatrix(names) * (SIGN / sqrt(NORM_SQUARED)),
         )
@@ -147,7 +147,7 @@ def quaternion_from_axis_angle() -> Computation:
     return Computation(
         (
             Let(length_squared, axis.dot(axis)),
-            _positive(quaternion[0]),
+            positive(quaternion[0]),
         ),
         SIGN * quaternion,
         guard=length_squared,
@@ -179,7 +179,7 @@ def axis_angle_from_quaternion() -> Computation:
             Choice(parts, ((none, (one, 0 * one, 0 * one)), otherwise(*scaled))),
             Let(extent, sqrt(sum(part**2 for part in parts))),
             Let(length, size * extent),
-            _positive(a),
+            positive(a),
             Choice(names, ((none, (one, 0 * one, 0 * one)), otherwise(*values))),
         ),
         ImmutableMatrix([*names, 2 * atan2(length, Abs(a))]),

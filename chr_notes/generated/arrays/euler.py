@@ -47,7 +47,7 @@ def euler_from_matrix(matrix: Floats, out: Floats) -> NDArray[bool_]:
     matrix: r11, r12, r13, r21, r22, r23, r31, r32, r33, shape (..., 3, 3)
     out: for the result, shape (..., 3)
 
-    Returns whether at gimbal lock, where roll is set to 0.
+    Returns whether at gimbal lock, where roll, the angle of the last turn, is set to 0.
     """
     r11 = matrix[..., 0, 0]
     r12 = matrix[..., 0, 1]

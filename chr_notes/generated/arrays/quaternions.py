@@ -133,7 +133,7 @@ def euler_from_quaternion(q: Floats, out: Floats) -> NDArray[bool_]:
     q: a, b, c, d, shape (..., 4)
     out: for the result, shape (..., 3)
 
-    Returns whether at gimbal lock, where roll is set to 0.
+    Returns whether at gimbal lock, where roll, the angle of the last turn, is set to 0.
 
     Right as long as the sum of squares neither overflows nor vanishes.
     Ledger: quaternions.4.1, quaternions.4.2, quaternions.4.3.

@@ -21,6 +21,11 @@ SHAPES: dict[str, tuple[dict[str, tuple[int, ...]], tuple[int, ...]]] = {
     "quaternion_inverse": ({"q": (4,)}, (4,)),
     "rotate_to_inertial": ({"q": (4,), "v_body": (3,)}, (3,)),
     "rotate_to_body": ({"q": (4,), "v_inertial": (3,)}, (3,)),
+    "matrix_from_angles": ({"angles": (3,), "axes": (3,)}, (3, 3)),
+    "angles_from_matrix": ({"matrix": (3, 3), "axes": (3,)}, (3,)),
+    "quaternion_from_angles": ({"angles": (3,), "axes": (3,)}, (4,)),
+    "angles_from_quaternion": ({"q": (4,), "axes": (3,)}, (3,)),
+    "angle_rates_matrix": ({"angles": (3,), "axes": (3,)}, (3, 3)),
     "accelerometer_at_rest": ({"euler": (3,), "gravity": ()}, (3,)),
     "sensor_measures": (
         {"misalignment": (3, 3), "sensitivity": (3,), "bias": (3,), "actual": (3,)}, (3,)

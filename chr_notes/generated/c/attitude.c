@@ -793,6 +793,1024 @@ void attitude_quaternion_rates_f(float a, float b, float c, float d, float p, fl
     out[3] = 0.5f*a*r + 0.5f*b*q - 0.5f*c*p;
 }
 
+void attitude_matrix_from_angles(double first, double second, double third, double first_axis,
+    double second_axis, double third_axis, double out[9])
+{
+    const double sin_first = sin(first);
+    const double cos_first = cos(first);
+    const double sin_second = sin(second);
+    const double cos_second = cos(second);
+    const double sin_third = sin(third);
+    const double cos_third = cos(third);
+    double first_x, first_y, first_z;
+    if (first_axis == 1.0) {
+        first_x = 1.0;
+        first_y = 0.0;
+        first_z = 0.0;
+    } else if (first_axis == 2.0) {
+        first_x = 0.0;
+        first_y = 1.0;
+        first_z = 0.0;
+    } else if (first_axis == 3.0) {
+        first_x = 0.0;
+        first_y = 0.0;
+        first_z = 1.0;
+    } else {
+        first_x = (double)NAN;
+        first_y = (double)NAN;
+        first_z = (double)NAN;
+    }
+    double second_x, second_y, second_z;
+    if (second_axis == 1.0 && first_axis != 1.0 && third_axis != 1.0) {
+        second_x = 1.0;
+        second_y = 0.0;
+        second_z = 0.0;
+    } else if (second_axis == 2.0 && first_axis != 2.0 && third_axis != 2.0) {
+        second_x = 0.0;
+        second_y = 1.0;
+        second_z = 0.0;
+    } else if (second_axis == 3.0 && first_axis != 3.0 && third_axis != 3.0) {
+        second_x = 0.0;
+        second_y = 0.0;
+        second_z = 1.0;
+    } else {
+        second_x = (double)NAN;
+        second_y = (double)NAN;
+        second_z = (double)NAN;
+    }
+    double third_x, third_y, third_z;
+    if (third_axis == 1.0) {
+        third_x = 1.0;
+        third_y = 0.0;
+        third_z = 0.0;
+    } else if (third_axis == 2.0) {
+        third_x = 0.0;
+        third_y = 1.0;
+        third_z = 0.0;
+    } else if (third_axis == 3.0) {
+        third_x = 0.0;
+        third_y = 0.0;
+        third_z = 1.0;
+    } else {
+        third_x = (double)NAN;
+        third_y = (double)NAN;
+        third_z = (double)NAN;
+    }
+    const double first_stays_x = cos_first*(1.0 - first_x) + first_x;
+    const double first_stays_y = cos_first*(1.0 - first_y) + first_y;
+    const double first_stays_z = cos_first*(1.0 - first_z) + first_z;
+    const double first_sine_x = first_x*sin_first;
+    const double first_sine_y = first_y*sin_first;
+    const double first_sine_z = first_z*sin_first;
+    const double second_stays_x = cos_second*(1.0 - second_x) + second_x;
+    const double second_stays_y = cos_second*(1.0 - second_y) + second_y;
+    const double second_stays_z = cos_second*(1.0 - second_z) + second_z;
+    const double second_sine_x = second_x*sin_second;
+    const double second_sine_y = second_y*sin_second;
+    const double second_sine_z = second_z*sin_second;
+    const double third_stays_x = cos_third*(1.0 - third_x) + third_x;
+    const double third_stays_y = cos_third*(1.0 - third_y) + third_y;
+    const double third_stays_z = cos_third*(1.0 - third_z) + third_z;
+    const double third_sine_x = sin_third*third_x;
+    const double third_sine_y = sin_third*third_y;
+    const double third_sine_z = sin_third*third_z;
+    const double first_sine_y_second_sine_y = first_sine_y*second_sine_y;
+    const double first_sine_z_second_sine_z = first_sine_z*second_sine_z;
+    const double turned_11 = -first_sine_y_second_sine_y - first_sine_z_second_sine_z +
+        first_stays_x*second_stays_x;
+    const double turned_12 = first_sine_x*second_sine_y + first_sine_z*second_stays_x +
+        first_stays_y*second_sine_z;
+    const double turned_13 = first_sine_x*second_sine_z - first_sine_y*second_stays_x -
+        first_stays_z*second_sine_y;
+    const double turned_21 = first_sine_y*second_sine_x - first_sine_z*second_stays_y -
+        first_stays_x*second_sine_z;
+    const double first_sine_x_second_sine_x = first_sine_x*second_sine_x;
+    const double turned_22 = -first_sine_x_second_sine_x - first_sine_z_second_sine_z +
+        first_stays_y*second_stays_y;
+    const double turned_23 = first_sine_x*second_stays_y + first_sine_y*second_sine_z +
+        first_stays_z*second_sine_x;
+    const double turned_31 = first_sine_y*second_stays_z + first_sine_z*second_sine_x +
+        first_stays_x*second_sine_y;
+    const double turned_32 = -first_sine_x*second_stays_z + first_sine_z*second_sine_y -
+        first_stays_y*second_sine_x;
+    const double turned_33 = -first_sine_x_second_sine_x - first_sine_y_second_sine_y +
+        first_stays_z*second_stays_z;
+    out[0] = -third_sine_y*turned_31 + third_sine_z*turned_21 + third_stays_x*turned_11;
+    out[1] = -third_sine_y*turned_32 + third_sine_z*turned_22 + third_stays_x*turned_12;
+    out[2] = -third_sine_y*turned_33 + third_sine_z*turned_23 + third_stays_x*turned_13;
+    out[3] = third_sine_x*turned_31 - third_sine_z*turned_11 + third_stays_y*turned_21;
+    out[4] = third_sine_x*turned_32 - third_sine_z*turned_12 + third_stays_y*turned_22;
+    out[5] = third_sine_x*turned_33 - third_sine_z*turned_13 + third_stays_y*turned_23;
+    out[6] = -third_sine_x*turned_21 + third_sine_y*turned_11 + third_stays_z*turned_31;
+    out[7] = -third_sine_x*turned_22 + third_sine_y*turned_12 + third_stays_z*turned_32;
+    out[8] = -third_sine_x*turned_23 + third_sine_y*turned_13 + third_stays_z*turned_33;
+}
+
+void attitude_matrix_from_angles_f(float first, float second, float third, float first_axis,
+    float second_axis, float third_axis, float out[9])
+{
+    const float sin_first = sinf(first);
+    const float cos_first = cosf(first);
+    const float sin_second = sinf(second);
+    const float cos_second = cosf(second);
+    const float sin_third = sinf(third);
+    const float cos_third = cosf(third);
+    float first_x, first_y, first_z;
+    if (first_axis == 1.0f) {
+        first_x = 1.0f;
+        first_y = 0.0f;
+        first_z = 0.0f;
+    } else if (first_axis == 2.0f) {
+        first_x = 0.0f;
+        first_y = 1.0f;
+        first_z = 0.0f;
+    } else if (first_axis == 3.0f) {
+        first_x = 0.0f;
+        first_y = 0.0f;
+        first_z = 1.0f;
+    } else {
+        first_x = NAN;
+        first_y = NAN;
+        first_z = NAN;
+    }
+    float second_x, second_y, second_z;
+    if (second_axis == 1.0f && first_axis != 1.0f && third_axis != 1.0f) {
+        second_x = 1.0f;
+        second_y = 0.0f;
+        second_z = 0.0f;
+    } else if (second_axis == 2.0f && first_axis != 2.0f && third_axis != 2.0f) {
+        second_x = 0.0f;
+        second_y = 1.0f;
+        second_z = 0.0f;
+    } else if (second_axis == 3.0f && first_axis != 3.0f && third_axis != 3.0f) {
+        second_x = 0.0f;
+        second_y = 0.0f;
+        second_z = 1.0f;
+    } else {
+        second_x = NAN;
+        second_y = NAN;
+        second_z = NAN;
+    }
+    float third_x, third_y, third_z;
+    if (third_axis == 1.0f) {
+        third_x = 1.0f;
+        third_y = 0.0f;
+        third_z = 0.0f;
+    } else if (third_axis == 2.0f) {
+        third_x = 0.0f;
+        third_y = 1.0f;
+        third_z = 0.0f;
+    } else if (third_axis == 3.0f) {
+        third_x = 0.0f;
+        third_y = 0.0f;
+        third_z = 1.0f;
+    } else {
+        third_x = NAN;
+        third_y = NAN;
+        third_z = NAN;
+    }
+    const float first_stays_x = cos_first*(1.0f - first_x) + first_x;
+    const float first_stays_y = cos_first*(1.0f - first_y) + first_y;
+    const float first_stays_z = cos_first*(1.0f - first_z) + first_z;
+    const float first_sine_x = first_x*sin_first;
+    const float first_sine_y = first_y*sin_first;
+    const float first_sine_z = first_z*sin_first;
+    const float second_stays_x = cos_second*(1.0f - second_x) + second_x;
+    const float second_stays_y = cos_second*(1.0f - second_y) + second_y;
+    const float second_stays_z = cos_second*(1.0f - second_z) + second_z;
+    const float second_sine_x = second_x*sin_second;
+    const float second_sine_y = second_y*sin_second;
+    const float second_sine_z = second_z*sin_second;
+    const float third_stays_x = cos_third*(1.0f - third_x) + third_x;
+    const float third_stays_y = cos_third*(1.0f - third_y) + third_y;
+    const float third_stays_z = cos_third*(1.0f - third_z) + third_z;
+    const float third_sine_x = sin_third*third_x;
+    const float third_sine_y = sin_third*third_y;
+    const float third_sine_z = sin_third*third_z;
+    const float first_sine_y_second_sine_y = first_sine_y*second_sine_y;
+    const float first_sine_z_second_sine_z = first_sine_z*second_sine_z;
+    const float turned_11 = -first_sine_y_second_sine_y - first_sine_z_second_sine_z +
+        first_stays_x*second_stays_x;
+    const float turned_12 = first_sine_x*second_sine_y + first_sine_z*second_stays_x +
+        first_stays_y*second_sine_z;
+    const float turned_13 = first_sine_x*second_sine_z - first_sine_y*second_stays_x -
+        first_stays_z*second_sine_y;
+    const float turned_21 = first_sine_y*second_sine_x - first_sine_z*second_stays_y -
+        first_stays_x*second_sine_z;
+    const float first_sine_x_second_sine_x = first_sine_x*second_sine_x;
+    const float turned_22 = -first_sine_x_second_sine_x - first_sine_z_second_sine_z +
+        first_stays_y*second_stays_y;
+    const float turned_23 = first_sine_x*second_stays_y + first_sine_y*second_sine_z +
+        first_stays_z*second_sine_x;
+    const float turned_31 = first_sine_y*second_stays_z + first_sine_z*second_sine_x +
+        first_stays_x*second_sine_y;
+    const float turned_32 = -first_sine_x*second_stays_z + first_sine_z*second_sine_y -
+        first_stays_y*second_sine_x;
+    const float turned_33 = -first_sine_x_second_sine_x - first_sine_y_second_sine_y +
+        first_stays_z*second_stays_z;
+    out[0] = -third_sine_y*turned_31 + third_sine_z*turned_21 + third_stays_x*turned_11;
+    out[1] = -third_sine_y*turned_32 + third_sine_z*turned_22 + third_stays_x*turned_12;
+    out[2] = -third_sine_y*turned_33 + third_sine_z*turned_23 + third_stays_x*turned_13;
+    out[3] = third_sine_x*turned_31 - third_sine_z*turned_11 + third_stays_y*turned_21;
+    out[4] = third_sine_x*turned_32 - third_sine_z*turned_12 + third_stays_y*turned_22;
+    out[5] = third_sine_x*turned_33 - third_sine_z*turned_13 + third_stays_y*turned_23;
+    out[6] = -third_sine_x*turned_21 + third_sine_y*turned_11 + third_stays_z*turned_31;
+    out[7] = -third_sine_x*turned_22 + third_sine_y*turned_12 + third_stays_z*turned_32;
+    out[8] = -third_sine_x*turned_23 + third_sine_y*turned_13 + third_stays_z*turned_33;
+}
+
+int attitude_angles_from_matrix(double r11, double r12, double r13, double r21, double r22,
+    double r23, double r31, double r32, double r33, double first_axis, double second_axis,
+    double third_axis, double out[3])
+{
+    double first_x, first_y, first_z;
+    if (first_axis == 1.0) {
+        first_x = 1.0;
+        first_y = 0.0;
+        first_z = 0.0;
+    } else if (first_axis == 2.0) {
+        first_x = 0.0;
+        first_y = 1.0;
+        first_z = 0.0;
+    } else if (first_axis == 3.0) {
+        first_x = 0.0;
+        first_y = 0.0;
+        first_z = 1.0;
+    } else {
+        first_x = (double)NAN;
+        first_y = (double)NAN;
+        first_z = (double)NAN;
+    }
+    double second_x, second_y, second_z;
+    if (second_axis == 1.0 && first_axis != 1.0 && third_axis != 1.0) {
+        second_x = 1.0;
+        second_y = 0.0;
+        second_z = 0.0;
+    } else if (second_axis == 2.0 && first_axis != 2.0 && third_axis != 2.0) {
+        second_x = 0.0;
+        second_y = 1.0;
+        second_z = 0.0;
+    } else if (second_axis == 3.0 && first_axis != 3.0 && third_axis != 3.0) {
+        second_x = 0.0;
+        second_y = 0.0;
+        second_z = 1.0;
+    } else {
+        second_x = (double)NAN;
+        second_y = (double)NAN;
+        second_z = (double)NAN;
+    }
+    double third_x, third_y, third_z;
+    if (third_axis == 1.0) {
+        third_x = 1.0;
+        third_y = 0.0;
+        third_z = 0.0;
+    } else if (third_axis == 2.0) {
+        third_x = 0.0;
+        third_y = 1.0;
+        third_z = 0.0;
+    } else if (third_axis == 3.0) {
+        third_x = 0.0;
+        third_y = 0.0;
+        third_z = 1.0;
+    } else {
+        third_x = (double)NAN;
+        third_y = (double)NAN;
+        third_z = (double)NAN;
+    }
+    const double across_x = -first_y*second_z + first_z*second_y;
+    const double across_y = first_x*second_z - first_z*second_x;
+    const double across_z = -first_x*second_y + first_y*second_x;
+    const double sign_of_roll = across_x*third_x + across_y*third_y + across_z*third_z;
+    const double axis_again = first_x*third_x + first_y*third_y + first_z*third_z;
+    const double axis_other = 1.0 - axis_again;
+    const double seen_1 = r11*third_x + r21*third_y + r31*third_z;
+    const double seen_2 = r12*third_x + r22*third_y + r32*third_z;
+    const double seen_3 = r13*third_x + r23*third_y + r33*third_z;
+    const double sign = axis_again + sign_of_roll;
+    const double along_across = sign*(across_x*seen_1 + across_y*seen_2 + across_z*seen_3);
+    const double along_second = sign*(second_x*seen_1 + second_y*seen_2 + second_z*seen_3);
+    const double along_first = first_x*seen_1 + first_y*seen_2 + first_z*seen_3;
+    const double size = hypot(along_across, along_second);
+    const double level_1 = -across_x*along_second + along_across*second_x;
+    const double level_2 = -across_y*along_second + along_across*second_y;
+    const double level_3 = -across_z*along_second + along_across*second_z;
+    const double moved_1 = level_1*r11 + level_2*r12 + level_3*r13;
+    const double moved_2 = level_1*r21 + level_2*r22 + level_3*r23;
+    const double moved_3 = level_1*r31 + level_2*r32 + level_3*r33;
+    const double row_1 = r11*second_x + r21*second_y + r31*second_z;
+    const double row_2 = r12*second_x + r22*second_y + r32*second_z;
+    const double row_3 = r13*second_x + r23*second_y + r33*second_z;
+    const double second_angle = atan2(-along_first*sign_of_roll + axis_again*size,
+        along_first*axis_again + axis_other*size);
+    const int locked = size < 1.7763568394002505e-15*fabs(along_first);
+    double first_angle, third_angle;
+    if (!locked) {
+        first_angle = atan2(along_second, along_across);
+        third_angle = atan2(moved_1*(across_x*axis_again - first_x*sign_of_roll) +
+            moved_2*(across_y*axis_again - first_y*sign_of_roll) + moved_3*(across_z*axis_again -
+            first_z*sign_of_roll), moved_1*second_x + moved_2*second_y + moved_3*second_z);
+    } else {
+        first_angle = atan2(-across_x*row_1 - across_y*row_2 - across_z*row_3, row_1*second_x +
+            row_2*second_y + row_3*second_z);
+        third_angle = 0.0;
+    }
+    out[0] = first_angle;
+    out[1] = second_angle;
+    out[2] = third_angle;
+    return locked;
+}
+
+int attitude_angles_from_matrix_f(float r11, float r12, float r13, float r21, float r22, float r23,
+    float r31, float r32, float r33, float first_axis, float second_axis, float third_axis,
+    float out[3])
+{
+    float first_x, first_y, first_z;
+    if (first_axis == 1.0f) {
+        first_x = 1.0f;
+        first_y = 0.0f;
+        first_z = 0.0f;
+    } else if (first_axis == 2.0f) {
+        first_x = 0.0f;
+        first_y = 1.0f;
+        first_z = 0.0f;
+    } else if (first_axis == 3.0f) {
+        first_x = 0.0f;
+        first_y = 0.0f;
+        first_z = 1.0f;
+    } else {
+        first_x = NAN;
+        first_y = NAN;
+        first_z = NAN;
+    }
+    float second_x, second_y, second_z;
+    if (second_axis == 1.0f && first_axis != 1.0f && third_axis != 1.0f) {
+        second_x = 1.0f;
+        second_y = 0.0f;
+        second_z = 0.0f;
+    } else if (second_axis == 2.0f && first_axis != 2.0f && third_axis != 2.0f) {
+        second_x = 0.0f;
+        second_y = 1.0f;
+        second_z = 0.0f;
+    } else if (second_axis == 3.0f && first_axis != 3.0f && third_axis != 3.0f) {
+        second_x = 0.0f;
+        second_y = 0.0f;
+        second_z = 1.0f;
+    } else {
+        second_x = NAN;
+        second_y = NAN;
+        second_z = NAN;
+    }
+    float third_x, third_y, third_z;
+    if (third_axis == 1.0f) {
+        third_x = 1.0f;
+        third_y = 0.0f;
+        third_z = 0.0f;
+    } else if (third_axis == 2.0f) {
+        third_x = 0.0f;
+        third_y = 1.0f;
+        third_z = 0.0f;
+    } else if (third_axis == 3.0f) {
+        third_x = 0.0f;
+        third_y = 0.0f;
+        third_z = 1.0f;
+    } else {
+        third_x = NAN;
+        third_y = NAN;
+        third_z = NAN;
+    }
+    const float across_x = -first_y*second_z + first_z*second_y;
+    const float across_y = first_x*second_z - first_z*second_x;
+    const float across_z = -first_x*second_y + first_y*second_x;
+    const float sign_of_roll = across_x*third_x + across_y*third_y + across_z*third_z;
+    const float axis_again = first_x*third_x + first_y*third_y + first_z*third_z;
+    const float axis_other = 1.0f - axis_again;
+    const float seen_1 = r11*third_x + r21*third_y + r31*third_z;
+    const float seen_2 = r12*third_x + r22*third_y + r32*third_z;
+    const float seen_3 = r13*third_x + r23*third_y + r33*third_z;
+    const float sign = axis_again + sign_of_roll;
+    const float along_across = sign*(across_x*seen_1 + across_y*seen_2 + across_z*seen_3);
+    const float along_second = sign*(second_x*seen_1 + second_y*seen_2 + second_z*seen_3);
+    const float along_first = first_x*seen_1 + first_y*seen_2 + first_z*seen_3;
+    const float size = hypotf(along_across, along_second);
+    const float level_1 = -across_x*along_second + along_across*second_x;
+    const float level_2 = -across_y*along_second + along_across*second_y;
+    const float level_3 = -across_z*along_second + along_across*second_z;
+    const float moved_1 = level_1*r11 + level_2*r12 + level_3*r13;
+    const float moved_2 = level_1*r21 + level_2*r22 + level_3*r23;
+    const float moved_3 = level_1*r31 + level_2*r32 + level_3*r33;
+    const float row_1 = r11*second_x + r21*second_y + r31*second_z;
+    const float row_2 = r12*second_x + r22*second_y + r32*second_z;
+    const float row_3 = r13*second_x + r23*second_y + r33*second_z;
+    const float second_angle = atan2f(-along_first*sign_of_roll + axis_again*size,
+        along_first*axis_again + axis_other*size);
+    const int locked = size < 9.5367431640625e-07f*fabsf(along_first);
+    float first_angle, third_angle;
+    if (!locked) {
+        first_angle = atan2f(along_second, along_across);
+        third_angle = atan2f(moved_1*(across_x*axis_again - first_x*sign_of_roll) +
+            moved_2*(across_y*axis_again - first_y*sign_of_roll) + moved_3*(across_z*axis_again -
+            first_z*sign_of_roll), moved_1*second_x + moved_2*second_y + moved_3*second_z);
+    } else {
+        first_angle = atan2f(-across_x*row_1 - across_y*row_2 - across_z*row_3, row_1*second_x +
+            row_2*second_y + row_3*second_z);
+        third_angle = 0.0f;
+    }
+    out[0] = first_angle;
+    out[1] = second_angle;
+    out[2] = third_angle;
+    return locked;
+}
+
+void attitude_quaternion_from_angles(double first, double second, double third, double first_axis,
+    double second_axis, double third_axis, double out[4])
+{
+    const double sin_half_first = sin(0.5*first);
+    const double cos_half_first = cos(0.5*first);
+    const double sin_half_second = sin(0.5*second);
+    const double cos_half_second = cos(0.5*second);
+    const double sin_half_third = sin(0.5*third);
+    const double cos_half_third = cos(0.5*third);
+    double first_x, first_y, first_z;
+    if (first_axis == 1.0) {
+        first_x = 1.0;
+        first_y = 0.0;
+        first_z = 0.0;
+    } else if (first_axis == 2.0) {
+        first_x = 0.0;
+        first_y = 1.0;
+        first_z = 0.0;
+    } else if (first_axis == 3.0) {
+        first_x = 0.0;
+        first_y = 0.0;
+        first_z = 1.0;
+    } else {
+        first_x = (double)NAN;
+        first_y = (double)NAN;
+        first_z = (double)NAN;
+    }
+    double second_x, second_y, second_z;
+    if (second_axis == 1.0 && first_axis != 1.0 && third_axis != 1.0) {
+        second_x = 1.0;
+        second_y = 0.0;
+        second_z = 0.0;
+    } else if (second_axis == 2.0 && first_axis != 2.0 && third_axis != 2.0) {
+        second_x = 0.0;
+        second_y = 1.0;
+        second_z = 0.0;
+    } else if (second_axis == 3.0 && first_axis != 3.0 && third_axis != 3.0) {
+        second_x = 0.0;
+        second_y = 0.0;
+        second_z = 1.0;
+    } else {
+        second_x = (double)NAN;
+        second_y = (double)NAN;
+        second_z = (double)NAN;
+    }
+    double third_x, third_y, third_z;
+    if (third_axis == 1.0) {
+        third_x = 1.0;
+        third_y = 0.0;
+        third_z = 0.0;
+    } else if (third_axis == 2.0) {
+        third_x = 0.0;
+        third_y = 1.0;
+        third_z = 0.0;
+    } else if (third_axis == 3.0) {
+        third_x = 0.0;
+        third_y = 0.0;
+        third_z = 1.0;
+    } else {
+        third_x = (double)NAN;
+        third_y = (double)NAN;
+        third_z = (double)NAN;
+    }
+    const double sin_half_first_sin_half_second = sin_half_first*sin_half_second;
+    const double second_x_sin_half_first_sin_half_second = second_x*sin_half_first_sin_half_second;
+    const double first_y_sin_half_first_sin_half_second = first_y*sin_half_first_sin_half_second;
+    const double first_z_sin_half_first_sin_half_second = first_z*sin_half_first_sin_half_second;
+    const double twice_a = cos_half_first*cos_half_second -
+        first_x*second_x_sin_half_first_sin_half_second -
+        first_y_sin_half_first_sin_half_second*second_y -
+        first_z_sin_half_first_sin_half_second*second_z;
+    const double cos_half_first_sin_half_second = cos_half_first*sin_half_second;
+    const double cos_half_second_sin_half_first = cos_half_second*sin_half_first;
+    const double twice_b = cos_half_first_sin_half_second*second_x +
+        cos_half_second_sin_half_first*first_x + first_y_sin_half_first_sin_half_second*second_z -
+        first_z_sin_half_first_sin_half_second*second_y;
+    const double first_x_sin_half_first_sin_half_second = first_x*sin_half_first_sin_half_second;
+    const double twice_c = cos_half_first_sin_half_second*second_y +
+        cos_half_second_sin_half_first*first_y - first_x_sin_half_first_sin_half_second*second_z +
+        first_z*second_x_sin_half_first_sin_half_second;
+    const double twice_d = cos_half_first_sin_half_second*second_z +
+        cos_half_second_sin_half_first*first_z + first_x_sin_half_first_sin_half_second*second_y -
+        first_y*second_x_sin_half_first_sin_half_second;
+    const double sin_half_third_third_x = sin_half_third*third_x;
+    const double sin_half_third_twice_c = sin_half_third*twice_c;
+    const double sin_half_third_twice_d = sin_half_third*twice_d;
+    const double a = cos_half_third*twice_a - sin_half_third_third_x*twice_b -
+        sin_half_third_twice_c*third_y - sin_half_third_twice_d*third_z;
+    const double b = cos_half_third*twice_b + sin_half_third_third_x*twice_a +
+        sin_half_third_twice_c*third_z - sin_half_third_twice_d*third_y;
+    const double sin_half_third_third_y = sin_half_third*third_y;
+    const double sin_half_third_third_z = sin_half_third*third_z;
+    const double c = cos_half_third*twice_c + sin_half_third_third_x*twice_d +
+        sin_half_third_third_y*twice_a - sin_half_third_third_z*twice_b;
+    const double d = cos_half_third*twice_d - sin_half_third_third_x*twice_c +
+        sin_half_third_third_y*twice_b + sin_half_third_third_z*twice_a;
+    const double sign = a >= 0.0 ? 1.0 : -1.0;
+    out[0] = a*sign;
+    out[1] = b*sign;
+    out[2] = c*sign;
+    out[3] = d*sign;
+}
+
+void attitude_quaternion_from_angles_f(float first, float second, float third, float first_axis,
+    float second_axis, float third_axis, float out[4])
+{
+    const float sin_half_first = sinf(0.5f*first);
+    const float cos_half_first = cosf(0.5f*first);
+    const float sin_half_second = sinf(0.5f*second);
+    const float cos_half_second = cosf(0.5f*second);
+    const float sin_half_third = sinf(0.5f*third);
+    const float cos_half_third = cosf(0.5f*third);
+    float first_x, first_y, first_z;
+    if (first_axis == 1.0f) {
+        first_x = 1.0f;
+        first_y = 0.0f;
+        first_z = 0.0f;
+    } else if (first_axis == 2.0f) {
+        first_x = 0.0f;
+        first_y = 1.0f;
+        first_z = 0.0f;
+    } else if (first_axis == 3.0f) {
+        first_x = 0.0f;
+        first_y = 0.0f;
+        first_z = 1.0f;
+    } else {
+        first_x = NAN;
+        first_y = NAN;
+        first_z = NAN;
+    }
+    float second_x, second_y, second_z;
+    if (second_axis == 1.0f && first_axis != 1.0f && third_axis != 1.0f) {
+        second_x = 1.0f;
+        second_y = 0.0f;
+        second_z = 0.0f;
+    } else if (second_axis == 2.0f && first_axis != 2.0f && third_axis != 2.0f) {
+        second_x = 0.0f;
+        second_y = 1.0f;
+        second_z = 0.0f;
+    } else if (second_axis == 3.0f && first_axis != 3.0f && third_axis != 3.0f) {
+        second_x = 0.0f;
+        second_y = 0.0f;
+        second_z = 1.0f;
+    } else {
+        second_x = NAN;
+        second_y = NAN;
+        second_z = NAN;
+    }
+    float third_x, third_y, third_z;
+    if (third_axis == 1.0f) {
+        third_x = 1.0f;
+        third_y = 0.0f;
+        third_z = 0.0f;
+    } else if (third_axis == 2.0f) {
+        third_x = 0.0f;
+        third_y = 1.0f;
+        third_z = 0.0f;
+    } else if (third_axis == 3.0f) {
+        third_x = 0.0f;
+        third_y = 0.0f;
+        third_z = 1.0f;
+    } else {
+        third_x = NAN;
+        third_y = NAN;
+        third_z = NAN;
+    }
+    const float sin_half_first_sin_half_second = sin_half_first*sin_half_second;
+    const float second_x_sin_half_first_sin_half_second = second_x*sin_half_first_sin_half_second;
+    const float first_y_sin_half_first_sin_half_second = first_y*sin_half_first_sin_half_second;
+    const float first_z_sin_half_first_sin_half_second = first_z*sin_half_first_sin_half_second;
+    const float twice_a = cos_half_first*cos_half_second -
+        first_x*second_x_sin_half_first_sin_half_second -
+        first_y_sin_half_first_sin_half_second*second_y -
+        first_z_sin_half_first_sin_half_second*second_z;
+    const float cos_half_first_sin_half_second = cos_half_first*sin_half_second;
+    const float cos_half_second_sin_half_first = cos_half_second*sin_half_first;
+    const float twice_b = cos_half_first_sin_half_second*second_x +
+        cos_half_second_sin_half_first*first_x + first_y_sin_half_first_sin_half_second*second_z -
+        first_z_sin_half_first_sin_half_second*second_y;
+    const float first_x_sin_half_first_sin_half_second = first_x*sin_half_first_sin_half_second;
+    const float twice_c = cos_half_first_sin_half_second*second_y +
+        cos_half_second_sin_half_first*first_y - first_x_sin_half_first_sin_half_second*second_z +
+        first_z*second_x_sin_half_first_sin_half_second;
+    const float twice_d = cos_half_first_sin_half_second*second_z +
+        cos_half_second_sin_half_first*first_z + first_x_sin_half_first_sin_half_second*second_y -
+        first_y*second_x_sin_half_first_sin_half_second;
+    const float sin_half_third_third_x = sin_half_third*third_x;
+    const float sin_half_third_twice_c = sin_half_third*twice_c;
+    const float sin_half_third_twice_d = sin_half_third*twice_d;
+    const float a = cos_half_third*twice_a - sin_half_third_third_x*twice_b -
+        sin_half_third_twice_c*third_y - sin_half_third_twice_d*third_z;
+    const float b = cos_half_third*twice_b + sin_half_third_third_x*twice_a +
+        sin_half_third_twice_c*third_z - sin_half_third_twice_d*third_y;
+    const float sin_half_third_third_y = sin_half_third*third_y;
+    const float sin_half_third_third_z = sin_half_third*third_z;
+    const float c = cos_half_third*twice_c + sin_half_third_third_x*twice_d +
+        sin_half_third_third_y*twice_a - sin_half_third_third_z*twice_b;
+    const float d = cos_half_third*twice_d - sin_half_third_third_x*twice_c +
+        sin_half_third_third_y*twice_b + sin_half_third_third_z*twice_a;
+    const float sign = a >= 0.0f ? 1.0f : -1.0f;
+    out[0] = a*sign;
+    out[1] = b*sign;
+    out[2] = c*sign;
+    out[3] = d*sign;
+}
+
+int attitude_angles_from_quaternion(double a, double b, double c, double d, double first_axis,
+    double second_axis, double third_axis, double out[3])
+{
+    double first_x, first_y, first_z;
+    if (first_axis == 1.0) {
+        first_x = 1.0;
+        first_y = 0.0;
+        first_z = 0.0;
+    } else if (first_axis == 2.0) {
+        first_x = 0.0;
+        first_y = 1.0;
+        first_z = 0.0;
+    } else if (first_axis == 3.0) {
+        first_x = 0.0;
+        first_y = 0.0;
+        first_z = 1.0;
+    } else {
+        first_x = (double)NAN;
+        first_y = (double)NAN;
+        first_z = (double)NAN;
+    }
+    double second_x, second_y, second_z;
+    if (second_axis == 1.0 && first_axis != 1.0 && third_axis != 1.0) {
+        second_x = 1.0;
+        second_y = 0.0;
+        second_z = 0.0;
+    } else if (second_axis == 2.0 && first_axis != 2.0 && third_axis != 2.0) {
+        second_x = 0.0;
+        second_y = 1.0;
+        second_z = 0.0;
+    } else if (second_axis == 3.0 && first_axis != 3.0 && third_axis != 3.0) {
+        second_x = 0.0;
+        second_y = 0.0;
+        second_z = 1.0;
+    } else {
+        second_x = (double)NAN;
+        second_y = (double)NAN;
+        second_z = (double)NAN;
+    }
+    double third_x, third_y, third_z;
+    if (third_axis == 1.0) {
+        third_x = 1.0;
+        third_y = 0.0;
+        third_z = 0.0;
+    } else if (third_axis == 2.0) {
+        third_x = 0.0;
+        third_y = 1.0;
+        third_z = 0.0;
+    } else if (third_axis == 3.0) {
+        third_x = 0.0;
+        third_y = 0.0;
+        third_z = 1.0;
+    } else {
+        third_x = (double)NAN;
+        third_y = (double)NAN;
+        third_z = (double)NAN;
+    }
+    const double across_x = -first_y*second_z + first_z*second_y;
+    const double across_y = first_x*second_z - first_z*second_x;
+    const double across_z = -first_x*second_y + first_y*second_x;
+    const double sign_of_roll = across_x*third_x + across_y*third_y + across_z*third_z;
+    const double axis_again = first_x*third_x + first_y*third_y + first_z*third_z;
+    const double axis_other = 1.0 - axis_again;
+    const double sign = axis_again + sign_of_roll;
+    const double along_across = across_x*b + across_y*c + across_z*d;
+    const double along_second = b*second_x + c*second_y + d*second_z;
+    const double along_first = b*first_x + c*first_y + d*first_z;
+    const double part_1 = a - along_second*axis_other;
+    const double part_2 = along_across - along_first*axis_other;
+    const double part_3 = a*axis_other + along_second;
+    const double part_4 = along_across*axis_other + along_first;
+    const double below = part_1*part_1 + part_4*part_4;
+    const double above = part_2*part_2 + part_3*part_3;
+    const double product_1 = part_3*part_4;
+    const double product_2 = part_1*part_2;
+    const double product_3 = part_1*part_3;
+    const double product_4 = part_2*part_4;
+    const double half_sine = a*along_second - along_across*along_first;
+    const double root = sqrt(above)*sqrt(below);
+    const double rest = 0.5*axis_again*(-above + below) + 2.0*axis_other*half_sine;
+    const double second_angle = atan2(axis_again*root + axis_other*rest, axis_again*rest +
+        axis_other*root);
+    const int locked = root < 1.7763568394002505e-15*fabs(rest);
+    double first_angle, third_angle;
+    if (!locked) {
+        first_angle = atan2(product_1 - product_2, product_3 + product_4);
+        third_angle = atan2(sign*(product_1 + product_2), product_3 - product_4);
+    } else {
+        first_angle = atan2(2.0*a*along_first - 2.0*along_across*along_second, a*a -
+            (along_across*along_across) - (along_first*along_first) + along_second*along_second);
+        third_angle = 0.0;
+    }
+    out[0] = first_angle;
+    out[1] = second_angle;
+    out[2] = third_angle;
+    return locked;
+}
+
+int attitude_angles_from_quaternion_f(float a, float b, float c, float d, float first_axis,
+    float second_axis, float third_axis, float out[3])
+{
+    float first_x, first_y, first_z;
+    if (first_axis == 1.0f) {
+        first_x = 1.0f;
+        first_y = 0.0f;
+        first_z = 0.0f;
+    } else if (first_axis == 2.0f) {
+        first_x = 0.0f;
+        first_y = 1.0f;
+        first_z = 0.0f;
+    } else if (first_axis == 3.0f) {
+        first_x = 0.0f;
+        first_y = 0.0f;
+        first_z = 1.0f;
+    } else {
+        first_x = NAN;
+        first_y = NAN;
+        first_z = NAN;
+    }
+    float second_x, second_y, second_z;
+    if (second_axis == 1.0f && first_axis != 1.0f && third_axis != 1.0f) {
+        second_x = 1.0f;
+        second_y = 0.0f;
+        second_z = 0.0f;
+    } else if (second_axis == 2.0f && first_axis != 2.0f && third_axis != 2.0f) {
+        second_x = 0.0f;
+        second_y = 1.0f;
+        second_z = 0.0f;
+    } else if (second_axis == 3.0f && first_axis != 3.0f && third_axis != 3.0f) {
+        second_x = 0.0f;
+        second_y = 0.0f;
+        second_z = 1.0f;
+    } else {
+        second_x = NAN;
+        second_y = NAN;
+        second_z = NAN;
+    }
+    float third_x, third_y, third_z;
+    if (third_axis == 1.0f) {
+        third_x = 1.0f;
+        third_y = 0.0f;
+        third_z = 0.0f;
+    } else if (third_axis == 2.0f) {
+        third_x = 0.0f;
+        third_y = 1.0f;
+        third_z = 0.0f;
+    } else if (third_axis == 3.0f) {
+        third_x = 0.0f;
+        third_y = 0.0f;
+        third_z = 1.0f;
+    } else {
+        third_x = NAN;
+        third_y = NAN;
+        third_z = NAN;
+    }
+    const float across_x = -first_y*second_z + first_z*second_y;
+    const float across_y = first_x*second_z - first_z*second_x;
+    const float across_z = -first_x*second_y + first_y*second_x;
+    const float sign_of_roll = across_x*third_x + across_y*third_y + across_z*third_z;
+    const float axis_again = first_x*third_x + first_y*third_y + first_z*third_z;
+    const float axis_other = 1.0f - axis_again;
+    const float sign = axis_again + sign_of_roll;
+    const float along_across = across_x*b + across_y*c + across_z*d;
+    const float along_second = b*second_x + c*second_y + d*second_z;
+    const float along_first = b*first_x + c*first_y + d*first_z;
+    const float part_1 = a - along_second*axis_other;
+    const float part_2 = along_across - along_first*axis_other;
+    const float part_3 = a*axis_other + along_second;
+    const float part_4 = along_across*axis_other + along_first;
+    const float below = part_1*part_1 + part_4*part_4;
+    const float above = part_2*part_2 + part_3*part_3;
+    const float product_1 = part_3*part_4;
+    const float product_2 = part_1*part_2;
+    const float product_3 = part_1*part_3;
+    const float product_4 = part_2*part_4;
+    const float half_sine = a*along_second - along_across*along_first;
+    const float root = sqrtf(above)*sqrtf(below);
+    const float rest = 0.5f*axis_again*(-above + below) + 2.0f*axis_other*half_sine;
+    const float second_angle = atan2f(axis_again*root + axis_other*rest, axis_again*rest +
+        axis_other*root);
+    const int locked = root < 9.5367431640625e-07f*fabsf(rest);
+    float first_angle, third_angle;
+    if (!locked) {
+        first_angle = atan2f(product_1 - product_2, product_3 + product_4);
+        third_angle = atan2f(sign*(product_1 + product_2), product_3 - product_4);
+    } else {
+        first_angle = atan2f(2.0f*a*along_first - 2.0f*along_across*along_second, a*a -
+            (along_across*along_across) - (along_first*along_first) + along_second*along_second);
+        third_angle = 0.0f;
+    }
+    out[0] = first_angle;
+    out[1] = second_angle;
+    out[2] = third_angle;
+    return locked;
+}
+
+void attitude_angle_rates_matrix(double second, double third, double first_axis, double second_axis,
+    double third_axis, double out[9])
+{
+    const double sin_second = sin(second);
+    const double cos_second = cos(second);
+    const double sin_third = sin(third);
+    const double cos_third = cos(third);
+    double first_x, first_y, first_z;
+    if (first_axis == 1.0) {
+        first_x = 1.0;
+        first_y = 0.0;
+        first_z = 0.0;
+    } else if (first_axis == 2.0) {
+        first_x = 0.0;
+        first_y = 1.0;
+        first_z = 0.0;
+    } else if (first_axis == 3.0) {
+        first_x = 0.0;
+        first_y = 0.0;
+        first_z = 1.0;
+    } else {
+        first_x = (double)NAN;
+        first_y = (double)NAN;
+        first_z = (double)NAN;
+    }
+    double second_x, second_y, second_z;
+    if (second_axis == 1.0 && first_axis != 1.0 && third_axis != 1.0) {
+        second_x = 1.0;
+        second_y = 0.0;
+        second_z = 0.0;
+    } else if (second_axis == 2.0 && first_axis != 2.0 && third_axis != 2.0) {
+        second_x = 0.0;
+        second_y = 1.0;
+        second_z = 0.0;
+    } else if (second_axis == 3.0 && first_axis != 3.0 && third_axis != 3.0) {
+        second_x = 0.0;
+        second_y = 0.0;
+        second_z = 1.0;
+    } else {
+        second_x = (double)NAN;
+        second_y = (double)NAN;
+        second_z = (double)NAN;
+    }
+    double third_x, third_y, third_z;
+    if (third_axis == 1.0) {
+        third_x = 1.0;
+        third_y = 0.0;
+        third_z = 0.0;
+    } else if (third_axis == 2.0) {
+        third_x = 0.0;
+        third_y = 1.0;
+        third_z = 0.0;
+    } else if (third_axis == 3.0) {
+        third_x = 0.0;
+        third_y = 0.0;
+        third_z = 1.0;
+    } else {
+        third_x = (double)NAN;
+        third_y = (double)NAN;
+        third_z = (double)NAN;
+    }
+    const double across_x = -first_y*second_z + first_z*second_y;
+    const double across_y = first_x*second_z - first_z*second_x;
+    const double across_z = -first_x*second_y + first_y*second_x;
+    const double sign_of_roll = across_x*third_x + across_y*third_y + across_z*third_z;
+    const double axis_again = first_x*third_x + first_y*third_y + first_z*third_z;
+    const double volume = axis_again*sin_second + cos_second*sign_of_roll;
+    const double over_volume = volume != 0.0 ? 1.0/volume : (double)NAN;
+    const double before_11 = over_volume*(-across_x*axis_again + first_x*sign_of_roll);
+    const double before_12 = over_volume*(-across_y*axis_again + first_y*sign_of_roll);
+    const double before_13 = over_volume*(-across_z*axis_again + first_z*sign_of_roll);
+    const double before_21 = second_x;
+    const double before_22 = second_y;
+    const double before_23 = second_z;
+    const double before_31 = over_volume*(across_x*cos_second + first_x*sin_second);
+    const double before_32 = over_volume*(across_y*cos_second + first_y*sin_second);
+    const double before_33 = over_volume*(across_z*cos_second + first_z*sin_second);
+    const double third_stays_x = cos_third*(1.0 - third_x) + third_x;
+    const double third_stays_y = cos_third*(1.0 - third_y) + third_y;
+    const double third_stays_z = cos_third*(1.0 - third_z) + third_z;
+    const double third_sine_x = sin_third*third_x;
+    const double third_sine_y = sin_third*third_y;
+    const double third_sine_z = sin_third*third_z;
+    out[0] = before_11*third_stays_x + before_12*third_sine_z - before_13*third_sine_y;
+    out[1] = -before_11*third_sine_z + before_12*third_stays_y + before_13*third_sine_x;
+    out[2] = before_11*third_sine_y - before_12*third_sine_x + before_13*third_stays_z;
+    out[3] = before_21*third_stays_x + before_22*third_sine_z - before_23*third_sine_y;
+    out[4] = -before_21*third_sine_z + before_22*third_stays_y + before_23*third_sine_x;
+    out[5] = before_21*third_sine_y - before_22*third_sine_x + before_23*third_stays_z;
+    out[6] = before_31*third_stays_x + before_32*third_sine_z - before_33*third_sine_y;
+    out[7] = -before_31*third_sine_z + before_32*third_stays_y + before_33*third_sine_x;
+    out[8] = before_31*third_sine_y - before_32*third_sine_x + before_33*third_stays_z;
+}
+
+void attitude_angle_rates_matrix_f(float second, float third, float first_axis, float second_axis,
+    float third_axis, float out[9])
+{
+    const float sin_second = sinf(second);
+    const float cos_second = cosf(second);
+    const float sin_third = sinf(third);
+    const float cos_third = cosf(third);
+    float first_x, first_y, first_z;
+    if (first_axis == 1.0f) {
+        first_x = 1.0f;
+        first_y = 0.0f;
+        first_z = 0.0f;
+    } else if (first_axis == 2.0f) {
+        first_x = 0.0f;
+        first_y = 1.0f;
+        first_z = 0.0f;
+    } else if (first_axis == 3.0f) {
+        first_x = 0.0f;
+        first_y = 0.0f;
+        first_z = 1.0f;
+    } else {
+        first_x = NAN;
+        first_y = NAN;
+        first_z = NAN;
+    }
+    float second_x, second_y, second_z;
+    if (second_axis == 1.0f && first_axis != 1.0f && third_axis != 1.0f) {
+        second_x = 1.0f;
+        second_y = 0.0f;
+        second_z = 0.0f;
+    } else if (second_axis == 2.0f && first_axis != 2.0f && third_axis != 2.0f) {
+        second_x = 0.0f;
+        second_y = 1.0f;
+        second_z = 0.0f;
+    } else if (second_axis == 3.0f && first_axis != 3.0f && third_axis != 3.0f) {
+        second_x = 0.0f;
+        second_y = 0.0f;
+        second_z = 1.0f;
+    } else {
+        second_x = NAN;
+        second_y = NAN;
+        second_z = NAN;
+    }
+    float third_x, third_y, third_z;
+    if (third_axis == 1.0f) {
+        third_x = 1.0f;
+        third_y = 0.0f;
+        third_z = 0.0f;
+    } else if (third_axis == 2.0f) {
+        third_x = 0.0f;
+        third_y = 1.0f;
+        third_z = 0.0f;
+    } else if (third_axis == 3.0f) {
+        third_x = 0.0f;
+        third_y = 0.0f;
+        third_z = 1.0f;
+    } else {
+        third_x = NAN;
+        third_y = NAN;
+        third_z = NAN;
+    }
+    const float across_x = -first_y*second_z + first_z*second_y;
+    const float across_y = first_x*second_z - first_z*second_x;
+    const float across_z = -first_x*second_y + first_y*second_x;
+    const float sign_of_roll = across_x*third_x + across_y*third_y + across_z*third_z;
+    const float axis_again = first_x*third_x + first_y*third_y + first_z*third_z;
+    const float volume = axis_again*sin_second + cos_second*sign_of_roll;
+    const float over_volume = volume != 0.0f ? 1.0f/volume : NAN;
+    const float before_11 = over_volume*(-across_x*axis_again + first_x*sign_of_roll);
+    const float before_12 = over_volume*(-across_y*axis_again + first_y*sign_of_roll);
+    const float before_13 = over_volume*(-across_z*axis_again + first_z*sign_of_roll);
+    const float before_21 = second_x;
+    const float before_22 = second_y;
+    const float before_23 = second_z;
+    const float before_31 = over_volume*(across_x*cos_second + first_x*sin_second);
+    const float before_32 = over_volume*(across_y*cos_second + first_y*sin_second);
+    const float before_33 = over_volume*(across_z*cos_second + first_z*sin_second);
+    const float third_stays_x = cos_third*(1.0f - third_x) + third_x;
+    const float third_stays_y = cos_third*(1.0f - third_y) + third_y;
+    const float third_stays_z = cos_third*(1.0f - third_z) + third_z;
+    const float third_sine_x = sin_third*third_x;
+    const float third_sine_y = sin_third*third_y;
+    const float third_sine_z = sin_third*third_z;
+    out[0] = before_11*third_stays_x + before_12*third_sine_z - before_13*third_sine_y;
+    out[1] = -before_11*third_sine_z + before_12*third_stays_y + before_13*third_sine_x;
+    out[2] = before_11*third_sine_y - before_12*third_sine_x + before_13*third_stays_z;
+    out[3] = before_21*third_stays_x + before_22*third_sine_z - before_23*third_sine_y;
+    out[4] = -before_21*third_sine_z + before_22*third_stays_y + before_23*third_sine_x;
+    out[5] = before_21*third_sine_y - before_22*third_sine_x + before_23*third_stays_z;
+    out[6] = before_31*third_stays_x + before_32*third_sine_z - before_33*third_sine_y;
+    out[7] = -before_31*third_sine_z + before_32*third_stays_y + before_33*third_sine_x;
+    out[8] = before_31*third_sine_y - before_32*third_sine_x + before_33*third_stays_z;
+}
+
 void attitude_accelerometer_at_rest(double roll, double pitch, double gravity, double out[3])
 {
     const double sin_pitch = sin(pitch);

@@ -41,7 +41,7 @@ void attitude_matrix_from_euler_f(float roll, float pitch, float yaw, float out[
  * r31: row 3, column 1 of the matrix from the inertial to the body frame
  * r32: row 3, column 2 of the matrix from the inertial to the body frame
  * r33: row 3, column 3 of the matrix from the inertial to the body frame
- * Returns whether at gimbal lock, where roll is set to 0.
+ * Returns whether at gimbal lock, where roll, the angle of the last turn, is set to 0.
  * Roll and yaw from -pi to pi, pitch from -pi/2 to pi/2.
  * NaN gives NaN in each result that it enters.
  */
@@ -185,7 +185,7 @@ void attitude_quaternion_from_euler_f(float roll, float pitch, float yaw, float 
  * b: factor of i of the attitude quaternion
  * c: factor of j of the attitude quaternion
  * d: factor of k of the attitude quaternion
- * Returns whether at gimbal lock, where roll is set to 0.
+ * Returns whether at gimbal lock, where roll, the angle of the last turn, is set to 0.
  * Roll and yaw from -pi to pi, pitch from -pi/2 to pi/2.
  * NaN gives NaN in each result that it enters.
  * Right as long as the sum of squares neither overflows nor vanishes.
@@ -346,6 +346,96 @@ void attitude_quaternion_rates(double a, double b, double c, double d, double p,
     double out[4]);
 void attitude_quaternion_rates_f(float a, float b, float c, float d, float p, float q, float r,
     float out[4]);
+
+/*
+ * Matrix to the turned frame, row by row (3 by 3).
+ * first: angle of the first turn, radians
+ * second: angle of the second turn, radians
+ * third: angle of the third turn, radians
+ * first_axis: axis of the first turn, as turned so far: 1, 2, 3 for x, y, z
+ * second_axis: axis of the second turn, as turned so far: 1, 2, 3 for x, y, z
+ * third_axis: axis of the third turn, as turned so far: 1, 2, 3 for x, y, z
+ * Each from -1 to 1.
+ * NaN gives NaN in each result that it enters.
+ */
+void attitude_matrix_from_angles(double first, double second, double third, double first_axis,
+    double second_axis, double third_axis, double out[9]);
+void attitude_matrix_from_angles_f(float first, float second, float third, float first_axis,
+    float second_axis, float third_axis, float out[9]);
+
+/*
+ * Angles of the three turns, radians (3).
+ * r11: row 1, column 1 of the matrix from the inertial to the body frame
+ * r12: row 1, column 2 of the matrix from the inertial to the body frame
+ * r13: row 1, column 3 of the matrix from the inertial to the body frame
+ * r21: row 2, column 1 of the matrix from the inertial to the body frame
+ * r22: row 2, column 2 of the matrix from the inertial to the body frame
+ * r23: row 2, column 3 of the matrix from the inertial to the body frame
+ * r31: row 3, column 1 of the matrix from the inertial to the body frame
+ * r32: row 3, column 2 of the matrix from the inertial to the body frame
+ * r33: row 3, column 3 of the matrix from the inertial to the body frame
+ * first_axis: axis of the first turn, as turned so far: 1, 2, 3 for x, y, z
+ * second_axis: axis of the second turn, as turned so far: 1, 2, 3 for x, y, z
+ * third_axis: axis of the third turn, as turned so far: 1, 2, 3 for x, y, z
+ * Returns whether at gimbal lock, where roll, the angle of the last turn, is set to 0.
+ * First and third from -pi to pi, second from -pi/2 to pi.
+ * NaN gives NaN in each result that it enters.
+ */
+int attitude_angles_from_matrix(double r11, double r12, double r13, double r21, double r22,
+    double r23, double r31, double r32, double r33, double first_axis, double second_axis,
+    double third_axis, double out[3]);
+int attitude_angles_from_matrix_f(float r11, float r12, float r13, float r21, float r22, float r23,
+    float r31, float r32, float r33, float first_axis, float second_axis, float third_axis,
+    float out[3]);
+
+/*
+ * Unit quaternion with a >= 0 (4).
+ * first: angle of the first turn, radians
+ * second: angle of the second turn, radians
+ * third: angle of the third turn, radians
+ * first_axis: axis of the first turn, as turned so far: 1, 2, 3 for x, y, z
+ * second_axis: axis of the second turn, as turned so far: 1, 2, 3 for x, y, z
+ * third_axis: axis of the third turn, as turned so far: 1, 2, 3 for x, y, z
+ * A from 0 to 1, b, c and d from -1 to 1.
+ * NaN gives NaN in each result that it enters.
+ */
+void attitude_quaternion_from_angles(double first, double second, double third, double first_axis,
+    double second_axis, double third_axis, double out[4]);
+void attitude_quaternion_from_angles_f(float first, float second, float third, float first_axis,
+    float second_axis, float third_axis, float out[4]);
+
+/*
+ * Angles of the three turns, radians (3).
+ * a: scalar part of the attitude quaternion
+ * b: factor of i of the attitude quaternion
+ * c: factor of j of the attitude quaternion
+ * d: factor of k of the attitude quaternion
+ * first_axis: axis of the first turn, as turned so far: 1, 2, 3 for x, y, z
+ * second_axis: axis of the second turn, as turned so far: 1, 2, 3 for x, y, z
+ * third_axis: axis of the third turn, as turned so far: 1, 2, 3 for x, y, z
+ * Returns whether at gimbal lock, where roll, the angle of the last turn, is set to 0.
+ * First and third from -pi to pi, second from -pi/2 to pi.
+ * NaN gives NaN in each result that it enters.
+ * Right as long as the sum of squares neither overflows nor vanishes.
+ */
+int attitude_angles_from_quaternion(double a, double b, double c, double d, double first_axis,
+    double second_axis, double third_axis, double out[3]);
+int attitude_angles_from_quaternion_f(float a, float b, float c, float d, float first_axis,
+    float second_axis, float third_axis, float out[3]);
+
+/*
+ * Matrix D from rates about the turned frame's axes to rates of the angles, row by row (3 by 3).
+ * second: angle of the second turn, radians
+ * third: angle of the third turn, radians
+ * first_axis: axis of the first turn, as turned so far: 1, 2, 3 for x, y, z
+ * second_axis: axis of the second turn, as turned so far: 1, 2, 3 for x, y, z
+ * third_axis: axis of the third turn, as turned so far: 1, 2, 3 for x, y, z
+ * NaN gives NaN in each result that it enters.
+ */
+void attitude_angle_rates_matrix(double second, double third, double first_axis, double second_axis,
+    double third_axis, double out[9]);
+void attitude_angle_rates_matrix_f(float second, float third, float first_axis, float second_axis,
+    float third_axis, float out[9]);
 
 /*
  * Reading of an accelerometer at rest, m/s² (3).

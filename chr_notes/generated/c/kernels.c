@@ -175,6 +175,7 @@ EVERY_INSTRUCTION_SET static int64_t euler_rates_matrix
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double roll = euler_in[0][row];
             const double pitch = euler_in[1][row];
+            const double yaw = euler_in[2][row];
             const double sin_pitch = column_sin(pitch);
             const double cos_pitch = column_cos(pitch);
             const double sec_pitch = 1.0/cos_pitch;
@@ -191,7 +192,7 @@ EVERY_INSTRUCTION_SET static int64_t euler_rates_matrix
             results[6][row] = 0.0;
             results[7][row] = sec_pitch_sin_roll;
             results[8][row] = cos_roll_sec_pitch;
-            left[row] = !(FINITE(roll + pitch) & (fabs(pitch) < LARGEST_ANGLE) & (fabs(roll) <
+            left[row] = !(FINITE(roll + pitch + yaw) & (fabs(pitch) < LARGEST_ANGLE) & (fabs(roll) <
                 LARGEST_ANGLE));
             some |= left[row];
         }
@@ -221,6 +222,7 @@ EVERY_INSTRUCTION_SET static int64_t euler_rates_from_body_rates
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double roll = euler_in[0][row];
             const double pitch = euler_in[1][row];
+            const double yaw = euler_in[2][row];
             const double p = body_rates_in[0][row];
             const double q = body_rates_in[1][row];
             const double r = body_rates_in[2][row];
@@ -234,7 +236,7 @@ EVERY_INSTRUCTION_SET static int64_t euler_rates_from_body_rates
             results[0][row] = p + rate_across_sec_pitch*sin_pitch;
             results[1][row] = cos_roll*q - r*sin_roll;
             results[2][row] = rate_across_sec_pitch;
-            left[row] = !(FINITE(roll + pitch + p + q + r) & (fabs(pitch) < LARGEST_ANGLE) &
+            left[row] = !(FINITE(roll + pitch + yaw + p + q + r) & (fabs(pitch) < LARGEST_ANGLE) &
                 (fabs(roll) < LARGEST_ANGLE));
             some |= left[row];
         }
@@ -264,6 +266,7 @@ EVERY_INSTRUCTION_SET static int64_t body_rates_from_euler_rates
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double roll = euler_in[0][row];
             const double pitch = euler_in[1][row];
+            const double yaw = euler_in[2][row];
             const double roll_rate = euler_rates_in[0][row];
             const double pitch_rate = euler_rates_in[1][row];
             const double yaw_rate = euler_rates_in[2][row];
@@ -275,8 +278,8 @@ EVERY_INSTRUCTION_SET static int64_t body_rates_from_euler_rates
             results[0][row] = roll_rate - sin_pitch*yaw_rate;
             results[1][row] = cos_pitch_yaw_rate*sin_roll + cos_roll*pitch_rate;
             results[2][row] = cos_pitch_yaw_rate*cos_roll - pitch_rate*sin_roll;
-            left[row] = !(FINITE(roll + pitch + roll_rate + pitch_rate + yaw_rate) & (fabs(pitch) <
-                LARGEST_ANGLE) & (fabs(roll) < LARGEST_ANGLE));
+            left[row] = !(FINITE(roll + pitch + yaw + roll_rate + pitch_rate + yaw_rate) &
+                (fabs(pitch) < LARGEST_ANGLE) & (fabs(roll) < LARGEST_ANGLE));
             some |= left[row];
         }
         STORE(results, 3)
@@ -848,6 +851,543 @@ EVERY_INSTRUCTION_SET static int64_t rotate_to_body
     return any;
 }
 
+EVERY_INSTRUCTION_SET static int64_t matrix_from_angles
+    (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
+     unsigned char *odd)
+{
+    int64_t any = 0;
+    FOR_EACH_BLOCK(rows) {
+        double angles_in[3][BLOCK];
+        double axes_in[3][BLOCK];
+        double results[9][BLOCK];
+        int64_t left[BLOCK], some = 0;
+        LOAD(angles_in, 0, 3)
+        LOAD(axes_in, 1, 3)
+        for (ptrdiff_t row = 0; row < padded; row++) {
+            const double first = angles_in[0][row];
+            const double second = angles_in[1][row];
+            const double third = angles_in[2][row];
+            const double first_axis = axes_in[0][row];
+            const double second_axis = axes_in[1][row];
+            const double third_axis = axes_in[2][row];
+            const double sin_first = column_sin(first);
+            const double cos_first = column_cos(first);
+            const double sin_second = column_sin(second);
+            const double cos_second = column_cos(second);
+            const double sin_third = column_sin(third);
+            const double cos_third = column_cos(third);
+            const double first_x = first_axis == 1.0 ? 1.0 : first_axis == 2.0 ? 0.0 : first_axis ==
+                3.0 ? 0.0 : (double)NAN;
+            const double first_y = first_axis == 1.0 ? 0.0 : first_axis == 2.0 ? 1.0 : first_axis ==
+                3.0 ? 0.0 : (double)NAN;
+            const double first_z = first_axis == 1.0 ? 0.0 : first_axis == 2.0 ? 0.0 : first_axis ==
+                3.0 ? 1.0 : (double)NAN;
+            const double second_x = (second_axis == 1.0) & (first_axis != 1.0) & (third_axis != 1.0)
+                ? 1.0 : (second_axis == 2.0) & (first_axis != 2.0) & (third_axis != 2.0) ? 0.0 :
+                (second_axis == 3.0) & (first_axis != 3.0) & (third_axis != 3.0) ? 0.0 :
+                (double)NAN;
+            const double second_y = (second_axis == 1.0) & (first_axis != 1.0) & (third_axis != 1.0)
+                ? 0.0 : (second_axis == 2.0) & (first_axis != 2.0) & (third_axis != 2.0) ? 1.0 :
+                (second_axis == 3.0) & (first_axis != 3.0) & (third_axis != 3.0) ? 0.0 :
+                (double)NAN;
+            const double second_z = (second_axis == 1.0) & (first_axis != 1.0) & (third_axis != 1.0)
+                ? 0.0 : (second_axis == 2.0) & (first_axis != 2.0) & (third_axis != 2.0) ? 0.0 :
+                (second_axis == 3.0) & (first_axis != 3.0) & (third_axis != 3.0) ? 1.0 :
+                (double)NAN;
+            const double third_x = third_axis == 1.0 ? 1.0 : third_axis == 2.0 ? 0.0 : third_axis ==
+                3.0 ? 0.0 : (double)NAN;
+            const double third_y = third_axis == 1.0 ? 0.0 : third_axis == 2.0 ? 1.0 : third_axis ==
+                3.0 ? 0.0 : (double)NAN;
+            const double third_z = third_axis == 1.0 ? 0.0 : third_axis == 2.0 ? 0.0 : third_axis ==
+                3.0 ? 1.0 : (double)NAN;
+            const double first_stays_x = cos_first*(1.0 - first_x) + first_x;
+            const double first_stays_y = cos_first*(1.0 - first_y) + first_y;
+            const double first_stays_z = cos_first*(1.0 - first_z) + first_z;
+            const double first_sine_x = first_x*sin_first;
+            const double first_sine_y = first_y*sin_first;
+            const double first_sine_z = first_z*sin_first;
+            const double second_stays_x = cos_second*(1.0 - second_x) + second_x;
+            const double second_stays_y = cos_second*(1.0 - second_y) + second_y;
+            const double second_stays_z = cos_second*(1.0 - second_z) + second_z;
+            const double second_sine_x = second_x*sin_second;
+            const double second_sine_y = second_y*sin_second;
+            const double second_sine_z = second_z*sin_second;
+            const double third_stays_x = cos_third*(1.0 - third_x) + third_x;
+            const double third_stays_y = cos_third*(1.0 - third_y) + third_y;
+            const double third_stays_z = cos_third*(1.0 - third_z) + third_z;
+            const double third_sine_x = sin_third*third_x;
+            const double third_sine_y = sin_third*third_y;
+            const double third_sine_z = sin_third*third_z;
+            const double first_sine_y_second_sine_y = first_sine_y*second_sine_y;
+            const double first_sine_z_second_sine_z = first_sine_z*second_sine_z;
+            const double turned_11 = -first_sine_y_second_sine_y - first_sine_z_second_sine_z +
+                first_stays_x*second_stays_x;
+            const double turned_12 = first_sine_x*second_sine_y + first_sine_z*second_stays_x +
+                first_stays_y*second_sine_z;
+            const double turned_13 = first_sine_x*second_sine_z - first_sine_y*second_stays_x -
+                first_stays_z*second_sine_y;
+            const double turned_21 = first_sine_y*second_sine_x - first_sine_z*second_stays_y -
+                first_stays_x*second_sine_z;
+            const double first_sine_x_second_sine_x = first_sine_x*second_sine_x;
+            const double turned_22 = -first_sine_x_second_sine_x - first_sine_z_second_sine_z +
+                first_stays_y*second_stays_y;
+            const double turned_23 = first_sine_x*second_stays_y + first_sine_y*second_sine_z +
+                first_stays_z*second_sine_x;
+            const double turned_31 = first_sine_y*second_stays_z + first_sine_z*second_sine_x +
+                first_stays_x*second_sine_y;
+            const double turned_32 = -first_sine_x*second_stays_z + first_sine_z*second_sine_y -
+                first_stays_y*second_sine_x;
+            const double turned_33 = -first_sine_x_second_sine_x - first_sine_y_second_sine_y +
+                first_stays_z*second_stays_z;
+            results[0][row] = -third_sine_y*turned_31 + third_sine_z*turned_21 +
+                third_stays_x*turned_11;
+            results[1][row] = -third_sine_y*turned_32 + third_sine_z*turned_22 +
+                third_stays_x*turned_12;
+            results[2][row] = -third_sine_y*turned_33 + third_sine_z*turned_23 +
+                third_stays_x*turned_13;
+            results[3][row] = third_sine_x*turned_31 - third_sine_z*turned_11 +
+                third_stays_y*turned_21;
+            results[4][row] = third_sine_x*turned_32 - third_sine_z*turned_12 +
+                third_stays_y*turned_22;
+            results[5][row] = third_sine_x*turned_33 - third_sine_z*turned_13 +
+                third_stays_y*turned_23;
+            results[6][row] = -third_sine_x*turned_21 + third_sine_y*turned_11 +
+                third_stays_z*turned_31;
+            results[7][row] = -third_sine_x*turned_22 + third_sine_y*turned_12 +
+                third_stays_z*turned_32;
+            results[8][row] = -third_sine_x*turned_23 + third_sine_y*turned_13 +
+                third_stays_z*turned_33;
+            left[row] = !(FINITE(first + second + third + first_axis + second_axis + third_axis) &
+                (fabs(first) < LARGEST_ANGLE) & (fabs(second) < LARGEST_ANGLE) & (fabs(third) <
+                LARGEST_ANGLE));
+            some |= left[row];
+        }
+        STORE(results, 9)
+        if (some) {
+            any = 1;
+            for (ptrdiff_t row = 0; row < count; row++)
+                odd[start + row] = left[row] != 0;
+        }
+    }
+    FINISH
+    return any;
+}
+
+EVERY_INSTRUCTION_SET static int64_t angles_from_matrix
+    (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
+     unsigned char *odd)
+{
+    int64_t any = 0;
+    FOR_EACH_BLOCK(rows) {
+        double matrix_in[9][BLOCK];
+        double axes_in[3][BLOCK];
+        double results[3][BLOCK];
+        int64_t left[BLOCK], some = 0;
+        LOAD(matrix_in, 0, 9)
+        LOAD(axes_in, 1, 3)
+        for (ptrdiff_t row = 0; row < padded; row++) {
+            const double r11 = matrix_in[0][row];
+            const double r12 = matrix_in[1][row];
+            const double r13 = matrix_in[2][row];
+            const double r21 = matrix_in[3][row];
+            const double r22 = matrix_in[4][row];
+            const double r23 = matrix_in[5][row];
+            const double r31 = matrix_in[6][row];
+            const double r32 = matrix_in[7][row];
+            const double r33 = matrix_in[8][row];
+            const double first_axis = axes_in[0][row];
+            const double second_axis = axes_in[1][row];
+            const double third_axis = axes_in[2][row];
+            const double first_x = first_axis == 1.0 ? 1.0 : first_axis == 2.0 ? 0.0 : first_axis ==
+                3.0 ? 0.0 : (double)NAN;
+            const double first_y = first_axis == 1.0 ? 0.0 : first_axis == 2.0 ? 1.0 : first_axis ==
+                3.0 ? 0.0 : (double)NAN;
+            const double first_z = first_axis == 1.0 ? 0.0 : first_axis == 2.0 ? 0.0 : first_axis ==
+                3.0 ? 1.0 : (double)NAN;
+            const double second_x = (second_axis == 1.0) & (first_axis != 1.0) & (third_axis != 1.0)
+                ? 1.0 : (second_axis == 2.0) & (first_axis != 2.0) & (third_axis != 2.0) ? 0.0 :
+                (second_axis == 3.0) & (first_axis != 3.0) & (third_axis != 3.0) ? 0.0 :
+                (double)NAN;
+            const double second_y = (second_axis == 1.0) & (first_axis != 1.0) & (third_axis != 1.0)
+                ? 0.0 : (second_axis == 2.0) & (first_axis != 2.0) & (third_axis != 2.0) ? 1.0 :
+                (second_axis == 3.0) & (first_axis != 3.0) & (third_axis != 3.0) ? 0.0 :
+                (double)NAN;
+            const double second_z = (second_axis == 1.0) & (first_axis != 1.0) & (third_axis != 1.0)
+                ? 0.0 : (second_axis == 2.0) & (first_axis != 2.0) & (third_axis != 2.0) ? 0.0 :
+                (second_axis == 3.0) & (first_axis != 3.0) & (third_axis != 3.0) ? 1.0 :
+                (double)NAN;
+            const double third_x = third_axis == 1.0 ? 1.0 : third_axis == 2.0 ? 0.0 : third_axis ==
+                3.0 ? 0.0 : (double)NAN;
+            const double third_y = third_axis == 1.0 ? 0.0 : third_axis == 2.0 ? 1.0 : third_axis ==
+                3.0 ? 0.0 : (double)NAN;
+            const double third_z = third_axis == 1.0 ? 0.0 : third_axis == 2.0 ? 0.0 : third_axis ==
+                3.0 ? 1.0 : (double)NAN;
+            const double across_x = -first_y*second_z + first_z*second_y;
+            const double across_y = first_x*second_z - first_z*second_x;
+            const double across_z = -first_x*second_y + first_y*second_x;
+            const double sign_of_roll = across_x*third_x + across_y*third_y + across_z*third_z;
+            const double axis_again = first_x*third_x + first_y*third_y + first_z*third_z;
+            const double axis_other = 1.0 - axis_again;
+            const double seen_1 = r11*third_x + r21*third_y + r31*third_z;
+            const double seen_2 = r12*third_x + r22*third_y + r32*third_z;
+            const double seen_3 = r13*third_x + r23*third_y + r33*third_z;
+            const double sign = axis_again + sign_of_roll;
+            const double along_across = sign*(across_x*seen_1 + across_y*seen_2 + across_z*seen_3);
+            const double along_second = sign*(second_x*seen_1 + second_y*seen_2 + second_z*seen_3);
+            const double along_first = first_x*seen_1 + first_y*seen_2 + first_z*seen_3;
+            const double size = sqrt(along_across*along_across + along_second*along_second);
+            const double level_1 = -across_x*along_second + along_across*second_x;
+            const double level_2 = -across_y*along_second + along_across*second_y;
+            const double level_3 = -across_z*along_second + along_across*second_z;
+            const double moved_1 = level_1*r11 + level_2*r12 + level_3*r13;
+            const double moved_2 = level_1*r21 + level_2*r22 + level_3*r23;
+            const double moved_3 = level_1*r31 + level_2*r32 + level_3*r33;
+            const double row_1 = r11*second_x + r21*second_y + r31*second_z;
+            const double row_2 = r12*second_x + r22*second_y + r32*second_z;
+            const double row_3 = r13*second_x + r23*second_y + r33*second_z;
+            const double second_angle = column_atan2(-along_first*sign_of_roll + axis_again*size,
+                along_first*axis_again + axis_other*size);
+            const int locked = size < 1.7763568394002505e-15*fabs(along_first);
+            const double first_angle = column_atan2(along_second, along_across);
+            const double third_angle = column_atan2(moved_1*(across_x*axis_again -
+                first_x*sign_of_roll) + moved_2*(across_y*axis_again - first_y*sign_of_roll) +
+                moved_3*(across_z*axis_again - first_z*sign_of_roll), moved_1*second_x +
+                moved_2*second_y + moved_3*second_z);
+            const double off_11 = -1.0 + r11*r11 + r12*r12 + r13*r13;
+            const double off_21 = r11*r21 + r12*r22 + r13*r23;
+            const double off_22 = -1.0 + r21*r21 + r22*r22 + r23*r23;
+            const double off_31 = r11*r31 + r12*r32 + r13*r33;
+            const double off_32 = r21*r31 + r22*r32 + r23*r33;
+            const double off_33 = -1.0 + r31*r31 + r32*r32 + r33*r33;
+            const double squared_defect = 0.1111111111111111*(off_11*off_11) +
+                0.2222222222222222*(off_21*off_21) + 0.1111111111111111*(off_22*off_22) +
+                0.2222222222222222*(off_31*off_31) + 0.2222222222222222*(off_32*off_32) +
+                0.1111111111111111*(off_33*off_33);
+            const double determinant = r31*(r12*r23 - r13*r22) + r32*(-r11*r23 + r13*r21) +
+                r33*(r11*r22 - r12*r21);
+            const int rotation = (squared_defect <= 1e-08) & (determinant >= 0.0);
+            results[0][row] = first_angle;
+            results[1][row] = second_angle;
+            results[2][row] = third_angle;
+            left[row] = !(FINITE(r11 + r12 + r13 + r21 + r22 + r23 + r31 + r32 + r33 + first_axis +
+                second_axis + third_axis) & rotation & !locked);
+            some |= left[row];
+        }
+        STORE(results, 3)
+        if (some) {
+            any = 1;
+            for (ptrdiff_t row = 0; row < count; row++)
+                odd[start + row] = left[row] != 0;
+        }
+    }
+    FINISH
+    return any;
+}
+
+EVERY_INSTRUCTION_SET static int64_t quaternion_from_angles
+    (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
+     unsigned char *odd)
+{
+    int64_t any = 0;
+    FOR_EACH_BLOCK(rows) {
+        double angles_in[3][BLOCK];
+        double axes_in[3][BLOCK];
+        double results[4][BLOCK];
+        int64_t left[BLOCK], some = 0;
+        LOAD(angles_in, 0, 3)
+        LOAD(axes_in, 1, 3)
+        for (ptrdiff_t row = 0; row < padded; row++) {
+            const double first = angles_in[0][row];
+            const double second = angles_in[1][row];
+            const double third = angles_in[2][row];
+            const double first_axis = axes_in[0][row];
+            const double second_axis = axes_in[1][row];
+            const double third_axis = axes_in[2][row];
+            const double sin_half_first = column_sin(0.5*first);
+            const double cos_half_first = column_cos(0.5*first);
+            const double sin_half_second = column_sin(0.5*second);
+            const double cos_half_second = column_cos(0.5*second);
+            const double sin_half_third = column_sin(0.5*third);
+            const double cos_half_third = column_cos(0.5*third);
+            const double first_x = first_axis == 1.0 ? 1.0 : first_axis == 2.0 ? 0.0 : first_axis ==
+                3.0 ? 0.0 : (double)NAN;
+            const double first_y = first_axis == 1.0 ? 0.0 : first_axis == 2.0 ? 1.0 : first_axis ==
+                3.0 ? 0.0 : (double)NAN;
+            const double first_z = first_axis == 1.0 ? 0.0 : first_axis == 2.0 ? 0.0 : first_axis ==
+                3.0 ? 1.0 : (double)NAN;
+            const double second_x = (second_axis == 1.0) & (first_axis != 1.0) & (third_axis != 1.0)
+                ? 1.0 : (second_axis == 2.0) & (first_axis != 2.0) & (third_axis != 2.0) ? 0.0 :
+                (second_axis == 3.0) & (first_axis != 3.0) & (third_axis != 3.0) ? 0.0 :
+                (double)NAN;
+            const double second_y = (second_axis == 1.0) & (first_axis != 1.0) & (third_axis != 1.0)
+                ? 0.0 : (second_axis == 2.0) & (first_axis != 2.0) & (third_axis != 2.0) ? 1.0 :
+                (second_axis == 3.0) & (first_axis != 3.0) & (third_axis != 3.0) ? 0.0 :
+                (double)NAN;
+            const double second_z = (second_axis == 1.0) & (first_axis != 1.0) & (third_axis != 1.0)
+                ? 0.0 : (second_axis == 2.0) & (first_axis != 2.0) & (third_axis != 2.0) ? 0.0 :
+                (second_axis == 3.0) & (first_axis != 3.0) & (third_axis != 3.0) ? 1.0 :
+                (double)NAN;
+            const double third_x = third_axis == 1.0 ? 1.0 : third_axis == 2.0 ? 0.0 : third_axis ==
+                3.0 ? 0.0 : (double)NAN;
+            const double third_y = third_axis == 1.0 ? 0.0 : third_axis == 2.0 ? 1.0 : third_axis ==
+                3.0 ? 0.0 : (double)NAN;
+            const double third_z = third_axis == 1.0 ? 0.0 : third_axis == 2.0 ? 0.0 : third_axis ==
+                3.0 ? 1.0 : (double)NAN;
+            const double sin_half_first_sin_half_second = sin_half_first*sin_half_second;
+            const double second_x_sin_half_first_sin_half_second =
+                second_x*sin_half_first_sin_half_second;
+            const double first_y_sin_half_first_sin_half_second =
+                first_y*sin_half_first_sin_half_second;
+            const double first_z_sin_half_first_sin_half_second =
+                first_z*sin_half_first_sin_half_second;
+            const double twice_a = cos_half_first*cos_half_second -
+                first_x*second_x_sin_half_first_sin_half_second -
+                first_y_sin_half_first_sin_half_second*second_y -
+                first_z_sin_half_first_sin_half_second*second_z;
+            const double cos_half_first_sin_half_second = cos_half_first*sin_half_second;
+            const double cos_half_second_sin_half_first = cos_half_second*sin_half_first;
+            const double twice_b = cos_half_first_sin_half_second*second_x +
+                cos_half_second_sin_half_first*first_x +
+                first_y_sin_half_first_sin_half_second*second_z -
+                first_z_sin_half_first_sin_half_second*second_y;
+            const double first_x_sin_half_first_sin_half_second =
+                first_x*sin_half_first_sin_half_second;
+            const double twice_c = cos_half_first_sin_half_second*second_y +
+                cos_half_second_sin_half_first*first_y -
+                first_x_sin_half_first_sin_half_second*second_z +
+                first_z*second_x_sin_half_first_sin_half_second;
+            const double twice_d = cos_half_first_sin_half_second*second_z +
+                cos_half_second_sin_half_first*first_z +
+                first_x_sin_half_first_sin_half_second*second_y -
+                first_y*second_x_sin_half_first_sin_half_second;
+            const double sin_half_third_third_x = sin_half_third*third_x;
+            const double sin_half_third_twice_c = sin_half_third*twice_c;
+            const double sin_half_third_twice_d = sin_half_third*twice_d;
+            const double a = cos_half_third*twice_a - sin_half_third_third_x*twice_b -
+                sin_half_third_twice_c*third_y - sin_half_third_twice_d*third_z;
+            const double b = cos_half_third*twice_b + sin_half_third_third_x*twice_a +
+                sin_half_third_twice_c*third_z - sin_half_third_twice_d*third_y;
+            const double sin_half_third_third_y = sin_half_third*third_y;
+            const double sin_half_third_third_z = sin_half_third*third_z;
+            const double c = cos_half_third*twice_c + sin_half_third_third_x*twice_d +
+                sin_half_third_third_y*twice_a - sin_half_third_third_z*twice_b;
+            const double d = cos_half_third*twice_d - sin_half_third_third_x*twice_c +
+                sin_half_third_third_y*twice_b + sin_half_third_third_z*twice_a;
+            const double sign = a >= 0.0 ? 1.0 : -1.0;
+            results[0][row] = a*sign;
+            results[1][row] = b*sign;
+            results[2][row] = c*sign;
+            results[3][row] = d*sign;
+            left[row] = !(FINITE(first + second + third + first_axis + second_axis + third_axis) &
+                (fabs(0.5*first) < LARGEST_ANGLE) & (fabs(0.5*second) < LARGEST_ANGLE) &
+                (fabs(0.5*third) < LARGEST_ANGLE));
+            some |= left[row];
+        }
+        STORE(results, 4)
+        if (some) {
+            any = 1;
+            for (ptrdiff_t row = 0; row < count; row++)
+                odd[start + row] = left[row] != 0;
+        }
+    }
+    FINISH
+    return any;
+}
+
+EVERY_INSTRUCTION_SET static int64_t angles_from_quaternion
+    (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
+     unsigned char *odd)
+{
+    int64_t any = 0;
+    FOR_EACH_BLOCK(rows) {
+        double q_in[4][BLOCK];
+        double axes_in[3][BLOCK];
+        double results[3][BLOCK];
+        int64_t left[BLOCK], some = 0;
+        LOAD(q_in, 0, 4)
+        LOAD(axes_in, 1, 3)
+        for (ptrdiff_t row = 0; row < padded; row++) {
+            const double a = q_in[0][row];
+            const double b = q_in[1][row];
+            const double c = q_in[2][row];
+            const double d = q_in[3][row];
+            const double first_axis = axes_in[0][row];
+            const double second_axis = axes_in[1][row];
+            const double third_axis = axes_in[2][row];
+            const double first_x = first_axis == 1.0 ? 1.0 : first_axis == 2.0 ? 0.0 : first_axis ==
+                3.0 ? 0.0 : (double)NAN;
+            const double first_y = first_axis == 1.0 ? 0.0 : first_axis == 2.0 ? 1.0 : first_axis ==
+                3.0 ? 0.0 : (double)NAN;
+            const double first_z = first_axis == 1.0 ? 0.0 : first_axis == 2.0 ? 0.0 : first_axis ==
+                3.0 ? 1.0 : (double)NAN;
+            const double second_x = (second_axis == 1.0) & (first_axis != 1.0) & (third_axis != 1.0)
+                ? 1.0 : (second_axis == 2.0) & (first_axis != 2.0) & (third_axis != 2.0) ? 0.0 :
+                (second_axis == 3.0) & (first_axis != 3.0) & (third_axis != 3.0) ? 0.0 :
+                (double)NAN;
+            const double second_y = (second_axis == 1.0) & (first_axis != 1.0) & (third_axis != 1.0)
+                ? 0.0 : (second_axis == 2.0) & (first_axis != 2.0) & (third_axis != 2.0) ? 1.0 :
+                (second_axis == 3.0) & (first_axis != 3.0) & (third_axis != 3.0) ? 0.0 :
+                (double)NAN;
+            const double second_z = (second_axis == 1.0) & (first_axis != 1.0) & (third_axis != 1.0)
+                ? 0.0 : (second_axis == 2.0) & (first_axis != 2.0) & (third_axis != 2.0) ? 0.0 :
+                (second_axis == 3.0) & (first_axis != 3.0) & (third_axis != 3.0) ? 1.0 :
+                (double)NAN;
+            const double third_x = third_axis == 1.0 ? 1.0 : third_axis == 2.0 ? 0.0 : third_axis ==
+                3.0 ? 0.0 : (double)NAN;
+            const double third_y = third_axis == 1.0 ? 0.0 : third_axis == 2.0 ? 1.0 : third_axis ==
+                3.0 ? 0.0 : (double)NAN;
+            const double third_z = third_axis == 1.0 ? 0.0 : third_axis == 2.0 ? 0.0 : third_axis ==
+                3.0 ? 1.0 : (double)NAN;
+            const double across_x = -first_y*second_z + first_z*second_y;
+            const double across_y = first_x*second_z - first_z*second_x;
+            const double across_z = -first_x*second_y + first_y*second_x;
+            const double sign_of_roll = across_x*third_x + across_y*third_y + across_z*third_z;
+            const double axis_again = first_x*third_x + first_y*third_y + first_z*third_z;
+            const double axis_other = 1.0 - axis_again;
+            const double sign = axis_again + sign_of_roll;
+            const double along_across = across_x*b + across_y*c + across_z*d;
+            const double along_second = b*second_x + c*second_y + d*second_z;
+            const double along_first = b*first_x + c*first_y + d*first_z;
+            const double part_1 = a - along_second*axis_other;
+            const double part_2 = along_across - along_first*axis_other;
+            const double part_3 = a*axis_other + along_second;
+            const double part_4 = along_across*axis_other + along_first;
+            const double below = part_1*part_1 + part_4*part_4;
+            const double above = part_2*part_2 + part_3*part_3;
+            const double sum_of_squares = above + below;
+            const double product_1 = part_3*part_4;
+            const double product_2 = part_1*part_2;
+            const double product_3 = part_1*part_3;
+            const double product_4 = part_2*part_4;
+            const double half_sine = a*along_second - along_across*along_first;
+            const double root = sqrt(above)*sqrt(below);
+            const double rest = 0.5*axis_again*(-above + below) + 2.0*axis_other*half_sine;
+            const double second_angle = column_atan2(axis_again*root + axis_other*rest,
+                axis_again*rest + axis_other*root);
+            const int locked = root < 1.7763568394002505e-15*fabs(rest);
+            const double first_angle = column_atan2(product_1 - product_2, product_3 + product_4);
+            const double third_angle = column_atan2(sign*(product_1 + product_2), product_3 -
+                product_4);
+            results[0][row] = first_angle;
+            results[1][row] = second_angle;
+            results[2][row] = third_angle;
+            left[row] = !(FINITE(a + b + c + d + first_axis + second_axis + third_axis) &
+                IN_RANGE(sum_of_squares) & !locked);
+            some |= left[row];
+        }
+        STORE(results, 3)
+        if (some) {
+            any = 1;
+            for (ptrdiff_t row = 0; row < count; row++)
+                odd[start + row] = left[row] != 0;
+        }
+    }
+    FINISH
+    return any;
+}
+
+EVERY_INSTRUCTION_SET static int64_t angle_rates_matrix
+    (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
+     unsigned char *odd)
+{
+    int64_t any = 0;
+    FOR_EACH_BLOCK(rows) {
+        double angles_in[3][BLOCK];
+        double axes_in[3][BLOCK];
+        double results[9][BLOCK];
+        int64_t left[BLOCK], some = 0;
+        LOAD(angles_in, 0, 3)
+        LOAD(axes_in, 1, 3)
+        for (ptrdiff_t row = 0; row < padded; row++) {
+            const double first = angles_in[0][row];
+            const double second = angles_in[1][row];
+            const double third = angles_in[2][row];
+            const double first_axis = axes_in[0][row];
+            const double second_axis = axes_in[1][row];
+            const double third_axis = axes_in[2][row];
+            const double sin_second = column_sin(second);
+            const double cos_second = column_cos(second);
+            const double sin_third = column_sin(third);
+            const double cos_third = column_cos(third);
+            const double first_x = first_axis == 1.0 ? 1.0 : first_axis == 2.0 ? 0.0 : first_axis ==
+                3.0 ? 0.0 : (double)NAN;
+            const double first_y = first_axis == 1.0 ? 0.0 : first_axis == 2.0 ? 1.0 : first_axis ==
+                3.0 ? 0.0 : (double)NAN;
+            const double first_z = first_axis == 1.0 ? 0.0 : first_axis == 2.0 ? 0.0 : first_axis ==
+                3.0 ? 1.0 : (double)NAN;
+            const double second_x = (second_axis == 1.0) & (first_axis != 1.0) & (third_axis != 1.0)
+                ? 1.0 : (second_axis == 2.0) & (first_axis != 2.0) & (third_axis != 2.0) ? 0.0 :
+                (second_axis == 3.0) & (first_axis != 3.0) & (third_axis != 3.0) ? 0.0 :
+                (double)NAN;
+            const double second_y = (second_axis == 1.0) & (first_axis != 1.0) & (third_axis != 1.0)
+                ? 0.0 : (second_axis == 2.0) & (first_axis != 2.0) & (third_axis != 2.0) ? 1.0 :
+                (second_axis == 3.0) & (first_axis != 3.0) & (third_axis != 3.0) ? 0.0 :
+                (double)NAN;
+            const double second_z = (second_axis == 1.0) & (first_axis != 1.0) & (third_axis != 1.0)
+                ? 0.0 : (second_axis == 2.0) & (first_axis != 2.0) & (third_axis != 2.0) ? 0.0 :
+                (second_axis == 3.0) & (first_axis != 3.0) & (third_axis != 3.0) ? 1.0 :
+                (double)NAN;
+            const double third_x = third_axis == 1.0 ? 1.0 : third_axis == 2.0 ? 0.0 : third_axis ==
+                3.0 ? 0.0 : (double)NAN;
+            const double third_y = third_axis == 1.0 ? 0.0 : third_axis == 2.0 ? 1.0 : third_axis ==
+                3.0 ? 0.0 : (double)NAN;
+            const double third_z = third_axis == 1.0 ? 0.0 : third_axis == 2.0 ? 0.0 : third_axis ==
+                3.0 ? 1.0 : (double)NAN;
+            const double across_x = -first_y*second_z + first_z*second_y;
+            const double across_y = first_x*second_z - first_z*second_x;
+            const double across_z = -first_x*second_y + first_y*second_x;
+            const double sign_of_roll = across_x*third_x + across_y*third_y + across_z*third_z;
+            const double axis_again = first_x*third_x + first_y*third_y + first_z*third_z;
+            const double volume = axis_again*sin_second + cos_second*sign_of_roll;
+            const double over_volume = volume != 0.0 ? 1.0/volume : (double)NAN;
+            const double before_11 = over_volume*(-across_x*axis_again + first_x*sign_of_roll);
+            const double before_12 = over_volume*(-across_y*axis_again + first_y*sign_of_roll);
+            const double before_13 = over_volume*(-across_z*axis_again + first_z*sign_of_roll);
+            const double before_21 = second_x;
+            const double before_22 = second_y;
+            const double before_23 = second_z;
+            const double before_31 = over_volume*(across_x*cos_second + first_x*sin_second);
+            const double before_32 = over_volume*(across_y*cos_second + first_y*sin_second);
+            const double before_33 = over_volume*(across_z*cos_second + first_z*sin_second);
+            const double third_stays_x = cos_third*(1.0 - third_x) + third_x;
+            const double third_stays_y = cos_third*(1.0 - third_y) + third_y;
+            const double third_stays_z = cos_third*(1.0 - third_z) + third_z;
+            const double third_sine_x = sin_third*third_x;
+            const double third_sine_y = sin_third*third_y;
+            const double third_sine_z = sin_third*third_z;
+            results[0][row] = before_11*third_stays_x + before_12*third_sine_z -
+                before_13*third_sine_y;
+            results[1][row] = -before_11*third_sine_z + before_12*third_stays_y +
+                before_13*third_sine_x;
+            results[2][row] = before_11*third_sine_y - before_12*third_sine_x +
+                before_13*third_stays_z;
+            results[3][row] = before_21*third_stays_x + before_22*third_sine_z -
+                before_23*third_sine_y;
+            results[4][row] = -before_21*third_sine_z + before_22*third_stays_y +
+                before_23*third_sine_x;
+            results[5][row] = before_21*third_sine_y - before_22*third_sine_x +
+                before_23*third_stays_z;
+            results[6][row] = before_31*third_stays_x + before_32*third_sine_z -
+                before_33*third_sine_y;
+            results[7][row] = -before_31*third_sine_z + before_32*third_stays_y +
+                before_33*third_sine_x;
+            results[8][row] = before_31*third_sine_y - before_32*third_sine_x +
+                before_33*third_stays_z;
+            left[row] = !(FINITE(first + second + third + first_axis + second_axis + third_axis) &
+                (fabs(second) < LARGEST_ANGLE) & (fabs(third) < LARGEST_ANGLE));
+            some |= left[row];
+        }
+        STORE(results, 9)
+        if (some) {
+            any = 1;
+            for (ptrdiff_t row = 0; row < count; row++)
+                odd[start + row] = left[row] != 0;
+        }
+    }
+    FINISH
+    return any;
+}
+
 EVERY_INSTRUCTION_SET static int64_t accelerometer_at_rest
     (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
      unsigned char *odd)
@@ -863,6 +1403,7 @@ EVERY_INSTRUCTION_SET static int64_t accelerometer_at_rest
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double roll = euler_in[0][row];
             const double pitch = euler_in[1][row];
+            const double yaw = euler_in[2][row];
             const double gravity = gravity_in[0][row];
             const double sin_pitch = column_sin(pitch);
             const double cos_pitch = column_cos(pitch);
@@ -872,7 +1413,7 @@ EVERY_INSTRUCTION_SET static int64_t accelerometer_at_rest
             results[0][row] = gravity*sin_pitch;
             results[1][row] = -cos_pitch_gravity*sin_roll;
             results[2][row] = -cos_pitch_gravity*cos_roll;
-            left[row] = !(FINITE(roll + pitch + gravity) & (fabs(pitch) < LARGEST_ANGLE) &
+            left[row] = !(FINITE(roll + pitch + yaw + gravity) & (fabs(pitch) < LARGEST_ANGLE) &
                 (fabs(roll) < LARGEST_ANGLE));
             some |= left[row];
         }
@@ -2941,6 +3482,11 @@ const Kernel KERNELS[] = {
     {"quaternion_inverse", quaternion_inverse, 4, 1, {4}},
     {"rotate_to_inertial", rotate_to_inertial, 3, 2, {4, 3}},
     {"rotate_to_body", rotate_to_body, 3, 2, {4, 3}},
+    {"matrix_from_angles", matrix_from_angles, 9, 2, {3, 3}},
+    {"angles_from_matrix", angles_from_matrix, 3, 2, {9, 3}},
+    {"quaternion_from_angles", quaternion_from_angles, 4, 2, {3, 3}},
+    {"angles_from_quaternion", angles_from_quaternion, 3, 2, {4, 3}},
+    {"angle_rates_matrix", angle_rates_matrix, 9, 2, {3, 3}},
     {"accelerometer_at_rest", accelerometer_at_rest, 3, 2, {3, 0}},
     {"sensor_measures", sensor_measures, 3, 4, {9, 3, 3, 3}},
     {"sensor_corrected", sensor_corrected, 3, 4, {9, 3, 3, 3}},

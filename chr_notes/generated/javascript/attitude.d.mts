@@ -37,7 +37,7 @@ export function matrixFromEuler(
  * @param {number} r31 row 3, column 1 of the matrix from the inertial to the body frame
  * @param {number} r32 row 3, column 2 of the matrix from the inertial to the body frame
  * @param {number} r33 row 3, column 3 of the matrix from the inertial to the body frame
- * @returns {[number, number, number, boolean]} last: whether at gimbal lock, where roll is set to 0
+ * @returns {[number, number, number, boolean]} last: whether at gimbal lock, where roll, the angle of the last turn, is set to 0
  */
 export function eulerFromMatrix(
   r11: number,
@@ -212,7 +212,7 @@ export function quaternionFromEuler(
  * @param {number} b factor of i of the attitude quaternion
  * @param {number} c factor of j of the attitude quaternion
  * @param {number} d factor of k of the attitude quaternion
- * @returns {[number, number, number, boolean]} last: whether at gimbal lock, where roll is set to 0
+ * @returns {[number, number, number, boolean]} last: whether at gimbal lock, where roll, the angle of the last turn, is set to 0
  */
 export function eulerFromQuaternion(
   a: number, b: number, c: number, d: number
@@ -378,6 +378,119 @@ export function quaternionAfterConstantRates(
 export function quaternionRates(
   a: number, b: number, c: number, d: number, p: number, q: number, r: number
 ): [number, number, number, number];
+
+/**
+ * Matrix to the turned frame, row by row (3 by 3).
+ * Each from -1 to 1.
+ * NaN gives NaN in each result that it enters.
+ * @param {number} first angle of the first turn, radians
+ * @param {number} second angle of the second turn, radians
+ * @param {number} third angle of the third turn, radians
+ * @param {number} firstAxis axis of the first turn, as turned so far: 1, 2, 3 for x, y, z
+ * @param {number} secondAxis axis of the second turn, as turned so far: 1, 2, 3 for x, y, z
+ * @param {number} thirdAxis axis of the third turn, as turned so far: 1, 2, 3 for x, y, z
+ * @returns {[number, number, number, number, number, number, number, number, number]}
+ */
+export function matrixFromAngles(
+  first: number,
+  second: number,
+  third: number,
+  firstAxis: number,
+  secondAxis: number,
+  thirdAxis: number,
+): [number, number, number, number, number, number, number, number, number];
+
+/**
+ * Angles of the three turns, radians (3).
+ * First and third from -pi to pi, second from -pi/2 to pi.
+ * NaN gives NaN in each result that it enters.
+ * @param {number} r11 row 1, column 1 of the matrix from the inertial to the body frame
+ * @param {number} r12 row 1, column 2 of the matrix from the inertial to the body frame
+ * @param {number} r13 row 1, column 3 of the matrix from the inertial to the body frame
+ * @param {number} r21 row 2, column 1 of the matrix from the inertial to the body frame
+ * @param {number} r22 row 2, column 2 of the matrix from the inertial to the body frame
+ * @param {number} r23 row 2, column 3 of the matrix from the inertial to the body frame
+ * @param {number} r31 row 3, column 1 of the matrix from the inertial to the body frame
+ * @param {number} r32 row 3, column 2 of the matrix from the inertial to the body frame
+ * @param {number} r33 row 3, column 3 of the matrix from the inertial to the body frame
+ * @param {number} firstAxis axis of the first turn, as turned so far: 1, 2, 3 for x, y, z
+ * @param {number} secondAxis axis of the second turn, as turned so far: 1, 2, 3 for x, y, z
+ * @param {number} thirdAxis axis of the third turn, as turned so far: 1, 2, 3 for x, y, z
+ * @returns {[number, number, number, boolean]} last: whether at gimbal lock, where roll, the angle of the last turn, is set to 0
+ */
+export function anglesFromMatrix(
+  r11: number,
+  r12: number,
+  r13: number,
+  r21: number,
+  r22: number,
+  r23: number,
+  r31: number,
+  r32: number,
+  r33: number,
+  firstAxis: number,
+  secondAxis: number,
+  thirdAxis: number,
+): [number, number, number, boolean];
+
+/**
+ * Unit quaternion with a >= 0 (4).
+ * A from 0 to 1, b, c and d from -1 to 1.
+ * NaN gives NaN in each result that it enters.
+ * @param {number} first angle of the first turn, radians
+ * @param {number} second angle of the second turn, radians
+ * @param {number} third angle of the third turn, radians
+ * @param {number} firstAxis axis of the first turn, as turned so far: 1, 2, 3 for x, y, z
+ * @param {number} secondAxis axis of the second turn, as turned so far: 1, 2, 3 for x, y, z
+ * @param {number} thirdAxis axis of the third turn, as turned so far: 1, 2, 3 for x, y, z
+ * @returns {[number, number, number, number]}
+ */
+export function quaternionFromAngles(
+  first: number,
+  second: number,
+  third: number,
+  firstAxis: number,
+  secondAxis: number,
+  thirdAxis: number,
+): [number, number, number, number];
+
+/**
+ * Angles of the three turns, radians (3).
+ * First and third from -pi to pi, second from -pi/2 to pi.
+ * NaN gives NaN in each result that it enters.
+ * Right as long as the sum of squares neither overflows nor vanishes.
+ * @param {number} a scalar part of the attitude quaternion
+ * @param {number} b factor of i of the attitude quaternion
+ * @param {number} c factor of j of the attitude quaternion
+ * @param {number} d factor of k of the attitude quaternion
+ * @param {number} firstAxis axis of the first turn, as turned so far: 1, 2, 3 for x, y, z
+ * @param {number} secondAxis axis of the second turn, as turned so far: 1, 2, 3 for x, y, z
+ * @param {number} thirdAxis axis of the third turn, as turned so far: 1, 2, 3 for x, y, z
+ * @returns {[number, number, number, boolean]} last: whether at gimbal lock, where roll, the angle of the last turn, is set to 0
+ */
+export function anglesFromQuaternion(
+  a: number,
+  b: number,
+  c: number,
+  d: number,
+  firstAxis: number,
+  secondAxis: number,
+  thirdAxis: number,
+): [number, number, number, boolean];
+
+/**
+ * Matrix D from rates about the turned frame's axes to rates of the angles, row by row (3 by 3).
+ * NaN gives NaN in each result that it enters.
+ * @param {number} second angle of the second turn, radians
+ * @param {number} third angle of the third turn, radians
+ * @param {number} firstAxis axis of the first turn, as turned so far: 1, 2, 3 for x, y, z
+ * @param {number} secondAxis axis of the second turn, as turned so far: 1, 2, 3 for x, y, z
+ * @param {number} thirdAxis axis of the third turn, as turned so far: 1, 2, 3 for x, y, z
+ * @returns {[number, number, number, number, number, number, number, number, number]}
+ */
+export function angleRatesMatrix(
+  second: number, third: number, firstAxis: number, secondAxis: number, thirdAxis: number
+): [number, number, number, number, number, number, number, number, number];
 
 /**
  * Reading of an accelerometer at rest, m/s² (3).

@@ -57,7 +57,7 @@ export function matrixFromEuler(roll, pitch, yaw) {
  * @param {number} r31 row 3, column 1 of the matrix from the inertial to the body frame
  * @param {number} r32 row 3, column 2 of the matrix from the inertial to the body frame
  * @param {number} r33 row 3, column 3 of the matrix from the inertial to the body frame
- * @returns {[number, number, number, boolean]} last: whether at gimbal lock, where roll is set to 0
+ * @returns {[number, number, number, boolean]} last: whether at gimbal lock, where roll, the angle of the last turn, is set to 0
  */
 export function eulerFromMatrix(r11, r12, r13, r21, r22, r23, r31, r32, r33) {
   const pitch = Math.atan2(-r13, Math.hypot(r11, r12));
@@ -350,7 +350,7 @@ export function quaternionFromEuler(roll, pitch, yaw) {
  * @param {number} b factor of i of the attitude quaternion
  * @param {number} c factor of j of the attitude quaternion
  * @param {number} d factor of k of the attitude quaternion
- * @returns {[number, number, number, boolean]} last: whether at gimbal lock, where roll is set to 0
+ * @returns {[number, number, number, boolean]} last: whether at gimbal lock, where roll, the angle of the last turn, is set to 0
  */
 export function eulerFromQuaternion(a, b, c, d) {
   const aMinusC = a - c;
@@ -614,6 +614,552 @@ export function quaternionRates(a, b, c, d, p, q, r) {
     0.5*a*p + 0.5*c*r - 0.5*d*q,
     0.5*a*q - 0.5*b*r + 0.5*d*p,
     0.5*a*r + 0.5*b*q - 0.5*c*p,
+  ];
+}
+
+/**
+ * Matrix to the turned frame, row by row (3 by 3).
+ * Each from -1 to 1.
+ * NaN gives NaN in each result that it enters.
+ * @param {number} first angle of the first turn, radians
+ * @param {number} second angle of the second turn, radians
+ * @param {number} third angle of the third turn, radians
+ * @param {number} firstAxis axis of the first turn, as turned so far: 1, 2, 3 for x, y, z
+ * @param {number} secondAxis axis of the second turn, as turned so far: 1, 2, 3 for x, y, z
+ * @param {number} thirdAxis axis of the third turn, as turned so far: 1, 2, 3 for x, y, z
+ * @returns {[number, number, number, number, number, number, number, number, number]}
+ */
+export function matrixFromAngles(first, second, third, firstAxis, secondAxis, thirdAxis) {
+  const sinFirst = Math.sin(first);
+  const cosFirst = Math.cos(first);
+  const sinSecond = Math.sin(second);
+  const cosSecond = Math.cos(second);
+  const sinThird = Math.sin(third);
+  const cosThird = Math.cos(third);
+  let firstX, firstY, firstZ;
+  if (firstAxis == 1) {
+    firstX = 1;
+    firstY = 0;
+    firstZ = 0;
+  } else if (firstAxis == 2) {
+    firstX = 0;
+    firstY = 1;
+    firstZ = 0;
+  } else if (firstAxis == 3) {
+    firstX = 0;
+    firstY = 0;
+    firstZ = 1;
+  } else {
+    firstX = NaN;
+    firstY = NaN;
+    firstZ = NaN;
+  }
+  let secondX, secondY, secondZ;
+  if (secondAxis == 1 && firstAxis != 1 && thirdAxis != 1) {
+    secondX = 1;
+    secondY = 0;
+    secondZ = 0;
+  } else if (secondAxis == 2 && firstAxis != 2 && thirdAxis != 2) {
+    secondX = 0;
+    secondY = 1;
+    secondZ = 0;
+  } else if (secondAxis == 3 && firstAxis != 3 && thirdAxis != 3) {
+    secondX = 0;
+    secondY = 0;
+    secondZ = 1;
+  } else {
+    secondX = NaN;
+    secondY = NaN;
+    secondZ = NaN;
+  }
+  let thirdX, thirdY, thirdZ;
+  if (thirdAxis == 1) {
+    thirdX = 1;
+    thirdY = 0;
+    thirdZ = 0;
+  } else if (thirdAxis == 2) {
+    thirdX = 0;
+    thirdY = 1;
+    thirdZ = 0;
+  } else if (thirdAxis == 3) {
+    thirdX = 0;
+    thirdY = 0;
+    thirdZ = 1;
+  } else {
+    thirdX = NaN;
+    thirdY = NaN;
+    thirdZ = NaN;
+  }
+  const firstStaysX = cosFirst*(1 - firstX) + firstX;
+  const firstStaysY = cosFirst*(1 - firstY) + firstY;
+  const firstStaysZ = cosFirst*(1 - firstZ) + firstZ;
+  const firstSineX = firstX*sinFirst;
+  const firstSineY = firstY*sinFirst;
+  const firstSineZ = firstZ*sinFirst;
+  const secondStaysX = cosSecond*(1 - secondX) + secondX;
+  const secondStaysY = cosSecond*(1 - secondY) + secondY;
+  const secondStaysZ = cosSecond*(1 - secondZ) + secondZ;
+  const secondSineX = secondX*sinSecond;
+  const secondSineY = secondY*sinSecond;
+  const secondSineZ = secondZ*sinSecond;
+  const thirdStaysX = cosThird*(1 - thirdX) + thirdX;
+  const thirdStaysY = cosThird*(1 - thirdY) + thirdY;
+  const thirdStaysZ = cosThird*(1 - thirdZ) + thirdZ;
+  const thirdSineX = sinThird*thirdX;
+  const thirdSineY = sinThird*thirdY;
+  const thirdSineZ = sinThird*thirdZ;
+  const firstSineYSecondSineY = firstSineY*secondSineY;
+  const firstSineZSecondSineZ = firstSineZ*secondSineZ;
+  const turned11 = -firstSineYSecondSineY - firstSineZSecondSineZ + firstStaysX*secondStaysX;
+  const turned12 = firstSineX*secondSineY + firstSineZ*secondStaysX + firstStaysY*secondSineZ;
+  const turned13 = firstSineX*secondSineZ - firstSineY*secondStaysX - firstStaysZ*secondSineY;
+  const turned21 = firstSineY*secondSineX - firstSineZ*secondStaysY - firstStaysX*secondSineZ;
+  const firstSineXSecondSineX = firstSineX*secondSineX;
+  const turned22 = -firstSineXSecondSineX - firstSineZSecondSineZ + firstStaysY*secondStaysY;
+  const turned23 = firstSineX*secondStaysY + firstSineY*secondSineZ + firstStaysZ*secondSineX;
+  const turned31 = firstSineY*secondStaysZ + firstSineZ*secondSineX + firstStaysX*secondSineY;
+  const turned32 = -firstSineX*secondStaysZ + firstSineZ*secondSineY - firstStaysY*secondSineX;
+  const turned33 = -firstSineXSecondSineX - firstSineYSecondSineY + firstStaysZ*secondStaysZ;
+  return [
+    -thirdSineY*turned31 + thirdSineZ*turned21 + thirdStaysX*turned11,
+    -thirdSineY*turned32 + thirdSineZ*turned22 + thirdStaysX*turned12,
+    -thirdSineY*turned33 + thirdSineZ*turned23 + thirdStaysX*turned13,
+    thirdSineX*turned31 - thirdSineZ*turned11 + thirdStaysY*turned21,
+    thirdSineX*turned32 - thirdSineZ*turned12 + thirdStaysY*turned22,
+    thirdSineX*turned33 - thirdSineZ*turned13 + thirdStaysY*turned23,
+    -thirdSineX*turned21 + thirdSineY*turned11 + thirdStaysZ*turned31,
+    -thirdSineX*turned22 + thirdSineY*turned12 + thirdStaysZ*turned32,
+    -thirdSineX*turned23 + thirdSineY*turned13 + thirdStaysZ*turned33,
+  ];
+}
+
+/**
+ * Angles of the three turns, radians (3).
+ * First and third from -pi to pi, second from -pi/2 to pi.
+ * NaN gives NaN in each result that it enters.
+ * @param {number} r11 row 1, column 1 of the matrix from the inertial to the body frame
+ * @param {number} r12 row 1, column 2 of the matrix from the inertial to the body frame
+ * @param {number} r13 row 1, column 3 of the matrix from the inertial to the body frame
+ * @param {number} r21 row 2, column 1 of the matrix from the inertial to the body frame
+ * @param {number} r22 row 2, column 2 of the matrix from the inertial to the body frame
+ * @param {number} r23 row 2, column 3 of the matrix from the inertial to the body frame
+ * @param {number} r31 row 3, column 1 of the matrix from the inertial to the body frame
+ * @param {number} r32 row 3, column 2 of the matrix from the inertial to the body frame
+ * @param {number} r33 row 3, column 3 of the matrix from the inertial to the body frame
+ * @param {number} firstAxis axis of the first turn, as turned so far: 1, 2, 3 for x, y, z
+ * @param {number} secondAxis axis of the second turn, as turned so far: 1, 2, 3 for x, y, z
+ * @param {number} thirdAxis axis of the third turn, as turned so far: 1, 2, 3 for x, y, z
+ * @returns {[number, number, number, boolean]} last: whether at gimbal lock, where roll, the angle of the last turn, is set to 0
+ */
+export function anglesFromMatrix(
+  r11, r12, r13, r21, r22, r23, r31, r32, r33, firstAxis, secondAxis, thirdAxis
+) {
+  let firstX, firstY, firstZ;
+  if (firstAxis == 1) {
+    firstX = 1;
+    firstY = 0;
+    firstZ = 0;
+  } else if (firstAxis == 2) {
+    firstX = 0;
+    firstY = 1;
+    firstZ = 0;
+  } else if (firstAxis == 3) {
+    firstX = 0;
+    firstY = 0;
+    firstZ = 1;
+  } else {
+    firstX = NaN;
+    firstY = NaN;
+    firstZ = NaN;
+  }
+  let secondX, secondY, secondZ;
+  if (secondAxis == 1 && firstAxis != 1 && thirdAxis != 1) {
+    secondX = 1;
+    secondY = 0;
+    secondZ = 0;
+  } else if (secondAxis == 2 && firstAxis != 2 && thirdAxis != 2) {
+    secondX = 0;
+    secondY = 1;
+    secondZ = 0;
+  } else if (secondAxis == 3 && firstAxis != 3 && thirdAxis != 3) {
+    secondX = 0;
+    secondY = 0;
+    secondZ = 1;
+  } else {
+    secondX = NaN;
+    secondY = NaN;
+    secondZ = NaN;
+  }
+  let thirdX, thirdY, thirdZ;
+  if (thirdAxis == 1) {
+    thirdX = 1;
+    thirdY = 0;
+    thirdZ = 0;
+  } else if (thirdAxis == 2) {
+    thirdX = 0;
+    thirdY = 1;
+    thirdZ = 0;
+  } else if (thirdAxis == 3) {
+    thirdX = 0;
+    thirdY = 0;
+    thirdZ = 1;
+  } else {
+    thirdX = NaN;
+    thirdY = NaN;
+    thirdZ = NaN;
+  }
+  const acrossX = -firstY*secondZ + firstZ*secondY;
+  const acrossY = firstX*secondZ - firstZ*secondX;
+  const acrossZ = -firstX*secondY + firstY*secondX;
+  const signOfRoll = acrossX*thirdX + acrossY*thirdY + acrossZ*thirdZ;
+  const axisAgain = firstX*thirdX + firstY*thirdY + firstZ*thirdZ;
+  const axisOther = 1 - axisAgain;
+  const seen1 = r11*thirdX + r21*thirdY + r31*thirdZ;
+  const seen2 = r12*thirdX + r22*thirdY + r32*thirdZ;
+  const seen3 = r13*thirdX + r23*thirdY + r33*thirdZ;
+  const sign = axisAgain + signOfRoll;
+  const alongAcross = sign*(acrossX*seen1 + acrossY*seen2 + acrossZ*seen3);
+  const alongSecond = sign*(secondX*seen1 + secondY*seen2 + secondZ*seen3);
+  const alongFirst = firstX*seen1 + firstY*seen2 + firstZ*seen3;
+  const size = Math.hypot(alongAcross, alongSecond);
+  const level1 = -acrossX*alongSecond + alongAcross*secondX;
+  const level2 = -acrossY*alongSecond + alongAcross*secondY;
+  const level3 = -acrossZ*alongSecond + alongAcross*secondZ;
+  const moved1 = level1*r11 + level2*r12 + level3*r13;
+  const moved2 = level1*r21 + level2*r22 + level3*r23;
+  const moved3 = level1*r31 + level2*r32 + level3*r33;
+  const row1 = r11*secondX + r21*secondY + r31*secondZ;
+  const row2 = r12*secondX + r22*secondY + r32*secondZ;
+  const row3 = r13*secondX + r23*secondY + r33*secondZ;
+  const secondAngle = Math.atan2(-alongFirst*signOfRoll + axisAgain*size, alongFirst*axisAgain +
+      axisOther*size);
+  const locked = size < 1.7763568394002505e-15*Math.abs(alongFirst);
+  let firstAngle, thirdAngle;
+  if (!locked) {
+    firstAngle = Math.atan2(alongSecond, alongAcross);
+    thirdAngle = Math.atan2(moved1*(acrossX*axisAgain - firstX*signOfRoll) +
+        moved2*(acrossY*axisAgain - firstY*signOfRoll) + moved3*(acrossZ*axisAgain -
+        firstZ*signOfRoll), moved1*secondX + moved2*secondY + moved3*secondZ);
+  } else {
+    firstAngle = Math.atan2(-acrossX*row1 - acrossY*row2 - acrossZ*row3, row1*secondX + row2*secondY
+        + row3*secondZ);
+    thirdAngle = 0;
+  }
+  return [firstAngle, secondAngle, thirdAngle, locked];
+}
+
+/**
+ * Unit quaternion with a >= 0 (4).
+ * A from 0 to 1, b, c and d from -1 to 1.
+ * NaN gives NaN in each result that it enters.
+ * @param {number} first angle of the first turn, radians
+ * @param {number} second angle of the second turn, radians
+ * @param {number} third angle of the third turn, radians
+ * @param {number} firstAxis axis of the first turn, as turned so far: 1, 2, 3 for x, y, z
+ * @param {number} secondAxis axis of the second turn, as turned so far: 1, 2, 3 for x, y, z
+ * @param {number} thirdAxis axis of the third turn, as turned so far: 1, 2, 3 for x, y, z
+ * @returns {[number, number, number, number]}
+ */
+export function quaternionFromAngles(first, second, third, firstAxis, secondAxis, thirdAxis) {
+  const sinHalfFirst = Math.sin(0.5*first);
+  const cosHalfFirst = Math.cos(0.5*first);
+  const sinHalfSecond = Math.sin(0.5*second);
+  const cosHalfSecond = Math.cos(0.5*second);
+  const sinHalfThird = Math.sin(0.5*third);
+  const cosHalfThird = Math.cos(0.5*third);
+  let firstX, firstY, firstZ;
+  if (firstAxis == 1) {
+    firstX = 1;
+    firstY = 0;
+    firstZ = 0;
+  } else if (firstAxis == 2) {
+    firstX = 0;
+    firstY = 1;
+    firstZ = 0;
+  } else if (firstAxis == 3) {
+    firstX = 0;
+    firstY = 0;
+    firstZ = 1;
+  } else {
+    firstX = NaN;
+    firstY = NaN;
+    firstZ = NaN;
+  }
+  let secondX, secondY, secondZ;
+  if (secondAxis == 1 && firstAxis != 1 && thirdAxis != 1) {
+    secondX = 1;
+    secondY = 0;
+    secondZ = 0;
+  } else if (secondAxis == 2 && firstAxis != 2 && thirdAxis != 2) {
+    secondX = 0;
+    secondY = 1;
+    secondZ = 0;
+  } else if (secondAxis == 3 && firstAxis != 3 && thirdAxis != 3) {
+    secondX = 0;
+    secondY = 0;
+    secondZ = 1;
+  } else {
+    secondX = NaN;
+    secondY = NaN;
+    secondZ = NaN;
+  }
+  let thirdX, thirdY, thirdZ;
+  if (thirdAxis == 1) {
+    thirdX = 1;
+    thirdY = 0;
+    thirdZ = 0;
+  } else if (thirdAxis == 2) {
+    thirdX = 0;
+    thirdY = 1;
+    thirdZ = 0;
+  } else if (thirdAxis == 3) {
+    thirdX = 0;
+    thirdY = 0;
+    thirdZ = 1;
+  } else {
+    thirdX = NaN;
+    thirdY = NaN;
+    thirdZ = NaN;
+  }
+  const sinHalfFirstSinHalfSecond = sinHalfFirst*sinHalfSecond;
+  const secondXSinHalfFirstSinHalfSecond = secondX*sinHalfFirstSinHalfSecond;
+  const firstYSinHalfFirstSinHalfSecond = firstY*sinHalfFirstSinHalfSecond;
+  const firstZSinHalfFirstSinHalfSecond = firstZ*sinHalfFirstSinHalfSecond;
+  const twiceA = cosHalfFirst*cosHalfSecond - firstX*secondXSinHalfFirstSinHalfSecond -
+      firstYSinHalfFirstSinHalfSecond*secondY - firstZSinHalfFirstSinHalfSecond*secondZ;
+  const cosHalfFirstSinHalfSecond = cosHalfFirst*sinHalfSecond;
+  const cosHalfSecondSinHalfFirst = cosHalfSecond*sinHalfFirst;
+  const twiceB = cosHalfFirstSinHalfSecond*secondX + cosHalfSecondSinHalfFirst*firstX +
+      firstYSinHalfFirstSinHalfSecond*secondZ - firstZSinHalfFirstSinHalfSecond*secondY;
+  const firstXSinHalfFirstSinHalfSecond = firstX*sinHalfFirstSinHalfSecond;
+  const twiceC = cosHalfFirstSinHalfSecond*secondY + cosHalfSecondSinHalfFirst*firstY -
+      firstXSinHalfFirstSinHalfSecond*secondZ + firstZ*secondXSinHalfFirstSinHalfSecond;
+  const twiceD = cosHalfFirstSinHalfSecond*secondZ + cosHalfSecondSinHalfFirst*firstZ +
+      firstXSinHalfFirstSinHalfSecond*secondY - firstY*secondXSinHalfFirstSinHalfSecond;
+  const sinHalfThirdThirdX = sinHalfThird*thirdX;
+  const sinHalfThirdTwiceC = sinHalfThird*twiceC;
+  const sinHalfThirdTwiceD = sinHalfThird*twiceD;
+  const a = cosHalfThird*twiceA - sinHalfThirdThirdX*twiceB - sinHalfThirdTwiceC*thirdY -
+      sinHalfThirdTwiceD*thirdZ;
+  const b = cosHalfThird*twiceB + sinHalfThirdThirdX*twiceA + sinHalfThirdTwiceC*thirdZ -
+      sinHalfThirdTwiceD*thirdY;
+  const sinHalfThirdThirdY = sinHalfThird*thirdY;
+  const sinHalfThirdThirdZ = sinHalfThird*thirdZ;
+  const c = cosHalfThird*twiceC + sinHalfThirdThirdX*twiceD + sinHalfThirdThirdY*twiceA -
+      sinHalfThirdThirdZ*twiceB;
+  const d = cosHalfThird*twiceD - sinHalfThirdThirdX*twiceC + sinHalfThirdThirdY*twiceB +
+      sinHalfThirdThirdZ*twiceA;
+  const sign = a >= 0 ? 1 : -1;
+  return [a*sign, b*sign, c*sign, d*sign];
+}
+
+/**
+ * Angles of the three turns, radians (3).
+ * First and third from -pi to pi, second from -pi/2 to pi.
+ * NaN gives NaN in each result that it enters.
+ * Right as long as the sum of squares neither overflows nor vanishes.
+ * @param {number} a scalar part of the attitude quaternion
+ * @param {number} b factor of i of the attitude quaternion
+ * @param {number} c factor of j of the attitude quaternion
+ * @param {number} d factor of k of the attitude quaternion
+ * @param {number} firstAxis axis of the first turn, as turned so far: 1, 2, 3 for x, y, z
+ * @param {number} secondAxis axis of the second turn, as turned so far: 1, 2, 3 for x, y, z
+ * @param {number} thirdAxis axis of the third turn, as turned so far: 1, 2, 3 for x, y, z
+ * @returns {[number, number, number, boolean]} last: whether at gimbal lock, where roll, the angle of the last turn, is set to 0
+ */
+export function anglesFromQuaternion(a, b, c, d, firstAxis, secondAxis, thirdAxis) {
+  let firstX, firstY, firstZ;
+  if (firstAxis == 1) {
+    firstX = 1;
+    firstY = 0;
+    firstZ = 0;
+  } else if (firstAxis == 2) {
+    firstX = 0;
+    firstY = 1;
+    firstZ = 0;
+  } else if (firstAxis == 3) {
+    firstX = 0;
+    firstY = 0;
+    firstZ = 1;
+  } else {
+    firstX = NaN;
+    firstY = NaN;
+    firstZ = NaN;
+  }
+  let secondX, secondY, secondZ;
+  if (secondAxis == 1 && firstAxis != 1 && thirdAxis != 1) {
+    secondX = 1;
+    secondY = 0;
+    secondZ = 0;
+  } else if (secondAxis == 2 && firstAxis != 2 && thirdAxis != 2) {
+    secondX = 0;
+    secondY = 1;
+    secondZ = 0;
+  } else if (secondAxis == 3 && firstAxis != 3 && thirdAxis != 3) {
+    secondX = 0;
+    secondY = 0;
+    secondZ = 1;
+  } else {
+    secondX = NaN;
+    secondY = NaN;
+    secondZ = NaN;
+  }
+  let thirdX, thirdY, thirdZ;
+  if (thirdAxis == 1) {
+    thirdX = 1;
+    thirdY = 0;
+    thirdZ = 0;
+  } else if (thirdAxis == 2) {
+    thirdX = 0;
+    thirdY = 1;
+    thirdZ = 0;
+  } else if (thirdAxis == 3) {
+    thirdX = 0;
+    thirdY = 0;
+    thirdZ = 1;
+  } else {
+    thirdX = NaN;
+    thirdY = NaN;
+    thirdZ = NaN;
+  }
+  const acrossX = -firstY*secondZ + firstZ*secondY;
+  const acrossY = firstX*secondZ - firstZ*secondX;
+  const acrossZ = -firstX*secondY + firstY*secondX;
+  const signOfRoll = acrossX*thirdX + acrossY*thirdY + acrossZ*thirdZ;
+  const axisAgain = firstX*thirdX + firstY*thirdY + firstZ*thirdZ;
+  const axisOther = 1 - axisAgain;
+  const sign = axisAgain + signOfRoll;
+  const alongAcross = acrossX*b + acrossY*c + acrossZ*d;
+  const alongSecond = b*secondX + c*secondY + d*secondZ;
+  const alongFirst = b*firstX + c*firstY + d*firstZ;
+  const part1 = a - alongSecond*axisOther;
+  const part2 = alongAcross - alongFirst*axisOther;
+  const part3 = a*axisOther + alongSecond;
+  const part4 = alongAcross*axisOther + alongFirst;
+  const below = part1*part1 + part4*part4;
+  const above = part2*part2 + part3*part3;
+  const product1 = part3*part4;
+  const product2 = part1*part2;
+  const product3 = part1*part3;
+  const product4 = part2*part4;
+  const halfSine = a*alongSecond - alongAcross*alongFirst;
+  const root = Math.sqrt(above)*Math.sqrt(below);
+  const rest = 0.5*axisAgain*(-above + below) + 2*axisOther*halfSine;
+  const secondAngle = Math.atan2(axisAgain*root + axisOther*rest, axisAgain*rest + axisOther*root);
+  const locked = root < 1.7763568394002505e-15*Math.abs(rest);
+  let firstAngle, thirdAngle;
+  if (!locked) {
+    firstAngle = Math.atan2(product1 - product2, product3 + product4);
+    thirdAngle = Math.atan2(sign*(product1 + product2), product3 - product4);
+  } else {
+    firstAngle = Math.atan2(2*a*alongFirst - 2*alongAcross*alongSecond, a*a -
+        (alongAcross*alongAcross) - (alongFirst*alongFirst) + alongSecond*alongSecond);
+    thirdAngle = 0;
+  }
+  return [firstAngle, secondAngle, thirdAngle, locked];
+}
+
+/**
+ * Matrix D from rates about the turned frame's axes to rates of the angles, row by row (3 by 3).
+ * NaN gives NaN in each result that it enters.
+ * @param {number} second angle of the second turn, radians
+ * @param {number} third angle of the third turn, radians
+ * @param {number} firstAxis axis of the first turn, as turned so far: 1, 2, 3 for x, y, z
+ * @param {number} secondAxis axis of the second turn, as turned so far: 1, 2, 3 for x, y, z
+ * @param {number} thirdAxis axis of the third turn, as turned so far: 1, 2, 3 for x, y, z
+ * @returns {[number, number, number, number, number, number, number, number, number]}
+ */
+export function angleRatesMatrix(second, third, firstAxis, secondAxis, thirdAxis) {
+  const sinSecond = Math.sin(second);
+  const cosSecond = Math.cos(second);
+  const sinThird = Math.sin(third);
+  const cosThird = Math.cos(third);
+  let firstX, firstY, firstZ;
+  if (firstAxis == 1) {
+    firstX = 1;
+    firstY = 0;
+    firstZ = 0;
+  } else if (firstAxis == 2) {
+    firstX = 0;
+    firstY = 1;
+    firstZ = 0;
+  } else if (firstAxis == 3) {
+    firstX = 0;
+    firstY = 0;
+    firstZ = 1;
+  } else {
+    firstX = NaN;
+    firstY = NaN;
+    firstZ = NaN;
+  }
+  let secondX, secondY, secondZ;
+  if (secondAxis == 1 && firstAxis != 1 && thirdAxis != 1) {
+    secondX = 1;
+    secondY = 0;
+    secondZ = 0;
+  } else if (secondAxis == 2 && firstAxis != 2 && thirdAxis != 2) {
+    secondX = 0;
+    secondY = 1;
+    secondZ = 0;
+  } else if (secondAxis == 3 && firstAxis != 3 && thirdAxis != 3) {
+    secondX = 0;
+    secondY = 0;
+    secondZ = 1;
+  } else {
+    secondX = NaN;
+    secondY = NaN;
+    secondZ = NaN;
+  }
+  let thirdX, thirdY, thirdZ;
+  if (thirdAxis == 1) {
+    thirdX = 1;
+    thirdY = 0;
+    thirdZ = 0;
+  } else if (thirdAxis == 2) {
+    thirdX = 0;
+    thirdY = 1;
+    thirdZ = 0;
+  } else if (thirdAxis == 3) {
+    thirdX = 0;
+    thirdY = 0;
+    thirdZ = 1;
+  } else {
+    thirdX = NaN;
+    thirdY = NaN;
+    thirdZ = NaN;
+  }
+  const acrossX = -firstY*secondZ + firstZ*secondY;
+  const acrossY = firstX*secondZ - firstZ*secondX;
+  const acrossZ = -firstX*secondY + firstY*secondX;
+  const signOfRoll = acrossX*thirdX + acrossY*thirdY + acrossZ*thirdZ;
+  const axisAgain = firstX*thirdX + firstY*thirdY + firstZ*thirdZ;
+  const volume = axisAgain*sinSecond + cosSecond*signOfRoll;
+  const overVolume = volume != 0 ? 1/volume : NaN;
+  const before11 = overVolume*(-acrossX*axisAgain + firstX*signOfRoll);
+  const before12 = overVolume*(-acrossY*axisAgain + firstY*signOfRoll);
+  const before13 = overVolume*(-acrossZ*axisAgain + firstZ*signOfRoll);
+  const before21 = secondX;
+  const before22 = secondY;
+  const before23 = secondZ;
+  const before31 = overVolume*(acrossX*cosSecond + firstX*sinSecond);
+  const before32 = overVolume*(acrossY*cosSecond + firstY*sinSecond);
+  const before33 = overVolume*(acrossZ*cosSecond + firstZ*sinSecond);
+  const thirdStaysX = cosThird*(1 - thirdX) + thirdX;
+  const thirdStaysY = cosThird*(1 - thirdY) + thirdY;
+  const thirdStaysZ = cosThird*(1 - thirdZ) + thirdZ;
+  const thirdSineX = sinThird*thirdX;
+  const thirdSineY = sinThird*thirdY;
+  const thirdSineZ = sinThird*thirdZ;
+  return [
+    before11*thirdStaysX + before12*thirdSineZ - before13*thirdSineY,
+    -before11*thirdSineZ + before12*thirdStaysY + before13*thirdSineX,
+    before11*thirdSineY - before12*thirdSineX + before13*thirdStaysZ,
+    before21*thirdStaysX + before22*thirdSineZ - before23*thirdSineY,
+    -before21*thirdSineZ + before22*thirdStaysY + before23*thirdSineX,
+    before21*thirdSineY - before22*thirdSineX + before23*thirdStaysZ,
+    before31*thirdStaysX + before32*thirdSineZ - before33*thirdSineY,
+    -before31*thirdSineZ + before32*thirdStaysY + before33*thirdSineX,
+    before31*thirdSineY - before32*thirdSineX + before33*thirdStaysZ,
   ];
 }
 

@@ -63,7 +63,7 @@ def euler_from_matrix(
     r32: row 3, column 2 of the matrix from the inertial to the body frame
     r33: row 3, column 3 of the matrix from the inertial to the body frame
 
-    Also returns whether at gimbal lock, where roll is set to 0.
+    Also returns whether at gimbal lock, where roll, the angle of the last turn, is set to 0.
     """
     pitch = atan2(-r13, hypot(r11, r12))
     locked = abs(pitch) > 1.5707963267948948

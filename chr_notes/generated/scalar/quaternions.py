@@ -142,7 +142,7 @@ def euler_from_quaternion(
     c: factor of j of the attitude quaternion
     d: factor of k of the attitude quaternion
 
-    Also returns whether at gimbal lock, where roll is set to 0.
+    Also returns whether at gimbal lock, where roll, the angle of the last turn, is set to 0.
 
     Right as long as the sum of squares neither overflows nor vanishes.
     Ledger: quaternions.4.1, quaternions.4.2, quaternions.4.3.

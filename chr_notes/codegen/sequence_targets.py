@@ -1,0 +1,64 @@
+"""The table of generated functions, attitudes as any three turns about axes.
+
+No formula stands here: each target names the derivation that it comes from.
+"""
+
+from chr_notes.codegen import array_arguments as array
+from chr_notes.codegen.target import Argument, Target
+from chr_notes.derivations.forms import sequences as forms
+
+_WHICH = ("first", "second", "third")
+ANGLES = tuple(
+    Argument(which, symbol, f"angle of the {which} turn, radians")
+    for which, symbol in zip(_WHICH, forms.ANGLES, strict=True)
+)
+AXES = tuple(
+    Argument(
+        f"{which}_axis", symbol, f"axis of the {which} turn, as turned so far: 1, 2, 3 for x, y, z"
+    )
+    for which, symbol in zip(_WHICH, forms.AXES, strict=True)
+)
+_BOTH = (("angles", ANGLES), ("axes", AXES))
+
+TARGETS = (
+    Target(
+        "matrix_from_angles",
+        "sequences",
+        "Matrix to the turned frame, row by row",
+        (),
+        forms.matrix_from_angles,
+        arrays=_BOTH,
+    ),
+    Target(
+        "angles_from_matrix",
+        "sequences",
+        "Angles of the three turns, radians",
+        (),
+        forms.angles_from_matrix,
+        arrays=(array.MATRIX, ("axes", AXES)),
+    ),
+    Target(
+        "quaternion_from_angles",
+        "sequences",
+        "Unit quaternion with a >= 0",
+        (),
+        forms.quaternion_from_angles,
+        arrays=_BOTH,
+    ),
+    Target(
+        "angles_from_quaternion",
+        "sequences",
+        "Angles of the three turns, radians",
+        (),
+        forms.angles_from_quaternion,
+        arrays=(array.Q, ("axes", AXES)),
+    ),
+    Target(
+        "angle_rates_matrix",
+        "sequences",
+        "Matrix D from rates about the turned frame's axes to rates of the angles, row by row",
+        (*ANGLES[1:], *AXES),
+        forms.angle_rates_matrix,
+        arrays=_BOTH,
+    ),
+)
