@@ -33,6 +33,7 @@ ARRAYS: dict[str, Any] = (
 )
 # What the other arguments are.
 FIXED: dict[str, Any] = {
+    "sequence": "zxz",
     "source": "ros",
     "target": "notes",
     "reference_down": 0.7,
