@@ -197,18 +197,26 @@ def monitored_observer(  # noqa: PLR0913 (three sensors, and what they are measu
         watch = monitor.watch(watch, float(factor))
     rest = slice(begin + 1, None)
     rules = (monitor.threshold, monitor.patience, monitor.gain, monitor.lowest, monitor.highest)
-    states = run(
+    before = np.full((min(begin + 1, count), 4), np.nan)
+    before[:, 3], before[begin:] = 0.0, (*first, watch.above)
+    found = run(
         monitored_turn,
         (*way_of("quaternion").begin(*first), float(watch.above)),
         *(rates[rest], forces[rest], field[rest], dt[rest] if dt.ndim else dt, down),
         *map(np.array, map(float, rules)),
-        finish=lambda states: np.column_stack([attitudes_in_range(states[:, :4]), states[:, 4]]),
+        finish=_angles_and_count,
+        before=before,
     )
-    euler, above = np.full((count, 3), np.nan), np.zeros(count)
-    euler[begin:][:1], above[begin:][:1] = first, watch.above
-    euler[rest], above[rest] = states[:, :3], states[:, 3]
+    euler, above = np.ascontiguousarray(found[:, :3]), found[:, 3]
     factors = validation_factor(field, euler[:, :2], down)
     gains = _monitor_gain(np.r_[0.0, above[:-1]], *rules[1:])
     alarms = above > 2 * monitor.patience
     euler[~complete(rates, WILD_RATE)] = np.nan
     return Monitored(euler, factors, gains, alarms)
+
+
+def _angles_and_count(states: Floats) -> Floats:
+    """Take from states, shape (N, 5), Euler angles, and how many samples E has been too high."""
+    found = np.empty((len(states), 4))
+    found[:, :3], found[:, 3] = attitudes_in_range(states[:, :4]), states[:, 4]
+    return found
