@@ -50,9 +50,19 @@ def inertial_acceleration(
     ValueError
         If a last axis is not of size 3 or the leading axes do not broadcast.
 
+    See Also
+    --------
+    accelerometer_from_acceleration
+    dead_reckon
+
     Notes
     -----
     Ledger: dead_reckoning.2.3.
+
+    Examples
+    --------
+    >>> inertial_acceleration([2.0, 0, -9.80665], [0, 0, 0]).round(6)
+    array([2., 0., 0.])
     """
     return _inertial_acceleration.compute(accel, euler, gravity, out)
 
@@ -87,9 +97,18 @@ def accelerometer_from_acceleration(
     ValueError
         If a last axis is not of size 3 or the leading axes do not broadcast.
 
+    See Also
+    --------
+    inertial_acceleration
+
     Notes
     -----
     Ledger: dead_reckoning.2.1.
+
+    Examples
+    --------
+    >>> accelerometer_from_acceleration([2.0, 0, 0], [0, 0, 0]).round(3)  # speeding up
+    array([ 2.   ,  0.   , -9.807])
     """
     return _accelerometer_from_acceleration.compute(acceleration, euler, gravity, out)
 
@@ -244,9 +263,21 @@ def drift_from_tilt_error(
     ValueError
         If the arguments do not broadcast.
 
+    See Also
+    --------
+    chr_notes.drift.drift_budget
+    chr_notes.drift.coasting_time
+
     Notes
     -----
     Ledger: dead_reckoning.4.a, dead_reckoning.4.b, and the cells of Table 1.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> acceleration, velocity, position = drift_from_tilt_error(np.radians(1.0), 60.0)
+    >>> round(float(position), 1)  # metres after a minute, by one degree
+    307.9
     """
     errors = _drift_from_tilt_error(angle_error, time, gravity)
     parts = tuple(np.moveaxis(errors, -1, 0))

@@ -40,9 +40,21 @@ def matrix_from_euler(euler: ArrayLike, *, out: Floats | None = None) -> Floats:
     ValueError
         If the last axis is not of size 3.
 
+    See Also
+    --------
+    euler_from_matrix
+    chr_notes.quaternions.quaternion_from_euler
+
     Notes
     -----
     Ledger: euler.5.2, euler.5.3.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> matrix = matrix_from_euler([0, 0, np.pi / 2])  # heading east
+    >>> (matrix @ [0, 1, 0]).round(3)  # what lies east, lies ahead
+    array([1., 0., 0.])
     """
     return _matrix_from_euler.compute(euler, out)
 
@@ -81,6 +93,21 @@ def euler_from_matrix(
     -----
     GimbalLockWarning
         If an attitude is at gimbal lock and `on_gimbal_lock` is "warn".
+
+    See Also
+    --------
+    matrix_from_euler
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from chr_notes import matrix_from_euler
+    >>> matrix = matrix_from_euler(np.radians([20, 30, 40]))
+    >>> np.degrees(euler_from_matrix(matrix)).round(6)
+    array([20., 30., 40.])
+    >>> locked = matrix_from_euler(np.radians([20, 90, 40]))
+    >>> np.degrees(euler_from_matrix(locked, on_gimbal_lock="ignore")).round(6)
+    array([ 0., 90., 20.])
     """
     return with_lock(_euler_from_matrix, matrix, on_gimbal_lock, out)
 
@@ -101,6 +128,16 @@ def wrap_angle(angle: ArrayLike, *, out: Floats | None = None) -> Floats:
     -------
     ndarray
         The angle in [-pi, pi), same shape.
+
+    See Also
+    --------
+    chr_notes.differences.angle_between_attitudes
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> np.degrees(wrap_angle(np.radians([190.0, -190.0, 370.0]))).round(6)
+    array([-170.,  170.,   10.])
     """
     wrapped = _wrap_angle.compute(angle, out)
     return wrapped[()] if out is None else wrapped
@@ -129,9 +166,21 @@ def euler_rates_matrix(euler: ArrayLike, *, out: Floats | None = None) -> Floats
     ValueError
         If the last axis is not of size 3.
 
+    See Also
+    --------
+    euler_rates_from_body_rates
+
     Notes
     -----
     Ledger: euler.7.2, euler.7.d.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> euler_rates_matrix(np.radians([30, 60, 0])).round(3)
+    array([[ 1.   ,  0.866,  1.5  ],
+           [ 0.   ,  0.866, -0.5  ],
+           [ 0.   ,  1.   ,  1.732]])
     """
     return _euler_rates_matrix.compute(euler, out)
 
@@ -160,9 +209,23 @@ def euler_rates_from_body_rates(
     ValueError
         If a last axis is not of size 3 or the leading axes do not broadcast.
 
+    See Also
+    --------
+    body_rates_from_euler_rates
+    euler_rates_matrix
+
     Notes
     -----
     Ledger: euler.7.3.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> level, steep = np.radians([[0, 0, 0], [0, 60, 0]])
+    >>> euler_rates_from_body_rates(level, [0.1, 0.2, 0.3]).round(3)
+    array([0.1, 0.2, 0.3])
+    >>> euler_rates_from_body_rates(steep, [0.1, 0.2, 0.3]).round(3)
+    array([0.62, 0.2 , 0.6 ])
     """
     return _euler_rates_from_body_rates.compute(euler, body_rates, out)
 
@@ -191,8 +254,19 @@ def body_rates_from_euler_rates(
     ValueError
         If a last axis is not of size 3 or the leading axes do not broadcast.
 
+    See Also
+    --------
+    euler_rates_from_body_rates
+
     Notes
     -----
     Ledger: euler.7.a.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> attitude = np.radians([90, 0, 0])  # on the right wing
+    >>> body_rates_from_euler_rates(attitude, [0, 0, 1.0]).round(3)  # yaw is felt by q
+    array([0., 1., 0.])
     """
     return _body_rates_from_euler_rates.compute(euler, euler_rates, out)

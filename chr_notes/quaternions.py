@@ -48,9 +48,20 @@ def matrix_from_quaternion(q: ArrayLike, *, out: Floats | None = None) -> Floats
     ValueError
         If the last axis is not of size 4, or a quaternion is zero; it names the first one.
 
+    See Also
+    --------
+    quaternion_from_matrix
+
     Notes
     -----
     Ledger: quaternions.3.3.
+
+    Examples
+    --------
+    >>> matrix_from_quaternion([1, 0, 0, 1]).round(6)  # heading east
+    array([[ 0.,  1.,  0.],
+           [-1.,  0.,  0.],
+           [ 0.,  0.,  1.]])
     """
     return _matrix_from_quaternion.compute(q, out)
 
@@ -77,9 +88,18 @@ def quaternion_from_matrix(matrix: ArrayLike, *, out: Floats | None = None) -> F
         by more than 1e-4 (root mean square of the elements), or the determinant is negative. The
         error names the first such matrix.
 
+    See Also
+    --------
+    matrix_from_quaternion
+
     Notes
     -----
     Ledger: quaternions.3.3, whose matrix is solved for the elements.
+
+    Examples
+    --------
+    >>> quaternion_from_matrix([[0, 1, 0], [-1, 0, 0], [0, 0, 1]]).round(6)  # heading east
+    array([0.707107, 0.      , 0.      , 0.707107])
     """
     return _quaternion_from_matrix.compute(matrix, out)
 
@@ -104,9 +124,20 @@ def quaternion_from_euler(euler: ArrayLike, *, out: Floats | None = None) -> Flo
     ValueError
         If the last axis is not of size 3.
 
+    See Also
+    --------
+    euler_from_quaternion
+    chr_notes.euler.matrix_from_euler
+
     Notes
     -----
     Ledger: quaternions.2.2, for each of the three turns.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> quaternion_from_euler(np.radians([0, 0, 90])).round(6)  # half the angle
+    array([0.707107, 0.      , 0.      , 0.707107])
     """
     return _quaternion_from_euler.compute(euler, out)
 
@@ -144,9 +175,19 @@ def euler_from_quaternion(
     GimbalLockWarning
         If an attitude is at gimbal lock and `on_gimbal_lock` is "warn".
 
+    See Also
+    --------
+    quaternion_from_euler
+
     Notes
     -----
     Ledger: quaternions.4.1, quaternions.4.2, quaternions.4.3.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> np.degrees(euler_from_quaternion([1, 0, 0, 1])).round(6)  # of any length
+    array([ 0.,  0., 90.])
     """
     return with_lock(_euler_from_quaternion, q, on_gimbal_lock, out)
 
@@ -176,9 +217,19 @@ def quaternion_from_axis_angle(
         If the last axis of `axis` is not of size 3, the shapes do not broadcast, or an axis is
         zero; it names the first one.
 
+    See Also
+    --------
+    axis_angle_from_quaternion
+
     Notes
     -----
     Ledger: quaternions.2.2.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> quaternion_from_axis_angle([0, 0, 2], np.radians(60)).round(6)  # an axis of any length
+    array([0.866025, 0.      , 0.      , 0.5     ])
     """
     return _quaternion_from_axis_angle.compute(axis, angle, out)
 
@@ -207,9 +258,22 @@ def axis_angle_from_quaternion(
     ValueError
         If the last axis is not of size 4, or a quaternion is zero; it names the first one.
 
+    See Also
+    --------
+    quaternion_from_axis_angle
+
     Notes
     -----
     Ledger: quaternions.2.2.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> axis, angle = axis_angle_from_quaternion([np.sqrt(3), 0, 0, 1])
+    >>> axis
+    array([0., 0., 1.])
+    >>> float(np.degrees(angle).round(6))
+    60.0
     """
     both = _axis_angle_from_quaternion(q)
     axis, angle = handed_out((both[..., :3], both[..., 3]), out)
@@ -236,9 +300,20 @@ def quaternion_multiply(p: ArrayLike, q: ArrayLike, *, out: Floats | None = None
     ValueError
         If a last axis is not of size 4 or the leading axes do not broadcast.
 
+    See Also
+    --------
+    rotate_to_body
+
     Notes
     -----
     Ledger: quaternions.3.2.
+
+    Examples
+    --------
+    >>> quaternion_multiply([0, 1, 0, 0], [0, 0, 1, 0])  # i j = k
+    array([0., 0., 0., 1.])
+    >>> quaternion_multiply([0, 0, 1, 0], [0, 1, 0, 0])  # j i = -k
+    array([ 0.,  0.,  0., -1.])
     """
     return _quaternion_multiply.compute(p, q, out)
 
@@ -263,9 +338,18 @@ def quaternion_conjugate(q: ArrayLike, *, out: Floats | None = None) -> Floats:
     ValueError
         If the last axis is not of size 4.
 
+    See Also
+    --------
+    quaternion_inverse
+
     Notes
     -----
     Ledger: quaternions.3.c.
+
+    Examples
+    --------
+    >>> quaternion_conjugate([0.5, 0.1, -0.2, 0.3])
+    array([ 0.5, -0.1,  0.2, -0.3])
     """
     return _quaternion_conjugate.compute(q, out)
 
@@ -290,9 +374,20 @@ def quaternion_inverse(q: ArrayLike, *, out: Floats | None = None) -> Floats:
     ValueError
         If the last axis is not of size 4, or a quaternion is zero; it names the first one.
 
+    See Also
+    --------
+    quaternion_conjugate
+
     Notes
     -----
     Ledger: quaternions.3.a.
+
+    Examples
+    --------
+    >>> from chr_notes import quaternion_multiply
+    >>> q = [2.0, 0.0, 1.0, 1.0]
+    >>> quaternion_multiply(q, quaternion_inverse(q)).round(12)
+    array([1., 0., 0., 0.])
     """
     return _quaternion_inverse.compute(q, out)
 
@@ -320,9 +415,20 @@ def rotate_to_inertial(q: ArrayLike, v_body: ArrayLike, *, out: Floats | None = 
         If a last axis has another size, the leading axes do not broadcast, or a quaternion is
         zero; it names the first one.
 
+    See Also
+    --------
+    rotate_to_body
+
     Notes
     -----
     Ledger: quaternions.3.1.
+
+    Examples
+    --------
+    >>> from chr_notes import quaternion_from_euler
+    >>> east = quaternion_from_euler([0, 0, 1.5707963267948966])
+    >>> rotate_to_inertial(east, [1, 0, 0]).round(6)  # ahead is east
+    array([0., 1., 0.])
     """
     return _rotate_to_inertial.compute(q, v_body, out)
 
@@ -350,8 +456,19 @@ def rotate_to_body(q: ArrayLike, v_inertial: ArrayLike, *, out: Floats | None = 
         If a last axis has another size, the leading axes do not broadcast, or a quaternion is
         zero; it names the first one.
 
+    See Also
+    --------
+    rotate_to_inertial
+
     Notes
     -----
     Ledger: quaternions.3.1, quaternions.3.4.
+
+    Examples
+    --------
+    >>> from chr_notes import quaternion_from_euler
+    >>> east = quaternion_from_euler([0, 0, 1.5707963267948966])
+    >>> rotate_to_body(east, [0, 1, 0]).round(6)  # what lies east, lies ahead
+    array([1., 0., 0.])
     """
     return _rotate_to_body.compute(q, v_inertial, out)

@@ -44,9 +44,21 @@ def heading_from_magnetometer(
         If a last axis has the wrong size, the leading axes do not broadcast, or the reference is
         zero.
 
+    See Also
+    --------
+    chr_notes.estimation.tilt.tilt_from_accelerometer
+    chr_notes.estimation.earth_field.EarthField
+
     Notes
     -----
     Ledger: validation.12, validation.16.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> field = [0.2, -0.2, 0.4]  # level, in any unit
+    >>> float(np.degrees(heading_from_magnetometer(field, [0, 0])).round(6))
+    45.0
     """
     level = floats("reference", reference, 2)
     if level.ndim > 1 or not any(level.tolist()):
@@ -86,9 +98,24 @@ def validation_factor(
         If a last axis has the wrong size, the leading axes do not broadcast, or the reference is
         not from -1 to 1.
 
+    See Also
+    --------
+    chr_notes.estimation.doubt.doubtful_sensors
+
     Notes
     -----
     Ledger: validation.17.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> dip = np.radians(60)
+    >>> field = [np.cos(dip), 0, np.sin(dip)]
+    >>> float(validation_factor(field, [0, 0], np.sin(dip)).round(6))
+    0.0
+    >>> tilt = np.radians([0, 10])  # pitch is 10° off
+    >>> float(validation_factor(field, tilt, np.sin(dip)).round(3))
+    0.1
     """
     factor = _validation_factor.compute(mag, tilt, part_down(reference_down), out)
     return factor[()] if out is None else factor

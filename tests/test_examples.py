@@ -3,6 +3,7 @@
 import doctest
 import importlib
 import pkgutil
+from inspect import isfunction
 
 import pytest
 
@@ -29,3 +30,9 @@ def test_an_example_gives_what_it_says(
     failed, tried = doctest.DocTestRunner().run(example)
     assert tried > 0
     assert failed == 0, capsys.readouterr().out
+
+
+def test_each_public_function_has_an_example() -> None:
+    functions = [getattr(chr_notes, name) for name in chr_notes.__all__]
+    without = [f.__name__ for f in functions if isfunction(f) and ">>>" not in (f.__doc__ or "")]
+    assert without == []

@@ -267,6 +267,17 @@ def rejected_samples(body_rates: ArrayLike, accel: ArrayLike) -> NDArray[np.bool
     ------
     ValueError
         If a shape is wrong.
+
+    See Also
+    --------
+    fixed_gain_observer
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> rates = np.array([[0, 0, 0], [np.nan, 0, 0], [0, 0, 0]])
+    >>> rejected_samples(rates, [[0, 0, -9.8], [0, 0, -9.8], [0, 0, 0]])
+    array([False,  True,  True])
     """
     rates, forces = samples("body_rates", body_rates), samples("accel", accel)
     same_length(("body_rates", rates), ("accel", forces))

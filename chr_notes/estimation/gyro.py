@@ -57,9 +57,21 @@ def integrate_gyro(
         rad/s (4000 °/s), or most time steps are above 1 s. So it is with rates in °/s, with
         milliseconds, and where a clock has jumped.
 
+    See Also
+    --------
+    chr_notes.estimation.fixed_gain.fixed_gain_observer
+    chr_notes.estimation.averaging.averaging_observer
+
     Notes
     -----
     Ledger: estimation.3.2, estimation.3.3, estimation.3.a.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> rates = np.tile([0, 0, np.radians(30)], (100, 1))  # a second of turning
+    >>> np.degrees(integrate_gyro(rates, 0.01)[-1]).round(6)
+    array([ 0.,  0., 30.])
     """
     if method not in ("quaternion", "euler"):
         msg = f'method: expected "quaternion" or "euler", got {method!r}'

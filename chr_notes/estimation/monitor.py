@@ -180,9 +180,27 @@ def monitored_observer(  # noqa: PLR0913 (three sensors, and what they are measu
     UnitWarning
         As `integrate_gyro`.
 
+    See Also
+    --------
+    chr_notes.estimation.fixed_gain.fixed_gain_observer
+    chr_notes.validation.validation_factor
+    chr_notes.estimation.doubt.doubtful_sensors
+
     Notes
     -----
     Ledger: validation.10, validation.11, validation.17.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from chr_notes import Monitor
+    >>> rates, accel = np.zeros((300, 3)), np.tile([0, 0, -9.8], (300, 1))
+    >>> mag = np.tile([0.5, 0, 0.866], (300, 1))
+    >>> mag[200:] = [0.866, 0, 0.5]  # iron comes near
+    >>> monitor = Monitor(threshold=0.1, patience=20)
+    >>> found = monitored_observer(rates, accel, mag, 0.01, reference_down=0.866, monitor=monitor)
+    >>> int(found.alarm.argmax())
+    240
     """
     rates, forces = samples("body_rates", body_rates), samples("accel", accel)
     field = samples("mag", mag)

@@ -57,6 +57,18 @@ def observe_sample(  # noqa: PLR0913 (a state and a sample)
     -----
     UnitWarning
         If the sample turns by more than half a revolution within its time step.
+
+    See Also
+    --------
+    observe
+    chr_notes.estimation.fixed_gain.fixed_gain_observer
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> euler = observe_sample([0, 0, 0], [0.1, 0, 0], [0, 0, -9.8], dt=0.01, gain=0.02)
+    >>> np.degrees(euler).round(4)
+    array([0.0561, 0.    , 0.    ])
     """
     way, share, step = way_of(method), check_gain("gain", gain), period(dt)
     rates = p, q, r = one_sample("body_rates", body_rates)
@@ -119,6 +131,21 @@ def observe(
     -----
     UnitWarning
         If a sample turns by more than half a revolution within its time step.
+
+    See Also
+    --------
+    observe_sample
+    chr_notes.estimation.fixed_gain.fixed_gain_observer
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> stream = [([0, 0, 0.1], [0, -1.0, -9.8], 0.01)] * 3
+    >>> for estimate in observe(stream, gain=0.02):
+    ...     print(np.degrees(estimate.euler).round(3))
+    [5.826 0.    0.   ]
+    [ 5.826 -0.006  0.057]
+    [ 5.826 -0.011  0.114]
     """
     way, share = way_of(method), check_gain("gain", gain)
     quick = way.quick_advance

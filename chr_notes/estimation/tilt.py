@@ -37,9 +37,19 @@ def tilt_from_accelerometer(accel: ArrayLike, *, out: Floats | None = None) -> F
     ValueError
         If the last axis is not of size 3.
 
+    See Also
+    --------
+    accelerometer_at_rest
+
     Notes
     -----
     Ledger: estimation.2.5, estimation.2.6, validation.3, validation.4.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> np.degrees(tilt_from_accelerometer([4.903, -1.475, -8.364])).round(2)  # roll and pitch
+    array([10., 30.])
     """
     return _tilt_from_accelerometer.compute(accel, out)
 
@@ -68,8 +78,18 @@ def accelerometer_at_rest(
     ValueError
         If the last axis is not of size 3 or the leading axes do not broadcast.
 
+    See Also
+    --------
+    tilt_from_accelerometer
+
     Notes
     -----
     Ledger: estimation.2.4, sensors.2.2, sensors.2.c.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> accelerometer_at_rest(np.radians([10, 30, 0])).round(3)  # nose up, right wing down
+    array([ 4.903, -1.475, -8.364])
     """
     return _accelerometer_at_rest.compute(euler, gravity, out)

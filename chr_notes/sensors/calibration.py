@@ -60,6 +60,15 @@ def fit_accelerometer(
     Notes
     -----
     Ledger: sensors.2.3.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> ups = np.repeat(np.eye(3), 2, axis=0) * np.resize([1, -1], (6, 1))
+    >>> # Each axis up, then down.
+    >>> found = fit_accelerometer(1.02 * 9.80665 * ups + [0.1, 0, 0])
+    >>> found.correct([0.1, 0, -1.02 * 9.80665]).round(4)
+    array([ 0.    ,  0.    , -9.8066])
     """
     positions = floats("readings", readings, 6, 3)
     if positions.ndim != 2:  # noqa: PLR2004 (positions by axes)
