@@ -75,6 +75,17 @@ def fit_accelerometer_from_log(
     -----
     Ledger: sensors.2.3. The method is that of Tedaldi, Pretto and Menegatti, A robust and easy to
     implement method for IMU calibration without external equipments, 2014.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> noise = np.random.default_rng(0).normal(0, 0.001, (2400, 3))
+    >>> ups = np.repeat(np.eye(3), 2, axis=0) * np.resize([1, -1], (6, 1))
+    >>> accel = np.repeat(1.02 * 9.80665 * ups + [0.1, 0, 0], 400, axis=0) + noise
+    >>> turning = (np.arange(2400) % 400 > 300)[:, np.newaxis]  # a second between two poses
+    >>> rates = noise + turning * np.sin(np.arange(2400) / 5)[:, np.newaxis]
+    >>> fit_accelerometer_from_log(rates, accel, 0.01).correct([0.1, 0, -10.0028]).round(2)
+    array([ 0.  ,  0.  , -9.81])
     """
     rates, forces = samples("body_rates", body_rates), samples("accel", accel)
     magnitude = positive("gravity", gravity)
