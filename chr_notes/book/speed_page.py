@@ -5,6 +5,7 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from itertools import cycle
+from math import inf
 from pathlib import Path
 from typing import Any, Final
 
@@ -18,7 +19,8 @@ __all__ = ["generated"]
 
 SPEED: Final = Path(__file__).resolve().parents[2] / "book" / "speed.json"
 OURS: Final = "chr_notes"
-SCALAR: Final = "chr_notes, one at a time"
+ONE_AT_A_TIME: Final = ", one at a time"
+SCALAR: Final = OURS + ONE_AT_A_TIME
 MEMCPY: Final = "memcpy of the result"
 PLAIN_NUMPY: Final = "plain NumPy"
 TOLD: Final = {1: "1 row", 100: "100", 1_000: "1,000", 1_000_000: "10⁶"}
@@ -81,6 +83,15 @@ def choice(run: Mapping[str, Any]) -> Iterator[str]:
             f"With {always[0]:,} rows those of arrays took less for each row than those of plain "
             "numbers for one, in every task."
         )
+    for task, times in of_rows(run).items():
+        for name in (name for name in times if name != SCALAR and ONE_AT_A_TIME in name):
+            library = name.removesuffix(ONE_AT_A_TIME)
+            yield (
+                f"In {task} {library} took {times[name][1]:,.0f} ns for its own objects, one at a "
+                f"time, and {times[library][1]:,.0f} ns for arrays of one row; ours took "
+                f"{times[SCALAR][1]:,.0f} ns for plain numbers and {times[OURS][1]:,.0f} for such "
+                "arrays."
+            )
 
 
 def factor(ratio: float) -> str:
@@ -97,7 +108,7 @@ def others(times: Times, size: int) -> dict[str, float]:
 def factors(run: Mapping[str, Any]) -> Iterator[str]:
     """Yield a table: how many times as long the fastest other library takes, and who is faster.
 
-    Of one attitude our functions of plain numbers are compared, which are for that.
+    Of one attitude the faster of our functions is compared, of plain numbers or of arrays.
     """
     timed = of_rows(run)
     sizes = [n for n in TOLD if all(n in times[OURS] for times in timed.values())]
@@ -106,7 +117,7 @@ def factors(run: Mapping[str, Any]) -> Iterator[str]:
     for task, times in timed.items():
         cells = []
         for size in sizes:
-            ours = times[SCALAR if size == 1 else OURS][size]
+            ours = min(times[OURS][size], times[SCALAR].get(size, inf))
             rest = others(times, size)
             cells.append(factor(min(rest.values()) / ours))
             for name in (name for name, time in rest.items() if time < ours):
@@ -175,5 +186,6 @@ def machine(run: Mapping[str, Any]) -> str:
     libraries = ", ".join(f"{name} {version}" for name, version in run["libraries"].items())
     return (
         f"Timed on {run['cpu']}, {run['vector_instructions']}, one thread, {run['system']}, "
-        f"Python {run['python']}, {libraries}. Each time is the shortest of two rounds or more.\n"
+        f"Python {run['python']}, {libraries}. "
+        f"Each time is the shortest of {run['rounds']} rounds or more.\n"
     )
