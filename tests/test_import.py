@@ -1,5 +1,6 @@
 """Importing the package is cheap, and all its names are there."""
 
+import importlib
 import subprocess
 import sys
 import tomllib
@@ -34,6 +35,14 @@ def test_what_is_imported_is_public() -> None:
         if not name.startswith("_") and not isinstance(value, ModuleType)
     }
     assert here == set(chr_notes.__all__)
+
+
+def test_demos_without_their_extra_say_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in [name for name in sys.modules if name.startswith("chr_notes.demos")]:
+        monkeypatch.delitem(sys.modules, name)
+    monkeypatch.setitem(sys.modules, "anywidget", None)
+    with pytest.raises(ModuleNotFoundError, match=r'install "chr-notes\[notebooks\]"'):
+        importlib.import_module("chr_notes.demos")
 
 
 def test_each_file_of_data_is_named_for_the_wheel() -> None:

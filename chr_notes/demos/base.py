@@ -11,10 +11,14 @@ import math
 from pathlib import Path
 from typing import Any, ClassVar
 
-import anywidget
-import traitlets
-
 from chr_notes import palette
+
+try:
+    import anywidget
+    import traitlets
+except ModuleNotFoundError as error:
+    MSG = 'demos need anywidget; run: python -m pip install "chr-notes[notebooks]"'
+    raise ModuleNotFoundError(MSG, name="anywidget") from error
 
 __all__ = ["BUILT", "SOURCES", "Control", "Demo", "entry", "formatted", "rounded", "styles"]
 
