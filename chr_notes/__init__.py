@@ -86,6 +86,9 @@ from chr_notes.sequences import (
     matrix_from_angles,
     quaternion_from_angles,
 )
+from chr_notes.systems.convention import Convention
+from chr_notes.systems.converting import convert
+from chr_notes.systems.detective import Match, find_conventions
 from chr_notes.validation import heading_from_magnetometer, validation_factor
 from chr_notes.zero_velocity import zero_velocity
 
@@ -96,6 +99,7 @@ __all__ = [
     "Averaged",
     "AxesRelation",
     "CalibrationWarning",
+    "Convention",
     "Doubts",
     "DriftBudget",
     "EarthField",
@@ -104,6 +108,7 @@ __all__ = [
     "GimbalLockError",
     "GimbalLockWarning",
     "MagnetometerCalibration",
+    "Match",
     "Monitor",
     "Monitored",
     "RateGyroCalibration",
@@ -130,6 +135,7 @@ __all__ = [
     "change_quaternion",
     "coasting_time",
     "continuous_quaternions",
+    "convert",
     "dead_reckon",
     "doubtful_sensors",
     "drift_budget",
@@ -138,6 +144,7 @@ __all__ = [
     "euler_from_quaternion",
     "euler_rates_from_body_rates",
     "euler_rates_matrix",
+    "find_conventions",
     "fit_accelerometer",
     "fit_accelerometer_from_log",
     "fit_ellipsoid",

@@ -10,8 +10,8 @@ NOTES_GRAVITY = 9.8
 
 
 @dataclass(frozen=True)
-class Convention:
-    """One convention.
+class Statement:
+    """One convention, in words.
 
     Parameters
     ----------
@@ -26,31 +26,31 @@ class Convention:
 
 
 CONVENTIONS = (
-    Convention(
+    Statement(
         "Frames",
         "The navigation frame, which the notes call inertial, is **north-east-down**: x points "
         "north, y east, z down. The body frame is **forward-right-down**: x out of the nose, y "
         "out of the right side, z out of the bottom. Both are right-handed.",
     ),
-    Convention(
+    Statement(
         "Euler angles",
         r"The sequence is **3-2-1**: yaw $\psi$ about the inertial z-axis, then pitch $\theta$ "
         r"about the y-axis that yaw has turned (vehicle-1), then roll $\phi$ about the x-axis that "
         r"both have turned (vehicle-2). Arrays hold them in the order (roll, pitch, yaw) on the "
         r"last axis.",
     ),
-    Convention(
+    Statement(
         "Units",
         "Functions take and return radians, rad/s, m/s² and seconds, unless they say that any unit "
         "does. Degrees stand in prose, in what cells print, and in demos.",
     ),
-    Convention(
+    Statement(
         "Matrices",
         r"A rotation matrix is **passive**: $R_I^B$ takes the components of one and the same "
         r"vector from the inertial frame to the body frame, $\mathbf{v}_B = R_I^B\,\mathbf{v}_I$. "
         r"The other direction is its transpose.",
     ),
-    Convention(
+    Statement(
         "Quaternions",
         r"Quaternions are **Hamilton's**, scalar first: $(a, b, c, d)$ on the last axis, with "
         r"$i^2 = j^2 = k^2 = ijk = -1$. The attitude quaternion satisfies "
@@ -58,18 +58,18 @@ CONVENTIONS = (
         r"with $a \ge 0$; products, conjugates and inverses keep the sign and the length that they "
         r"have.",
     ),
-    Convention(
+    Statement(
         "Accelerometers",
         r"An accelerometer measures **specific force**: what acts on it besides gravity, per unit "
         r"of mass. Level and at rest it reads $(0, 0, -g)$.",
     ),
-    Convention(
+    Statement(
         "Gimbal lock",
         r"Exactly at a pitch of ±90° roll and yaw are not determined one by one. A function that "
         r"turns a matrix or a quaternion into Euler angles then sets **roll to 0** and lets yaw "
         r"carry the rest, so that the angles still rebuild the same attitude.",
     ),
-    Convention(
+    Statement(
         "Names",
         "A function that converts is called `target_from_source`: `matrix_from_euler` takes Euler "
         "angles and gives a matrix.",

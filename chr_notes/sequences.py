@@ -122,6 +122,10 @@ def angles_from_matrix(
     GimbalLockWarning
         If an attitude is at gimbal lock and `on_gimbal_lock` is "warn".
 
+    See Also
+    --------
+    chr_notes.euler_from_matrix : Roll, pitch and yaw.
+
     Examples
     --------
     >>> import numpy as np
@@ -161,6 +165,10 @@ def quaternion_from_angles(
     ------
     ValueError
         If the last axis is not of size 3, or the sequence is none.
+
+    See Also
+    --------
+    chr_notes.quaternion_from_euler : Of roll, pitch and yaw.
 
     Examples
     --------
@@ -207,6 +215,10 @@ def angles_from_quaternion(
     -----
     GimbalLockWarning
         If an attitude is at gimbal lock and `on_gimbal_lock` is "warn".
+
+    See Also
+    --------
+    chr_notes.euler_from_quaternion : Roll, pitch and yaw.
 
     Examples
     --------

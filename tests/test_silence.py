@@ -50,8 +50,9 @@ MODELS = (
     chr_notes.MagnetometerCalibration(SLANTED, [0.1, 0.2, 0.3]),
 )
 # What goes in are no rows of numbers alone, but poses, turns, streams.
-OTHERS = {"coasting_time", "drift_budget", "fit_accelerometer", "fit_gyro_scale", "kernels_in_use",
-          "observe", "observe_averaging", "read_log"}  # fmt: skip
+OTHERS = {"coasting_time", "convert", "drift_budget", "find_conventions", "fit_accelerometer",
+          "fit_gyro_scale", "kernels_in_use", "observe", "observe_averaging",
+          "read_log"}  # fmt: skip
 
 
 def found() -> Iterator[tuple[str, Call]]:

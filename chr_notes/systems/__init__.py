@@ -1,0 +1,1 @@
+"""How other systems write attitudes: descriptions of conventions, conversion, and a detective."""

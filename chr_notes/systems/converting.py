@@ -1,0 +1,121 @@
+"""Attitudes and vectors from one convention into another."""
+
+from typing import Literal, get_args
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from chr_notes._arrays import Floats, floats
+from chr_notes.quaternions import (
+    matrix_from_quaternion,
+    quaternion_conjugate,
+    quaternion_from_matrix,
+)
+from chr_notes.sequences import angles_from_matrix, matrix_from_angles
+from chr_notes.systems.convention import DOCUMENTED, PRESETS, Convention
+
+Kind = Literal["angles", "matrix", "quaternion", "body vector", "navigation vector"]
+
+
+def convert(
+    value: ArrayLike, source: Convention | str, target: Convention | str, *, kind: Kind
+) -> Floats:
+    """Write what stands for an attitude, or a vector, in another convention.
+
+    Parameters
+    ----------
+    value
+        Angles or vectors, shape (..., 3); matrices, (..., 3, 3); quaternions of any norm but zero,
+        (..., 4).
+    source, target
+        Conventions, or their names in `PRESETS` or `DOCUMENTED` of
+        `chr_notes.systems.convention`.
+    kind
+        What the value is: "angles", "matrix", "quaternion", "body vector" or "navigation vector".
+
+    Returns
+    -------
+    ndarray
+        The same attitude or vector for the target, shape as given. Angles lie in the ranges of
+        `chr_notes.angles_from_matrix`, at gimbal lock without a warning; quaternions are unit
+        quaternions with a scalar part of at least 0.
+
+    Raises
+    ------
+    ValueError
+        If a shape is wrong, a name unknown, or a value stands for no attitude.
+
+    See Also
+    --------
+    chr_notes.find_conventions : Which convention numbers are in.
+    chr_notes.change_angles : Also the angles of Android and of browsers.
+
+    Examples
+    --------
+    A UM7 says roll 10°, pitch 20°, yaw 30°. For ROS, whose z points up, the pitch has the other
+    sign and yaw counts from east to the left:
+
+    >>> import numpy as np
+    >>> import chr_notes
+    >>> angles = chr_notes.convert([10.0, 20.0, 30.0], "CHR", "ROS", kind="angles")
+    >>> print(np.degrees(angles).round(4))
+    [ 10. -20.  60.]
+
+    Level and facing north, scalar first there and last here:
+
+    >>> q = chr_notes.convert([1.0, 0.0, 0.0, 0.0], "CHR", "ROS", kind="quaternion")
+    >>> print(q.round(4) + 0.0)
+    [0.     0.     0.7071 0.7071]
+    """
+    given, wanted = named("source", source), named("target", target)
+    if kind not in get_args(Kind):
+        msg = f"kind: expected one of {get_args(Kind)}, got {kind!r}"
+        raise ValueError(msg)
+    if kind in ("body vector", "navigation vector"):
+        frame: Literal["body", "navigation"] = "body" if kind == "body vector" else "navigation"
+        change = wanted.axes(frame).T @ given.axes(frame)
+        return np.asarray(floats("value", value, 3) @ change.T)
+    own = to_body(value, given, kind)
+    room = given.axes("navigation").T @ wanted.axes("navigation")
+    return from_matrix(wanted.axes("body").T @ given.axes("body") @ own @ room, wanted, kind)
+
+
+def to_body(value: ArrayLike, convention: Convention, kind: str) -> Floats:
+    """Matrix from navigation to body in the convention's own axes, of what stands for it."""
+    if kind == "angles":
+        angles = floats("value", value, 3)[..., convention.order]
+        angles = np.radians(angles) if convention.degrees else angles
+        return matrix_from_angles(angles, convention.sequence)
+    if kind == "matrix":
+        matrix = floats("value", value, 3, 3)
+        return np.swapaxes(matrix, -1, -2) if convention.matrix_is_transposed else matrix
+    q = floats("value", value, 4)
+    q = q if convention.scalar_first else np.roll(q, 1, axis=-1)
+    return matrix_from_quaternion(
+        quaternion_conjugate(q) if convention.quaternion_is_conjugated else q
+    )
+
+
+def from_matrix(matrix: Floats, convention: Convention, kind: str) -> Floats:
+    """Write a matrix from navigation to body, in the convention's own axes, as it does."""
+    if kind == "angles":
+        angles = angles_from_matrix(matrix, convention.sequence, on_gimbal_lock="ignore")
+        angles = np.degrees(angles) if convention.degrees else angles
+        return angles[..., np.argsort(convention.order)]
+    if kind == "matrix":
+        quaternion_from_matrix(matrix)  # refuses what is no rotation
+        return np.swapaxes(matrix, -1, -2).copy() if convention.matrix_is_transposed else matrix
+    q = quaternion_from_matrix(matrix)
+    q = quaternion_conjugate(q) if convention.quaternion_is_conjugated else q
+    return q if convention.scalar_first else np.roll(q, -1, axis=-1)
+
+
+def named(argument: str, convention: Convention | str) -> Convention:
+    """Find a convention by its name; one that is given is returned."""
+    if isinstance(convention, Convention):
+        return convention
+    known = PRESETS | DOCUMENTED
+    if convention not in known:
+        msg = f"{argument}: expected a Convention or one of {', '.join(known)}, got {convention!r}"
+        raise ValueError(msg)
+    return known[convention]
