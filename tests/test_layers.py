@@ -27,7 +27,16 @@ ALLOWED = {
     "_arrays": set(),
     "numeric": NUMERIC,
     # Of what is printed, Table 1 goes into the bundles.
-    "demos": {"demos", "palette", "aircraft", "generated", "conventions", "printed"},
+    "demos": {
+        "demos",
+        "palette",
+        "aircraft",
+        "generated",
+        "conventions",
+        "printed",
+        "numeric",
+        "_arrays",
+    },
     "book": NOTATION
     | {"ledger", "conventions", "palette", "demos", "book"}
     | {"plots"}  # for the curves of the page on speed

@@ -1,8 +1,21 @@
 """Demos: widgets in a notebook, and the same modules on a page without a kernel."""
 
 from chr_notes.demos.drift import DriftDemo
+from chr_notes.demos.filter import FilterDemo
+from chr_notes.demos.frames import FramesDemo
 from chr_notes.demos.gimbal_lock import GimbalLockDemo
+from chr_notes.demos.magnetometer import MagnetometerDemo
 from chr_notes.demos.quaternion import QuaternionDemo
 from chr_notes.demos.tilt import TiltDemo
+from chr_notes.demos.validation import ValidationDemo
 
-__all__ = ["DriftDemo", "GimbalLockDemo", "QuaternionDemo", "TiltDemo"]
+__all__ = [
+    "DriftDemo",
+    "FilterDemo",
+    "FramesDemo",
+    "GimbalLockDemo",
+    "MagnetometerDemo",
+    "QuaternionDemo",
+    "TiltDemo",
+    "ValidationDemo",
+]

@@ -8,6 +8,7 @@ has neither gets its numbers as text.
 import html
 import json
 import math
+import urllib.parse
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -50,14 +51,19 @@ def entry(value: float) -> str:
 
 
 class Control(traitlets.Float[float, float]):
-    """The value of a slider: a number within its range."""
+    """The value of a slider: a number within its range, and a whole one where it is to be."""
 
     info_text = "a number"
+
+    def __init__(self, default: float, *, min: float, max: float, whole: bool = False) -> None:  # noqa: A002 - traitlets' names
+        """Take the default, the range, and whether only whole numbers count."""
+        super().__init__(default, min=min, max=max)
+        self.whole = whole
 
     def validate(self, obj: Any, value: Any) -> float:  # noqa: ANN401 - traitlets' signature
         """Refuse what is not a number, and make minus zero zero."""
         number = super().validate(obj, value)
-        if math.isnan(number):
+        if math.isnan(number) or (self.whole and number != round(number)):
             self.error(obj, value)
         return number + 0.0
 
@@ -98,7 +104,22 @@ class Demo(anywidget.AnyWidget):
         """Return the element that the script of the book's pages turns into the demo."""
         state = html.escape(json.dumps(self.state()))
         text = html.escape(self.fallback())
-        return f'<div data-demo="{self.element}" data-state="{state}"><p>{text}</p></div>'
+        start = f'<div data-demo="{self.element}" data-state="{state}">'
+        return f"{start}{self._picture()}<p>{text}</p></div>"
+
+    def still_name(self) -> str:
+        """Return the name of the file with the still picture of this state."""
+        return "_".join([self.element, *(f"{value:g}" for value in self.state().values())]) + ".svg"
+
+    def _picture(self) -> str:
+        """Return the still picture with its words, where the state has one."""
+        path = BUILT / self.still_name()
+        if not path.is_file():
+            return ""
+        drawn = path.read_text(encoding="utf-8")
+        words = drawn.partition("<title>")[2].partition("</title>")[0]
+        source = urllib.parse.quote(drawn.strip(), safe=" =:/,;()'-.")
+        return f'<img alt="{words}" width="420" src="data:image/svg+xml,{source}">'
 
     def __repr__(self) -> str:
         """Return the call that makes this demo."""

@@ -1,9 +1,10 @@
 """Bundle and minify the demos: ``python -m chr_notes.demos.build [--check]``.
 
-One ES module a widget for anywidget, and one classic script for the pages of the book, which
-also works from ``file://``. The output is committed, so that neither installing nor building
-the book needs Node; only a change of the JavaScript does. ``--check`` bundles into a temporary
-folder and compares whole folders with what is committed.
+One ES module a widget for anywidget, one classic script for the pages of the book, which also
+works from ``file://``, and a still picture of each state that a page opens with. The output is
+committed, so that neither installing nor building the book needs Node; only a change of the
+JavaScript does. ``--check`` bundles into a temporary folder and compares whole folders with what
+is committed.
 """
 
 import argparse
@@ -17,16 +18,58 @@ from pathlib import Path
 
 from chr_notes.aircraft import PARTS
 from chr_notes.conventions import NOTES_GRAVITY, STANDARD_GRAVITY
+from chr_notes.demos import (
+    DriftDemo,
+    FilterDemo,
+    FramesDemo,
+    GimbalLockDemo,
+    MagnetometerDemo,
+    QuaternionDemo,
+    TiltDemo,
+    ValidationDemo,
+    magnetometer,
+    validation,
+)
 from chr_notes.demos.base import BUILT, SOURCES
+from chr_notes.demos.filter import RUN
+from chr_notes.demos.noise import MODULUS, MULTIPLIER
 from chr_notes.demos.tilt import NOTHING
-from chr_notes.palette import DASHES
+from chr_notes.palette import DASHES, PALETTE
 from chr_notes.printed.table_1 import ROWS
 
 ESBUILD = "esbuild@0.28.2"
 """The exact bundler: the same version writes the same bytes."""
 
-WIDGETS = ("drift", "gimbal_lock", "quaternion", "tilt")
+WIDGETS = (
+    "drift",
+    "filter",
+    "frames",
+    "gimbal_lock",
+    "magnetometer",
+    "quaternion",
+    "tilt",
+    "validation",
+)
 PAGES = "pages"
+STILLS = (
+    FilterDemo(),
+    FramesDemo(),
+    DriftDemo(),
+    GimbalLockDemo(),
+    MagnetometerDemo(),
+    QuaternionDemo(),
+    TiltDemo(),
+    ValidationDemo(),
+    FramesDemo(frame=1.0, axis=1.0, yaw=40.0, pitch=30.0, roll=25.0),
+    DriftDemo(angle_error=1.0, time=60.0),
+    GimbalLockDemo(yaw=30.0, pitch=60.0, roll=20.0),
+    GimbalLockDemo(yaw=30.0, pitch=75.0, roll=20.0),
+    GimbalLockDemo(yaw=50.0, pitch=85.0, roll=20.0),
+    TiltDemo(forward_acceleration=2.0),
+    TiltDemo(roll=30.0, pitch=10.0),
+)
+"""What has a still picture: each demo as it is made, and each state that a page opens with."""
+
 CONSTANTS = {
     "STANDARD_GRAVITY": STANDARD_GRAVITY,
     "NOTES_GRAVITY": NOTES_GRAVITY,
@@ -34,6 +77,11 @@ CONSTANTS = {
     "TABLE_1": dict(ROWS),
     "AIRCRAFT": PARTS,
     "DASHES": dict(DASHES),
+    "MAGNETOMETER": magnetometer.SETTING._asdict(),
+    "VALIDATION": validation.SETTING._asdict(),
+    "MULTIPLIER": MULTIPLIER,
+    "MODULUS": MODULUS,
+    "FILTER_RUN": RUN._asdict(),
 }
 """What the modules have from Python, by the name that stands for it in them."""
 
@@ -57,14 +105,35 @@ def bundle(folder: Path) -> None:
     common = [npx, "--yes", ESBUILD, "--bundle", "--minify", "--charset=utf8", "--target=es2022"]
     common += ["--log-level=warning", f"--banner:js={_BANNER}"]
     common += [f"--define:{name}={json.dumps(value)}" for name, value in CONSTANTS.items()]
+    write_stills(folder, common)
     jobs = [["--format=esm", f"--outfile={folder / name}.mjs", f"{name}.js"] for name in WIDGETS]
     jobs += [["--format=iife", f"--outfile={folder / PAGES}.js", f"{PAGES}.js"]]
     for job in jobs:
-        command = [*common, *job]
-        done = subprocess.run(command, cwd=SOURCES, check=False, capture_output=True, text=True)  # noqa: S603 - no user's input
-        if done.returncode != 0:
-            msg = f"{ESBUILD} failed on {job[-1]}:\n{done.stderr.strip()}"
-            raise RuntimeError(msg)
+        _output([*common, *job], job[-1])
+
+
+def write_stills(folder: Path, common: list[str]) -> None:
+    """Write a picture of each state that a page opens with, drawn by the demo itself in Node."""
+    script = [*common, "--format=esm", "--platform=node", "still.js"]
+    source = _output(script, "still.js")
+    asked = {
+        "stills": [{"demo": demo.element, "state": demo.state()} for demo in STILLS],
+        "palette": {name: colour.light for name, colour in PALETTE.items()},
+    }
+    node = [str(shutil.which("node")), "--input-type=module", "--eval", source]
+    drawn = json.loads(_output(node, "still.js", json.dumps(asked)))
+    for demo, picture in zip(STILLS, drawn, strict=True):
+        (folder / demo.still_name()).write_text(picture, encoding="utf-8")
+
+
+def _output(command: list[str], source: str, given: str = "") -> str:
+    done = subprocess.run(  # noqa: S603 - no user's input
+        command, cwd=SOURCES, check=False, capture_output=True, text=True, input=given
+    )
+    if done.returncode != 0:
+        msg = f"{ESBUILD} or Node failed on {source}:\n{done.stderr.strip()}"
+        raise RuntimeError(msg)
+    return done.stdout
 
 
 def differences(folder: Path) -> list[str]:
@@ -98,7 +167,7 @@ def main(arguments: list[str] | None = None) -> int:
         bundle(Path(temporary))
         shutil.rmtree(BUILT, ignore_errors=True)
         shutil.copytree(temporary, BUILT)
-    sys.stdout.write(f"wrote {len(WIDGETS) + 1} bundles to {BUILT}\n")
+    sys.stdout.write(f"wrote {len(WIDGETS) + 1} bundles and {len(STILLS)} stills to {BUILT}\n")
     return 0
 
 

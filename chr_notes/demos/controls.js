@@ -152,10 +152,10 @@ function mountDemo(element, definition, opening, { now = {}, onChange = () => {}
   };
 }
 
-/** The function that mounts one kind of demo, with the state that it starts from. */
+/** The function that mounts one kind of demo, with its definition and the state that it starts from. */
 export const mountOf = (definition) => {
   const mount = (element, state, given) => mountDemo(element, definition, state, given);
-  return Object.assign(mount, { start: definition.start });
+  return Object.assign(mount, { definition, start: definition.start });
 };
 
 /** What of a state from outside is a number of a control, within its slider's range. */

@@ -9,9 +9,9 @@ const DISTANCE = 7;
 const [NORTH, EAST, DOWN] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 const NAMES = [["N", NORTH], ["E", EAST], ["S", scaled(NORTH, -1)], ["W", scaled(EAST, -1)], ["down", DOWN]];
 
-/** A camera at a viewpoint in degrees, which shows a sphere of radius 1 and names round it. */
-export const looking = ({ heading, elevation }, size) =>
-  camera(matrixFromEuler(0, elevation * DEGREE, heading * DEGREE), DISTANCE, size, { wide: 2.75, high: 2.75, shift: 0 });
+/** A camera at a viewpoint in degrees, which shows so much: a sphere of radius 1 and names round it. */
+export const looking = ({ heading, elevation }, size, shown = 2.75) =>
+  camera(matrixFromEuler(0, elevation * DEGREE, heading * DEGREE), DISTANCE, size, { wide: shown, high: shown, shift: 0 });
 
 /** Points round the origin from the unit vector `u` towards `v`, which is at right angles to it. */
 export const arcOf = (u, v, from = 0, to = 2 * Math.PI, count = 72) =>
@@ -30,12 +30,15 @@ export function path(context, { eye, project }, points, { width = 2, ...style })
   });
 }
 
-/** The sphere: its level circle, and the meridians through north and through east. */
-export function globe(context, view, colours, size) {
+/** The sphere: its level circle, the meridians through the first two axes, and names round it. */
+export function globe(context, view, colours, size, { radius = 1, names = NAMES } = {}) {
   const circles = [arcOf(NORTH, EAST), arcOf(NORTH, DOWN), arcOf(EAST, DOWN)];
-  circles.forEach((circle, i) => path(context, view, circle, { colour: colours(i === 0 ? "muted" : "shade"), width: 1.2 }));
-  NAMES.forEach(([name, direction]) =>
-    label(context, [name], view.project(scaled(direction, 1.13)), {
+  circles.forEach((circle, i) => {
+    const points = circle.map((point) => scaled(point, radius));
+    path(context, view, points, { colour: colours(i === 0 ? "muted" : "shade"), width: 1.2 });
+  });
+  names.forEach(([name, direction]) =>
+    label(context, [name], view.project(scaled(direction, 1.13 * radius)), {
       colour: colours("muted"), rim: colours("page"), size: 12, width: size.width,
     }),
   );
@@ -47,12 +50,12 @@ export function flown(context, view, matrix, colours, size = 1) {
   paint(context, placed(aircraft(fills), scaled(matrix, size)), view);
 }
 
-/** An arrow from the centre, or from another point, with a name at its end. */
-export function pointer(context, view, end, { name, from = [0, 0, 0], colour, colours, width, ...style }) {
+/** An arrow from the centre, or from another point, with a name at its end, in a picture `room` wide. */
+export function pointer(context, view, end, { name, from = [0, 0, 0], colour, colours, room, ...style }) {
   arrow(context, view.project(from), view.project(end), { colour: colours(colour), width: 3, ...style });
   if (name)
     label(context, name, view.project(sum(end, scaled(end, 0.12 / (Math.hypot(...end) || 1)))), {
-      colour: colours(colour), rim: colours("page"), size: 13, width,
+      colour: colours(colour), rim: colours("page"), size: 13, width: room,
     });
 }
 

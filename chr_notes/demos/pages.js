@@ -2,12 +2,8 @@
  * The script of the book's pages: a demo in every element with a `data-demo`. The state of one
  * stands in the address, `#tilt?roll=20&pitch=5`, so that it can be sent, and outlives a reload.
  */
-import { mount as drift } from "./drift.js";
-import { mount as gimbalLock } from "./gimbal_lock.js";
-import { mount as quaternion } from "./quaternion.js";
-import { mount as tilt } from "./tilt.js";
+import { DEMOS } from "./demos.js";
 
-const DEMOS = { drift, "gimbal-lock": gimbalLock, quaternion, tilt };
 const WAIT = 250; // milliseconds without a change before the address follows
 
 const hashOf = (name, state) =>

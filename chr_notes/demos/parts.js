@@ -124,7 +124,7 @@ function tableOf({ name }) {
       const [head, ...rows] = texts[name];
       table.replaceChildren(
         node("thead", {}, node("tr", {}, ...head.map(cell(true)))),
-        node("tbody", {}, ...rows.map((row) => node("tr", {}, ...row.map(cell(false))))),
+        node("tbody", {}, ...rows.map((row) => node("tr", row[0].startsWith("▸") ? { class: "chr-lit" } : {}, ...row.map(cell(false))))),
       );
     },
   };

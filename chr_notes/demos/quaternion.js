@@ -100,7 +100,7 @@ function draw(context, { width, height }, state, colours, viewpoint) {
 function scene(context, size, state, q, product, colours, viewpoint) {
   const view = looking(viewpoint, size);
   const axis = axisOf(state);
-  const style = { colours, width: size.width };
+  const style = { colours, room: size.width };
   globe(context, view, colours, size);
   const ends = [-1.25, 1.25].map((far) => view.project(scaled(axis, far)));
   line(context, ends, { colour: colours("accent"), width: 2, dash: [7, 4] });

@@ -28,8 +28,8 @@ WILD_FIELD = 1e100
 _UNKNOWNS = 9
 _FEWEST = _UNKNOWNS + 1  # with one to spare, the residuals say something of the quality
 _FLATTEST = 1e-3  # thickness of the cloud over its extent; a sensor's axes never differ by so much
-_WIDEST_GAP = np.radians(100.0)  # a hemisphere leaves a gap of 90°
-_LARGEST_ERROR = 0.1  # of the norm, where it is worst
+WIDEST_GAP = np.radians(100.0)  # a hemisphere leaves a gap of 90°
+LARGEST_ERROR = 0.1  # of the norm, where it is worst
 _HARDLY = 0.05  # of their size, that readings at rest may vary by
 _MOST_OUTLIERS = 0.25  # of the rows
 _ALL_AROUND = np.radians(60.0)  # a gap that no far point can pretend to close
@@ -146,12 +146,12 @@ def fit_ellipsoid(samples: ArrayLike) -> Ellipsoid:
         )
         raise ValueError(msg)
     ellipsoid = _judge(scaled, *fitted)
-    if ellipsoid.gap > _WIDEST_GAP or ellipsoid.standard_error > _LARGEST_ERROR:
+    if ellipsoid.gap > WIDEST_GAP or ellipsoid.standard_error > LARGEST_ERROR:
         msg = (
             "samples cover too little of the sphere: they leave a gap of "
             f"{np.degrees(ellipsoid.gap):.0f}° around one direction (at most "
-            f"{np.degrees(_WIDEST_GAP):.0f}° allowed), and the norm is known to "
-            f"{ellipsoid.standard_error:.1%} where it is worst (at most {_LARGEST_ERROR:.0%}); "
+            f"{np.degrees(WIDEST_GAP):.0f}° allowed), and the norm is known to "
+            f"{ellipsoid.standard_error:.1%} where it is worst (at most {LARGEST_ERROR:.0%}); "
             f"{_what_is_missing(scaled, fitted[1], fitted[0])}"
         )
         raise ValueError(msg)

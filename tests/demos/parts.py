@@ -7,13 +7,31 @@ import numpy as np
 import pytest
 from playwright.sync_api import Locator, Page
 
-from chr_notes.demos import DriftDemo, GimbalLockDemo, QuaternionDemo, TiltDemo
+from chr_notes.demos import (
+    DriftDemo,
+    FilterDemo,
+    FramesDemo,
+    GimbalLockDemo,
+    MagnetometerDemo,
+    QuaternionDemo,
+    TiltDemo,
+    ValidationDemo,
+)
 from chr_notes.demos.base import Demo, entry, rounded
 
 Visit = Callable[..., Page]
 PageOf = Callable[..., str]
 
-DEMOS = (DriftDemo, GimbalLockDemo, QuaternionDemo, TiltDemo)
+DEMOS = (
+    DriftDemo,
+    FilterDemo,
+    FramesDemo,
+    GimbalLockDemo,
+    MagnetometerDemo,
+    QuaternionDemo,
+    TiltDemo,
+    ValidationDemo,
+)
 
 each_demo = pytest.mark.parametrize("demo", DEMOS, ids=lambda demo: demo.element)
 

@@ -30,8 +30,12 @@ def test_check_sees_missing_extra_and_changed_files(tmp_path: Path) -> None:
     ]
 
 
+def test_scripts_of_a_page_are_small() -> None:
+    assert (BUILT / "pages.js").stat().st_size <= 120_000
+
+
 def test_bundles_say_how_they_were_made() -> None:
-    for path in BUILT.iterdir():
+    for path in (*BUILT.glob("*.mjs"), BUILT / "pages.js"):
         first = path.read_text(encoding="utf-8").partition("\n")[0]
         assert first.startswith("// Bundled by `python -m chr_notes.demos.build` with esbuild@"), (
             path

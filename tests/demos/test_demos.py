@@ -1,16 +1,21 @@
 """What holds for each demo in Python: what it refuses, and what it hands to a notebook."""
 
+import html
 import json
+import re
 import subprocess
 import sys
+import urllib.parse
 from html.parser import HTMLParser
+from pathlib import Path
+from xml.etree import ElementTree as ET
 
 import pytest
 from traitlets import TraitError
 
 from chr_notes.demos.base import Demo, formatted, rounded
 
-from .parts import each_demo
+from .parts import DEMOS, each_demo
 
 
 def test_demos_do_not_load_sympy() -> None:
@@ -49,10 +54,11 @@ def test_html_holds_the_state_and_the_text(demo: type[Demo]) -> None:
 @each_demo
 def test_state_outside_a_slider_is_refused(demo: type[Demo]) -> None:
     for name in demo.controls:
-        for limit in (demo.class_traits()[name].min, demo.class_traits()[name].max):
+        trait = demo.class_traits()[name]
+        for limit, beyond in ((trait.min, trait.min - 1), (trait.max, trait.max + 1)):
             assert demo(**{name: limit}).state()[name] == limit
             with pytest.raises(TraitError):
-                demo(**{name: limit + (1 if limit > 1 else -1)})
+                demo(**{name: beyond})
 
 
 @each_demo
@@ -75,6 +81,40 @@ def test_widget_carries_its_module_and_styles(demo: type[Demo]) -> None:
     state = demo().get_state()
     assert "export" in state["_esm"]
     assert "--chr-x" in state["_css"]
+
+
+def opened() -> set[str]:
+    """The calls of demos in the chapters."""
+    chapters = Path(__file__).resolve().parents[2] / "notebooks"
+    names = "|".join(each.__name__ for each in DEMOS)
+    return {
+        call
+        for chapter in chapters.glob("*.ipynb")
+        for cell in json.loads(chapter.read_text(encoding="utf-8"))["cells"]
+        for call in re.findall(rf"^(?:{names})\(.*\)$", "".join(cell["source"]), re.MULTILINE)
+    }
+
+
+def test_each_state_that_a_chapter_opens_with_has_a_still_picture() -> None:
+    calls = opened()
+    assert len(calls) >= 9
+    for call in calls:
+        demo = eval(call, {each.__name__: each for each in DEMOS})  # noqa: S307 (our own text)
+        picture = re.findall(
+            r'<img alt="(.+?)" width="420" src="data:image/svg\+xml,(.+?)">', demo.to_html()
+        )
+        assert len(picture) == 1, call
+        words, source = picture[0]
+        svg = ET.fromstring(urllib.parse.unquote(source))  # noqa: S314 (our own text)
+        assert svg.findtext("{*}title") == html.unescape(words)
+        texts = [each.text for each in svg.iterfind(".//{*}text")]
+        assert len(texts) > 5, "the picture says nothing"
+        assert len(demo.to_html()) < 90_000
+
+
+def test_a_state_without_a_still_picture_has_its_numbers() -> None:
+    assert DEMOS[0](time=77).to_html().endswith(f"<p>{DEMOS[0](time=77).fallback()}</p></div>")
+    assert "<img" not in DEMOS[0](time=77).to_html()
 
 
 @pytest.mark.parametrize(

@@ -37,21 +37,20 @@ def test_widget_and_model_follow_each_other(
 ) -> None:
     page = rendered(visit, page_of, demo)
     control = demo.controls[-1]
-    slider(page, control).focus()
-    page.keyboard.press("ArrowRight")
+    slider(page, control).press("ArrowRight")
     assert page.evaluate("saved") == 1
     assert page.evaluate(f"values.{control}") > demo().state()[control]
-    page.evaluate(f"model.set('{control}', {demo.class_traits()[control].max})")
-    assert state_of(page)[control] == demo.class_traits()[control].max
-    page.evaluate("window.close()")
+    most = demo.class_traits()[control].max
+    page.evaluate(f"model.set('{control}', {most})")
+    assert state_of(page)[control] == most
+    page.clock.run_for(300)
+    the_model_is_told_a_few_times_a_second_and_of_the_end(page)
+    a_change_by_the_kernel_ends_the_story(page, control, most)
+    what_still_waits_is_sent_when_the_widget_closes(page, control)
     assert page.locator(".chr-demo").count() == 0
 
 
-@each_demo
-def test_model_is_told_a_few_times_a_second_and_of_the_end(
-    visit: Visit, page_of: PageOf, demo: type[Demo]
-) -> None:
-    page = rendered(visit, page_of, demo)
+def the_model_is_told_a_few_times_a_second_and_of_the_end(page: Page) -> None:
     page.get_by_role("button", name="Play").click()
     frames = set()
     let_pass(page, 6_000)
@@ -60,35 +59,26 @@ def test_model_is_told_a_few_times_a_second_and_of_the_end(
         page.clock.run_for(50)
         frames.add(str(page.locator(".chr-demo").get_attribute("data-state")))
     assert 0 < page.evaluate("saved") - before <= 5
-    assert len(frames) > 15
+    assert len(frames) > 10
     page.get_by_role("button", name="Pause").click()
     page.clock.run_for(300)
     assert page.evaluate("values") == state_of(page)
 
 
-@each_demo
-def test_what_still_waits_is_sent_when_the_widget_closes(
-    visit: Visit, page_of: PageOf, demo: type[Demo]
-) -> None:
-    page = rendered(visit, page_of, demo)
-    slider(page, demo.controls[0]).focus()
-    page.keyboard.press("ArrowRight")
-    page.keyboard.press("ArrowRight")
+def a_change_by_the_kernel_ends_the_story(page: Page, control: str, most: float) -> None:
+    page.get_by_role("button", name="Go on").click()
+    let_pass(page, 1_000)
+    page.evaluate(f"model.set('{control}', {most})")
+    let_pass(page, 10_000)
+    assert state_of(page)[control] == most
+    expect(page.get_by_role("button", name="Pause")).to_have_count(0)
+
+
+def what_still_waits_is_sent_when_the_widget_closes(page: Page, control: str) -> None:
+    page.clock.run_for(300)
+    slider(page, control).press("ArrowLeft")
+    slider(page, control).press("ArrowLeft")
     state = state_of(page)
     assert page.evaluate("values") != state
     page.evaluate("window.close()")
     assert page.evaluate("values") == state
-
-
-@each_demo
-def test_a_change_by_the_kernel_ends_the_story(
-    visit: Visit, page_of: PageOf, demo: type[Demo]
-) -> None:
-    page = rendered(visit, page_of, demo)
-    page.get_by_role("button", name="Play").click()
-    let_pass(page, 7_000)
-    control = demo.controls[0]
-    page.evaluate(f"model.set('{control}', {demo.class_traits()[control].max})")
-    let_pass(page, 10_000)
-    assert state_of(page)[control] == demo.class_traits()[control].max
-    expect(page.get_by_role("button", name="Pause")).to_have_count(0)

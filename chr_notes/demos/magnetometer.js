@@ -1,0 +1,159 @@
+/**
+ * A magnetometer near iron: the cloud of its readings, the ellipsoid fitted to it, and what both
+ * mean for the heading.
+ */
+import { ironAdded, ironRemoved } from "../generated/javascript/attitude.mjs";
+import { inPart, line, linear, mark, words } from "./chart.js";
+import { mountOf } from "./controls.js";
+import { label, scaled } from "./draw.js";
+import { arcOf, globe, looking, path } from "./globe.js";
+import { STRENGTH, cloud, fit, gap, headingErrors, ironOf } from "./magnetometer_cloud.js";
+import { rounded } from "./parts.js";
+import { widget } from "./widget.js";
+
+const largest = (errors, when) => Math.max(...errors.map((each) => Math.abs(each[when])));
+
+/** The cloud, what the fit says of it, and the errors of the heading. */
+function found(state) {
+  const points = cloud(state);
+  const fitted = fit(points);
+  return { points, fitted, errors: headingErrors(state, fitted) };
+}
+
+function readouts(state) {
+  const { fitted, errors } = found(state);
+  return {
+    gap: rounded(gap(state)),
+    error_before: rounded(largest(errors, "before")),
+    error_after: fitted.refused ? { text: "–", note: "refused" } : rounded(largest(errors, "after")),
+    meaning: meaning(state, fitted, errors),
+  };
+}
+
+function meaning(state, fitted, errors) {
+  const before = `Uncalibrated, the heading is off by up to ${rounded(largest(errors, "before"))}°.`;
+  if (fitted.refused)
+    return `${before} The fit refuses: no reading comes from within ${rounded(gap(state))}° of one direction, and many ellipsoids go through such a cloud. Turn the sensor further.`;
+  return `${before} The fitted ellipsoid is brought back to a sphere about zero, and the heading is off by up to ${rounded(largest(errors, "after"))}°.`;
+}
+
+const summary = (state) => readouts(state).meaning;
+
+/** The picture in words. */
+function describe(state) {
+  const { fitted, errors } = found(state);
+  return `${state.readings} readings of a magnetometer that is turned, and tilted by up to ${rounded(state.tilt)}°, as points in space, with the sphere on which they would lie without iron. Hard iron of ${rounded(state.hard_iron)} µT shifts them, soft iron stretches them. Below, the error of the heading all around the compass. ${meaning(state, fitted, errors)}`;
+}
+
+// ── the picture ─────────────────────────────────────────────────────────────────────────────
+
+const AXES = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+const CIRCLES = [[0, 1], [0, 2], [1, 2]].map(([i, j]) => arcOf(AXES[i], AXES[j]));
+const SHOWN = 2.2;
+const SCALE = 0.72 / STRENGTH; // so that what iron shifts stays in the picture
+
+function draw(context, { width, height }, state, colours, viewpoint) {
+  const { points, fitted, errors } = found(state);
+  const split = 0.68 * height;
+  inPart(context, [0, 0, width, split], (size) => scene(context, size, state, points, fitted, colours, viewpoint));
+  chart(context, [40, width - 14, split + 22, height - 22], fitted, errors, colours);
+}
+
+function scene(context, size, state, points, fitted, colours, viewpoint) {
+  const view = looking(viewpoint, size, SHOWN);
+  globe(context, view, colours, size, { radius: 0.72, names: [["x", AXES[0]], ["y", AXES[1]], ["z", AXES[2]]] });
+  const iron = ironOf(state);
+  for (const circle of CIRCLES)
+    path(context, view, circle.map((point) => scaled(ironAdded(...iron, ...scaled(point, STRENGTH)), SCALE)), { colour: colours("x"), width: 1.2 });
+  const far = ([x, y, z]) => x * view.eye[0] + y * view.eye[1] + z * view.eye[2] < 0;
+  const drawn = [
+    ...points.map((point) => ({ point: scaled(point, SCALE), shape: "triangle", colour: "x" })),
+    ...(fitted.refused ? [] : corrected(points, fitted).map((point) => ({ point, shape: "circle", colour: "y" }))),
+  ].map((each) => ({ ...each, behind: far(each.point) }));
+  for (const { point, shape, colour } of [...drawn.filter((each) => each.behind), ...drawn.filter((each) => !each.behind)])
+    mark(context, shape, view.project(point), { colour: colours(colour), radius: far(point) ? 1.5 : 3 });
+  const centre = view.project(scaled(ironAdded(...iron, 0, 0, 0), SCALE));
+  const zero = view.project([0, 0, 0]);
+  cross(context, zero, colours("ink"));
+  cross(context, centre, colours("x"));
+  line(context, [zero, centre], { colour: colours("x"), width: 1.5, dash: [3, 3] });
+  if (fitted.refused)
+    label(context, ["the fit refuses"], [size.width / 2, size.height - 14], { colour: colours("alert"), rim: colours("page"), width: size.width });
+}
+
+/** The readings without what the fit takes for iron, all of them about as long as the sphere is large. */
+function corrected(points, { iron }) {
+  const back = points.map((point) => ironRemoved(...iron, ...point));
+  const mean = back.reduce((total, point) => total + Math.hypot(...point), 0) / back.length;
+  return back.map((point) => scaled(point, 0.72 / mean));
+}
+
+function cross(context, [x, y], colour) {
+  line(context, [[x - 5, y], [x + 5, y]], { colour, width: 2 });
+  line(context, [[x, y - 5], [x, y + 5]], { colour, width: 2 });
+}
+
+const LIMITS = [1, 2, 5, 10, 20, 45, 90, 180]; // degrees
+
+function chart(context, [left, right, top, bottom], fitted, errors, colours) {
+  const small = { colour: colours("muted"), size: 12 };
+  const most = Math.max(largest(errors, "before"), fitted.refused ? 0 : largest(errors, "after"));
+  const limit = LIMITS.find((each) => each >= most) ?? 180;
+  const [x, y] = [linear(0, 360, left, right), linear(-limit, limit, bottom, top)];
+  words(context, "error of the heading, by heading", [8, top - 12], { ...small, weight: 600 });
+  for (const tick of [-limit, 0, limit]) {
+    line(context, [[left, y(tick)], [right, y(tick)]], { colour: colours("line"), width: 1 });
+    words(context, `${tick}°`.replace("-", "−"), [left - 5, y(tick)], { ...small, align: "right" });
+  }
+  [["N", 0], ["E", 90], ["S", 180], ["W", 270], ["N", 360]].forEach(([name, heading]) => words(context, name, [x(heading), bottom + 12], { ...small, align: "center" }));
+  const curve = (when) => [...errors, { ...errors[0], heading: 360 }].map((each) => [x(each.heading), y(each[when])]);
+  line(context, curve("before"), { colour: colours("x"), width: 2.5, dash: [6, 3] });
+  if (!fitted.refused) line(context, curve("after"), { colour: colours("y"), width: 2.5 });
+}
+
+const DEGREES = { short: "°", long: "degrees" };
+const FIELD = { short: " µT", long: "microtesla" };
+const start = { readings: 150, tilt: 180, hard_iron: 15, soft_iron: 0.2, noise: 0.3 };
+
+const definition = {
+  title: "Calibrating a magnetometer",
+  python: "MagnetometerDemo",
+  hint: "Turn the sensor about one axis only: take the tilt to 0°. What becomes of the fit? At which tilt does it answer?",
+  aspect: 1.12,
+  viewpoint: () => ({ heading: 35, elevation: -20 }),
+  start,
+  legend: [
+    { colour: "x", width: 2.5, dash: [6, 3], text: "▲ readings, and the heading from them" },
+    { colour: "y", width: 2.5, text: "● calibrated" },
+    { colour: "muted", width: 1.2, text: "the sphere without iron" },
+  ],
+  controls: [
+    { name: "readings", label: "Readings", symbol: [], min: 10, max: 200, step: 1, unit: { short: "", long: "readings" } },
+    { name: "tilt", label: "Tilt, at most", symbol: [], min: 0, max: 180, step: 5, unit: DEGREES },
+    { name: "hard_iron", label: "Hard iron", symbol: [], min: 0, max: 40, step: 1, unit: FIELD },
+    { name: "soft_iron", label: "Soft iron", symbol: [], min: 0, max: 0.5, step: 0.01, unit: { short: "", long: "of the field" } },
+    { name: "noise", label: "Noise", symbol: [], min: 0, max: 2, step: 0.1, unit: FIELD },
+  ],
+  outputs: [
+    { name: "meaning", label: "What it means", wide: true, longestAt: [{ ...start, tilt: 0 }, start] },
+    { name: "gap", label: "Largest gap", unit: DEGREES },
+    { name: "error_before", label: "Heading error before", unit: DEGREES },
+    { name: "error_after", label: "Heading error after", unit: DEGREES },
+  ],
+  story: [
+    { state: { ...start, hard_iron: 0, soft_iron: 0, readings: 200 }, says: "No iron: turned through all attitudes, the readings lie on a sphere about zero." },
+    { state: { ...start, soft_iron: 0, readings: 200 }, says: "A magnet fixed to the sensor shifts the whole cloud. Zero is no longer its middle." },
+    { state: { ...start, readings: 200 }, says: "Steel stretches it to an ellipsoid. The fit finds it, and brings the readings back to the sphere." },
+    { state: { ...start, tilt: 0 }, seconds: 3, says: "Turned about one axis only, the readings lie on a ring. Many ellipsoids go through a ring, so the fit refuses." },
+    { state: { ...start, tilt: 60, readings: 200 }, seconds: 3, says: "Tilted as well, the sensor covers more of the ellipsoid." },
+    { state: { ...start, readings: 200 }, seconds: 3, says: "Turned over in all directions, it leaves no large gap." },
+  ],
+  readouts,
+  summary,
+  describe,
+  draw,
+};
+
+export const mount = mountOf(definition);
+
+export default widget(mount);

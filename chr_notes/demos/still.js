@@ -1,0 +1,167 @@
+/**
+ * The opening state of a demo as an SVG, drawn by the demo itself on a context that writes down
+ * what it is told. Run by build.py: reads [{ demo, state }] and the colours, writes the pictures.
+ */
+import { DEMOS } from "./demos.js";
+import { parsed } from "./draw.js";
+
+const WIDTH = 420;
+const PER_LETTER = 0.56; // of the size: about as wide as a letter is
+
+const FINE = 2; // units of the picture to a pixel, all of them whole
+
+const whole = (value) => Math.round(FINE * value);
+const escaped = (text) => text.replace(/&/g, "&amp;").replace(/</g, "&lt;").replace(/"/g, "&quot;");
+
+/** Twice the area of a path, positive where it runs clockwise on the screen. */
+const area = (points) =>
+  points.reduce((total, [x, y], i) => {
+    const [u, v] = points[(i + 1) % points.length];
+    return total + x * v - u * y;
+  }, 0);
+
+/** What of a canvas context the demos use. */
+class Recorder {
+  constructor() {
+    Object.assign(this, { parts: [], stack: [], clips: 0, defs: [], offset: [0, 0], clipped: "", dash: [] });
+    Object.assign(this, { fillStyle: "#000", strokeStyle: "#000", lineWidth: 1, font: "", textAlign: "left" });
+  }
+  save() {
+    const { offset, clipped, dash, fillStyle, strokeStyle, lineWidth, font, textAlign } = this;
+    this.stack.push({ offset, clipped, dash, fillStyle, strokeStyle, lineWidth, font, textAlign });
+  }
+  restore() {
+    Object.assign(this, this.stack.pop());
+  }
+  translate(x, y) {
+    this.offset = [this.offset[0] + x, this.offset[1] + y];
+  }
+  beginPath() {
+    this.paths = [];
+  }
+  at(x, y) {
+    return [x + this.offset[0], y + this.offset[1]];
+  }
+  moveTo(x, y) {
+    this.paths.push([this.at(x, y)]);
+  }
+  lineTo(x, y) {
+    if (this.paths.length === 0) this.moveTo(x, y);
+    else this.paths.at(-1).push(this.at(x, y));
+  }
+  closePath() {
+    this.paths.at(-1).closed = true;
+  }
+  rect(x, y, width, height) {
+    this.paths.push([this.at(x, y), this.at(x + width, y), this.at(x + width, y + height), this.at(x, y + height)]);
+    this.closePath();
+  }
+  arc(x, y, radius) {
+    this.paths.push(Object.assign([], { circle: [this.at(x, y), radius] }));
+  }
+  clip() {
+    const name = `c${(this.clips += 1)}`;
+    this.defs.push(`<clipPath id="${name}"><path d="${this.data()}"/></clipPath>`);
+    this.clipped = ` clip-path="url(#${name})"`;
+  }
+  setLineDash(dash) {
+    this.dash = dash;
+  }
+  /** The path in as few letters as can be; all areas run the same way, so that none cuts another. */
+  data() {
+    return this.paths.map((points) => {
+      if (points.circle) {
+        const [[x, y], r] = points.circle;
+        return `M${whole(x - r)} ${whole(y)}a${whole(r)} ${whole(r)} 0 1 1 0 .1z`;
+      }
+      const ordered = points.closed && area(points) < 0 ? [...points].reverse() : points;
+      const [[x, y], ...others] = ordered.map((point) => point.map(whole));
+      let last = [x, y];
+      const steps = others.map((point) => {
+        const step = [point[0] - last[0], point[1] - last[1]];
+        last = point;
+        return step;
+      }).filter(([right, down]) => right !== 0 || down !== 0);
+      if (steps.length === 0) return "";
+      return `M${x} ${y}l${steps.map((step) => step.join(" ")).join(" ")}${points.closed ? "z" : ""}`;
+    }).join("").replace(/ -/g, "-");
+  }
+  fill() {
+    const data = this.data();
+    if (data !== "") this.parts.push({ data, clipped: this.clipped, filled: this.fillStyle });
+  }
+  stroke() {
+    const [last, data] = [this.parts.at(-1), this.data()];
+    if (data === "") return;
+    if (last?.filled === this.strokeStyle && last.data === data) this.facet(last);
+    else {
+      const dash = this.dash.length > 0 ? ` stroke-dasharray="${this.dash.map(whole).join(" ")}"` : "";
+      const line = `fill="none" stroke="${this.strokeStyle}" stroke-width="${whole(this.lineWidth)}"${dash}`;
+      if (last?.line === line && last.clipped === this.clipped && dash === "") last.data += data;
+      else this.parts.push({ data, clipped: this.clipped, line });
+    }
+  }
+  /** Make a facet of the area just filled, whose edge has its colour, and one with that before it. */
+  facet(last) {
+    last.facet = coarse(last.filled);
+    const before = this.parts.at(-2);
+    if (before?.facet !== last.facet) return;
+    before.data += last.data;
+    this.parts.pop();
+  }
+  fillRect(...box) {
+    this.beginPath();
+    this.rect(...box);
+    this.fill();
+  }
+  measureText(text) {
+    return { width: PER_LETTER * parseFloat(this.font.match(/([\d.]+)px/)[1]) * text.length };
+  }
+  strokeText(text, x, y) {
+    this.text(text, x, y, ` stroke="${this.strokeStyle}" stroke-width="${whole(this.lineWidth)}"`);
+  }
+  fillText(text, x, y) {
+    this.text(text, x, y, ` fill="${this.fillStyle}"`);
+  }
+  text(text, x, y, paint) {
+    const [, weight, size] = this.font.match(/^(\d+) ([\d.]+)px/);
+    const anchor = { left: "", center: ' text-anchor="middle"', right: ' text-anchor="end"' }[this.textAlign];
+    const [u, v] = this.at(x, y);
+    const place = `x="${whole(u)}" y="${whole(v + 0.35 * size)}" font-size="${whole(size)}"`;
+    this.parts.push({ text: `<text ${place}${weight > 400 ? ` font-weight="${weight}"` : ""}${anchor}${paint}>${escaped(text)}</text>` });
+  }
+  svg(pixels, title, page) {
+    const drawn = this.parts.map((part, i) => {
+      if (part.text) return part.text;
+      if (!part.facet) return `<path ${part.line ?? `fill="${part.filled}"`}${part.clipped} d="${part.data}"/>`;
+      const path = `<path color="${part.facet}" d="${part.data}"/>`;
+      const [opens, closes] = [!this.parts[i - 1]?.facet, !this.parts[i + 1]?.facet];
+      return `${opens ? `<g fill="currentColor" stroke="currentColor"${part.clipped}>` : ""}${path}${closes ? "</g>" : ""}`;
+    });
+    const [width, height] = [WIDTH, pixels].map(whole);
+    return (
+      `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}" font-family="system-ui,sans-serif" stroke-linejoin="round">` +
+      `<title>${escaped(title)}</title><defs>${this.defs.join("")}</defs>` +
+      `<path fill="${page}" d="M0 0h${width}v${height}H0z"/>${drawn.join("")}</svg>\n`
+    );
+  }
+}
+
+/** A colour `rgb(…)` or `#rrggbb` with one digit a channel, so that neighbours share it. */
+function coarse(colour) {
+  const channels = colour.startsWith("#") ? parsed(colour) : colour.match(/\d+/g).map(Number);
+  return `#${channels.map((value) => Math.round(value / 17).toString(16)).join("")}`;
+}
+
+/** The SVG of a state. */
+function still({ demo, state }, palette) {
+  const { definition } = DEMOS[demo];
+  const full = { ...definition.start, ...state };
+  const height = Math.round(WIDTH * definition.aspect);
+  const recorder = new Recorder();
+  definition.draw(recorder, { width: WIDTH, height }, full, (name) => palette[name], definition.viewpoint?.(full));
+  return recorder.svg(height, definition.describe(full), palette.page);
+}
+
+const { stills, palette } = JSON.parse(await new Response(process.stdin).text());
+process.stdout.write(JSON.stringify(stills.map((each) => still(each, palette))));
