@@ -124,7 +124,7 @@ def visit(browser: Browser) -> Iterator[Visit]:
             problems.append(f"request to elsewhere: {address}")
             route.abort()
 
-    def opened(address: str, *, width: int = 1280, **settings: str) -> Page:
+    def opened(address: str, *, width: int = 1280, **settings: str | bool) -> Page:
         context = browser.new_context(viewport={"width": width, "height": 900}, **settings)  # type: ignore[arg-type]
         contexts.append(context)
         context.set_default_timeout(PATIENCE)

@@ -11,6 +11,7 @@ import {
   rotateToBody,
   tiltFromAccelerometer,
 } from "../generated/javascript/attitude.mjs";
+import { keeping } from "./keeping.js";
 import { noise } from "./noise.js";
 
 /* global STANDARD_GRAVITY, FILTER_RUN: build.py puts them in, from filter.py */
@@ -49,16 +50,6 @@ function flight({ push, bank }) {
     const east = forward * Math.sin(heading) + right * Math.cos(heading);
     return { attitude, rates, force: rotateToBody(...attitude, north, east, -STANDARD_GRAVITY) };
   });
-}
-
-/** Keep what a function last made, for as long as the values of some names stay. */
-function keeping(names, make) {
-  let [key, made] = [null, null];
-  return (state) => {
-    const now = names.map((name) => state[name]).join();
-    if (now !== key) [key, made] = [now, make(state)];
-    return made;
-  };
 }
 
 const SENSORS = ["bias", "gyro_noise", "accel_noise"];

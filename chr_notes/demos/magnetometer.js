@@ -7,18 +7,21 @@ import { inPart, line, linear, mark, words } from "./chart.js";
 import { mountOf } from "./controls.js";
 import { label, scaled } from "./draw.js";
 import { arcOf, globe, looking, path } from "./globe.js";
+import { keeping } from "./keeping.js";
 import { STRENGTH, cloud, fit, gap, headingErrors, ironOf } from "./magnetometer_cloud.js";
 import { rounded } from "./parts.js";
 import { widget } from "./widget.js";
 
 const largest = (errors, when) => Math.max(...errors.map((each) => Math.abs(each[when])));
 
+const start = { readings: 150, tilt: 180, hard_iron: 15, soft_iron: 0.2, noise: 0.3 };
+
 /** The cloud, what the fit says of it, and the errors of the heading. */
-function found(state) {
+const found = keeping(Object.keys(start), (state) => {
   const points = cloud(state);
   const fitted = fit(points);
   return { points, fitted, errors: headingErrors(state, fitted) };
-}
+});
 
 function readouts(state) {
   const { fitted, errors } = found(state);
@@ -113,7 +116,6 @@ function chart(context, [left, right, top, bottom], fitted, errors, colours) {
 
 const DEGREES = { short: "°", long: "degrees" };
 const FIELD = { short: " µT", long: "microtesla" };
-const start = { readings: 150, tilt: 180, hard_iron: 15, soft_iron: 0.2, noise: 0.3 };
 
 const definition = {
   title: "Calibrating a magnetometer",

@@ -6,14 +6,17 @@ import { inPart, line, linear, mark, words } from "./chart.js";
 import { mountOf } from "./controls.js";
 import { mixed, paint, parsed, scaled } from "./draw.js";
 import { globe, looking, pointer, direction } from "./globe.js";
+import { keeping } from "./keeping.js";
 import { rounded } from "./parts.js";
 import { axisOf, belowOf, factor, factorAbout, fieldOf, samples, tiltError } from "./validation_factor.js";
 import { widget } from "./widget.js";
 
 const three = (value) => String(Number(value.toFixed(3)));
 
+const start = { heading: 0, axis_yaw: 0, axis_pitch: 0, error: 10, threshold: 0.05, iron: 0, inclination: 66 };
+
 /** What is to be shown of a state. */
-function found(state) {
+const found = keeping(Object.keys(start), (state) => {
   const { all, quiet } = samples(state);
   return {
     all, quiet,
@@ -22,7 +25,7 @@ function found(state) {
     missed: belowOf(all, state.threshold),
     falsely: 100 - belowOf(quiet, state.threshold),
   };
-}
+});
 
 function readouts(state) {
   const { seen, tilt, missed, falsely } = found(state);
@@ -115,7 +118,6 @@ function curves(context, [left, right, top, bottom], state, colours) {
 
 const DEGREES = { short: "°", long: "degrees" };
 const SHARE = { short: "%", long: "per cent" };
-const start = { heading: 0, axis_yaw: 0, axis_pitch: 0, error: 10, threshold: 0.05, iron: 0, inclination: 66 };
 
 const definition = {
   title: "What the factor E sees",

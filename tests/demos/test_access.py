@@ -274,12 +274,33 @@ def test_several_demos_on_a_page_keep_apart(visit: Visit, page_of: PageOf) -> No
     assert page.locator(".chr-demo [id]").count() == 0, "an id would stand twice"
 
 
-def test_demos_work_from_a_server(
+STRICT = "default-src 'self'; img-src 'self' data:; style-src 'self' 'unsafe-inline'"
+
+
+def test_demos_work_from_a_server_with_a_strict_policy(
     visit: Visit, page_of: PageOf, serve: Callable[[Path], str], tmp_path: Path
 ) -> None:
     page_of(*(demo() for demo in DEMOS))
+    written = (tmp_path / "page.html").read_text(encoding="utf-8")
+    before, script, after = re.split(r"<script>(.*)</script>", written, flags=re.DOTALL)
+    (tmp_path / "pages.js").write_text(script, encoding="utf-8")
+    policy = f'<meta http-equiv="Content-Security-Policy" content="{STRICT}">'
+    strict = before.replace('<meta charset="utf-8">', f'<meta charset="utf-8">{policy}')
+    (tmp_path / "page.html").write_text(
+        f'{strict}<script src="pages.js"></script>{after}', encoding="utf-8"
+    )
     page = visit(serve(tmp_path) + "page.html")
     expect(page.locator(".chr-demo canvas")).to_have_count(len(DEMOS))
+    assert picture(page.locator(".chr-demo").first) != ""
+
+
+def test_what_a_finger_hits_is_large_enough(visit: Visit, page_of: PageOf) -> None:
+    page = visit(page_of(*(demo() for demo in DEMOS)), width=390, has_touch=True, is_mobile=True)
+    for target in page.locator(".chr-demo :is(input, button)").all():
+        box = target.bounding_box()
+        assert box is not None
+        assert box["height"] >= 44
+        assert box["width"] >= 44
 
 
 @pytest.mark.parametrize(
