@@ -4,7 +4,7 @@
  */
 import { inPart, line, linear, mark, words } from "./chart.js";
 import { mountOf } from "./controls.js";
-import { mixed, paint, parsed, scaled } from "./draw.js";
+import { label, mixed, paint, parsed, scaled } from "./draw.js";
 import { globe, looking, pointer, direction } from "./globe.js";
 import { keeping } from "./keeping.js";
 import { rounded } from "./parts.js";
@@ -83,7 +83,11 @@ function scene(context, size, state, colours, viewpoint) {
   const style = { colours, room: size.width };
   const out = (end, name, colour, dash = []) => {
     if (near(end, view.eye)) pointer(context, view, scaled(end, 1.35), { ...style, from: end, name: [name], colour, dash, width: 4 });
-    else mark(context, "circle", view.project(scaled(end, 1.35)), { colour: colours(colour), rim: colours("page"), radius: 4 });
+    else {
+      const there = view.project(scaled(end, 1.35)); // behind the globe: where it points, and its name
+      mark(context, "circle", there, { colour: colours(colour), rim: colours("page"), radius: 4 });
+      label(context, [name], there, { colour: colours(colour), rim: colours("page"), size: 13, width: size.width, offset: [8, 0] });
+    }
   };
   out(fieldOf(state), "field", "z", [6, 3]);
   const [axis, nose] = [axisOf(state), direction(state.heading, 0)];
