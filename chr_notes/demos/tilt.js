@@ -85,6 +85,7 @@ const still = { roll: 0, pitch: 0, forward_acceleration: 0, lateral_acceleration
 
 const FALLING = { ...still, roll: 90, lateral_acceleration: 9.80665 };
 const PUSHED = { roll: -150, pitch: 10, forward_acceleration: -9.9, lateral_acceleration: -9.9, vibration: 5 };
+const UPRIGHT = { ...PUSHED, roll: -180, pitch: 90, forward_acceleration: -10, lateral_acceleration: 0 };
 
 const definition = {
   python: "TiltDemo",
@@ -101,7 +102,7 @@ const definition = {
     { name: "vibration", label: "Vibration, RMS", symbol: [], min: 0, max: 5, step: 0.1, unit: METRES },
   ],
   outputs: [
-    { name: "meaning", label: "What it means", wide: true, longestAt: [FALLING, PUSHED, { ...PUSHED, roll: 30, pitch: 90 }] },
+    { name: "meaning", label: "What it means", wide: true, longestAt: [FALLING, PUSHED, UPRIGHT] },
     { name: "roll_estimate", label: "Roll estimate", unit: DEGREES },
     { name: "pitch_estimate", label: "Pitch estimate", unit: DEGREES },
     { name: "roll_error", label: "Roll error", unit: DEGREES },
