@@ -18,14 +18,13 @@ has no entry that was not decided.
 
 from typing import NamedTuple
 
-from sympy import And, Eq, Limit, sympify
+from sympy import Abs, And, Basic, Dummy, Eq, Limit, MatrixBase, sympify, together
 from sympy.logic.boolalg import Boolean
 
 from chr_notes.ledger.case import CannotJudgeError, Case, Reading
 from chr_notes.ledger.checks import (
     check_conditions,
     check_definition,
-    check_given,
     check_reported,
     check_root,
     check_says_something,
@@ -37,9 +36,12 @@ from chr_notes.ledger.domain import undefined_where
 from chr_notes.ledger.edits import in_order, marked
 from chr_notes.ledger.entry import Entry, Verdict
 from chr_notes.ledger.evaluation import evaluate, parts, work_out
+from chr_notes.ledger.generality import check_given, check_sufficient
+from chr_notes.ledger.identities import OnSphere, reduced
 from chr_notes.ledger.proof import Finding, examine, excludes, fails, proves
 from chr_notes.ledger.search import is_exact
 from chr_notes.ledger.witness import number, witness
+from chr_notes.ledger.words import misfits
 from chr_notes.printed.statement import Approximately
 from chr_notes.typeset import latex
 
@@ -85,7 +87,7 @@ def judge(case: Case) -> Entry:
     if readings and not any(holds for _, holds in readings):
         msg = f"{case.id}: it holds under none of its readings"
         raise CannotJudgeError(msg)
-    return Entry(
+    entry = Entry(
         id=case.id,
         document=printed.document,
         kind=printed.kind,
@@ -107,6 +109,10 @@ def judge(case: Case) -> Entry:
         readings=readings,
         remark=case.remark,
     )
+    for misfit in misfits(entry.id, entry.says, entry.printed_latex, entry.given or ""):
+        msg = f"{case.id}: our words do not fit the formula: {misfit}"
+        raise CannotJudgeError(msg)
+    return entry
 
 
 def _verdict(case: Case) -> Judged:
@@ -137,11 +143,8 @@ def _qualified(case: Case, condition: Condition) -> Judged:
         case, case.printed.statement, "not proved under the condition", *case.given, condition
     )
     exact = is_exact(case, condition)
-    if not exact and any(
-        isinstance(each, Eq) and not each.rhs.free_symbols for each in condition.relations
-    ):
-        msg = f"{case.id}: single values, {condition.holds}, of several; it is no condition"
-        raise CannotJudgeError(msg)
+    if not exact:
+        check_sufficient(case, condition)
     outside = (
         "at all points that a search tries outside it, it fails"
         if exact
@@ -188,7 +191,7 @@ def _derived(case: Case, verdict: Verdict) -> str | None:
         old: new
         for given in case.given
         for old, new in given.by[0].items()
-        if len(given.by) == 1 and sympify(new).is_number
+        if len(given.by) == 1 and not sympify(new).atoms(Dummy, OnSphere)
     }
     derived = work_out(statement.lhs, case.reading, by)
     if derived == statement.lhs:
@@ -196,10 +199,22 @@ def _derived(case: Case, verdict: Verdict) -> str | None:
     if derived == in_order(statement.rhs):
         return latex(statement.rhs, as_written=True)
     text = latex(derived)
-    if len(text) > LONG and verdict == "proved":
+    if len(text) <= LONG:
+        return text
+    shorter = [text, latex(_shortened(derived))]
+    if verdict == "proved":
         # Both sides are the same, by the proof; the shorter one is the simplified one.
-        return min(text, latex(work_out(statement.rhs, case.reading, by)), key=len)
-    return text
+        shorter.append(latex(work_out(statement.rhs, case.reading, by)))
+    return min(shorter, key=len)
+
+
+def _shortened(expression: Basic) -> Basic:
+    """Bring each element of a matrix, or what a magnitude is of, together."""
+    if isinstance(expression, MatrixBase):
+        return expression.applyfunc(together)
+    if isinstance(expression, Abs):
+        return Abs(reduced(expression.args[0]) or expression.args[0])
+    return expression
 
 
 def _correction(case: Case) -> str | None:

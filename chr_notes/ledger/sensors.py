@@ -145,7 +145,13 @@ SETTLED = (
         edits=(Edit(words("Figure 1"), words("the figure below it, which has no number")),),
         root="figure-without-a-number",
         weight="small print",
-        remark="Figure 1 is the diagram of an accelerometer with one axis.",
+        steps=(
+            Step(
+                "Figure 1 is the diagram of an accelerometer with one axis. The sensor on a table "
+                "is drawn below the sentence.",
+                equation(claims.LEVEL_FIGURE, words("the figure below it, which has no number")),
+            ),
+        ),
     ),
     Case(
         "sensors.2.j",

@@ -61,6 +61,9 @@ def witness(case: Case) -> Witness:
         return Witness(
             at, f"{place} = {number(printed[where])}", f"{place} = {number(right[where])}"
         )
+    if isinstance(right, Set):
+        shown = [latex(Eq(failing.lhs, each, evaluate=False)) for each in (printed, right)]
+        return Witness(at, *shown)
     of = failing.rhs if isinstance(failing.rhs, Angle) else failing.lhs
     return Witness(at, number(printed, of), number(right, of))
 

@@ -8,9 +8,12 @@ from sympy import (
     Add,
     Basic,
     Eq,
+    Expr,
     FiniteSet,
+    Ge,
     Integer,
     Inverse,
+    Le,
     MatAdd,
     MatMul,
     MatrixBase,
@@ -183,6 +186,13 @@ def wrong_word(node: Basic, _: Basic) -> Wrong:
         yield Symbol(r"\text{another word}")
 
 
+def made_inequality(node: Basic, _: Basic) -> Wrong:
+    """Yield an inequality in place of an equation between numbers."""
+    if isinstance(node, Eq) and all(isinstance(e, Expr) and not e.is_Matrix for e in node.args):
+        yield Ge(*node.args, evaluate=False)
+        yield Le(*node.args, evaluate=False)
+
+
 def turned_round(node: Basic, _: Basic) -> Wrong:
     """Yield the opposite of a relation that is no equation."""
     if isinstance(node, Relational) and not isinstance(node, Eq):
@@ -207,6 +217,7 @@ KINDS: Mapping[str, Callable[[Basic, Basic], Wrong]] = MappingProxyType(
         "set": wrong_set,
         "word": wrong_word,
         "turned round": turned_round,
+        "made an inequality": made_inequality,
     }
 )
 """Each kind gives, for a node of a statement, what a misprint puts in its place."""

@@ -9,10 +9,12 @@ from sympy import (
     And,
     Basic,
     Eq,
+    Ge,
     Gt,
     Identity,
     ImmutableMatrix,
     Integer,
+    Le,
     Limit,
     Lt,
     MatMul,
@@ -104,6 +106,13 @@ def test_what_says_nothing_is_refused(say: Say) -> None:
         say(InOrder(FALSE, Eq(z, z, evaluate=False)), **sufficient)
     with pytest.raises(CannotJudgeError, match="the same on both sides"):
         say(Eq(Limit(NAME, z, 0), NAME), read=reading({NAME: x}))
+
+
+def test_an_equality_is_not_proved_as_an_inequality(say: Say) -> None:
+    for less in (Ge, Le):
+        with pytest.raises(CannotJudgeError, match="says less than is so"):
+            say(less(y, x * x, evaluate=False))
+    assert say(Ge(y + x**2, x**2), read=reading({y: x**2})).verdict == "proved"
 
 
 def test_an_exact_condition_is_told_from_a_sufficient_one(say: Say) -> None:

@@ -8,8 +8,9 @@ from sympy.logic.boolalg import Boolean
 
 from chr_notes.ledger.case import CannotJudgeError, complete
 from chr_notes.ledger.cases import CASES
-from chr_notes.ledger.checks import check_conditions, check_definition, check_given
+from chr_notes.ledger.checks import check_conditions, check_definition
 from chr_notes.ledger.condition import Condition, Presumed
+from chr_notes.ledger.generality import check_given
 from chr_notes.ledger.reading import defined
 from chr_notes.ledger.sensors_reading import READ, TEMPERATURES
 from chr_notes.printed import BY_ID, DOCUMENTS

@@ -1,0 +1,114 @@
+"""Our words for a statement, against its formula: a sense that is turned round does not fit.
+
+One table says which sign in LaTeX a word of sense wants, another which word a sign wants; numbers
+are looked for as they are, as fractions, and 90 as half of pi. Words for what stands only in the
+meaning of a symbol, or in an equality, are listed by entry, and wanted there.
+"""
+
+import re
+from collections.abc import Iterator, Mapping
+from types import MappingProxyType
+from typing import Final
+
+from sympy import Rational
+
+SIGNS: Final[Mapping[str, str]] = MappingProxyType(
+    {
+        "negative": r"< 0",
+        "positive": r"> 0",
+        "not|never|cannot": r"\\neq|\\emptyset",
+        "same|equal|equivalent": r" = ",
+        "larger|more|grows": r">",
+        "smaller|less sensitive|fewer|shrinks": r"<",
+        "less that|less gravity": r"-",
+        "diverge|drifts?": r"\\infty|= 0",
+        "converges|towards": r"\\lim",
+        "upwards": r"- g",
+        "downwards": r"\\\\ g",
+        "zero|nothing": r"0",
+        "roll|rolling": r"\\phi|roll",
+        "pitch|pitching": r"\\theta|pitch|R_\{I\}\^\{B\}\\left\(",
+        "yaw|yawing": r"\\psi|yaw",
+        "inertial": r"I\}|\^I|_I|i\}|_i",
+        "body frame|body to": r"B\}|\^B|_B|b\}|_b|m_",
+        "vehicle-1": r"v_1|vehicle-1",
+        "vehicle-2": r"v_2|vehicle-2",
+        "vehicle-3": r"v_3|vehicle-3",
+        "x|x-axis": r"(1|p)\\\\0\\\\0|x",
+        "y|y-axis": r"0\\\\(1|q)\\\\0|y",
+        "z|z-axis": r"0\\\\0\\\\(1|r)|z",
+        "one degrees?": r"1\.0\^",
+        "two degrees?": r"2\.0\^|2 \\pi\}\{180",
+        "a minute": r"1\\,\\mathrm\{min\}",
+        "five minutes": r"[^0-9]5\\,\\mathrm\{min\}",
+        "ten minutes": r"10\\,\\mathrm\{min\}",
+    }
+)
+"""Words, and the signs of which one is wanted."""
+
+WORDS: Final[Mapping[str, str]] = MappingProxyType(
+    {
+        r"< 0": "negative",
+        r"> 0": "positive|grows",
+        r"= 0": "zero|nothing|stops|no|always fails|only one|divides",
+        r"\\neq": "not|never|cannot|depends?|differ|wrong|seems|show",
+        r"\\emptyset": "no|without|a function of|goes on",
+    }
+)
+"""Signs, and the words of which one is wanted."""
+
+ELSEWHERE: Final[Mapping[str, frozenset[str]]] = MappingProxyType(
+    {
+        # In what a symbol means.
+        "euler.4.b": frozenset({"yaw", "pitch"}),
+        "euler.6.e": frozenset({"pitch", "90"}),
+        "euler.7.d": frozenset({"roll", "pitch", "yaw"}),
+        "sensors.4.a": frozenset({"zero"}),
+        "estimation.3.d": frozenset({"yaw"}),
+        "validation.p": frozenset({"roll", "pitch"}),
+        # A sameness, in words a denial.
+        "sensors.2.g": frozenset({"never"}),
+        "estimation.3.b": frozenset({"not"}),
+        "estimation.4.c": frozenset({"not"}),
+        "validation.k": frozenset({"cannot"}),
+    }
+)
+
+
+def misfits(name: str, says: str, formula: str, presumed: str = "") -> Iterator[str]:
+    """Yield what is said and not written, and what is written and not said.
+
+    Parameters
+    ----------
+    name
+        The id of the statement.
+    says
+        Our words.
+    formula, presumed
+        The statement, and what is presumed with it, in LaTeX.
+    """
+    elsewhere = ELSEWHERE.get(name, frozenset())
+    for word in elsewhere:
+        if not any(_met(word, says)):
+            yield f"“{word}” is meant and not said"
+    for words, signs in SIGNS.items():
+        for word in _met(words, says):
+            if word.lower() not in elsewhere and not re.search(signs, formula + presumed):
+                yield f"“{word}” is said and does not show"
+    for word in re.findall(r"(?<![\w.-])(?<!Table )\d+(?:\.\d+)?(?![\w-])", says):
+        if word not in elsewhere and not re.search(_written(word), formula + presumed):
+            yield f"{word} is said and does not show"
+    for sign, words in WORDS.items():
+        if re.search(sign, formula) and not any(_met(words, says)):
+            yield f"what {sign} shows is not said"
+
+
+def _met(words: str, says: str) -> list[str]:
+    return re.findall(rf"(?<![\w-])(?:{words})(?![\w-])", says, re.IGNORECASE)
+
+
+def _written(word: str) -> str:
+    number = Rational(word)
+    fraction = rf"\\frac\{{{number.p}\}}\{{{number.q}\}}"
+    right_angle = r"|\\frac\{\\pi\}\{2\}" if number == Rational(90) else ""
+    return rf"(?<![\d.]){re.escape(word)}(?!\d)|{fraction}{right_angle}"
