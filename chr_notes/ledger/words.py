@@ -22,7 +22,12 @@ SIGNS: Final[Mapping[str, str]] = MappingProxyType(
         "smaller|less sensitive|fewer|shrinks": r"<",
         "less that|less gravity": r"-",
         "diverge|drifts?": r"\\infty|= 0",
-        "converges|towards": r"\\lim",
+        "converges?|towards": r"\\lim",
+        "converges?": r"\\lim(?!.*= \\infty)",
+        "larger one makes the estimate less": r"\(L_2\\right\) <",
+        "smaller one makes the estimate less": r"\(L_1\\right\) <",
+        "larger one makes the estimate more": r"bias.*\(L_2\\right\) > e",
+        "noise of the gyro, and less": r"vibration.*\(L_2\\right\) <",
         "upwards": r"- g",
         "downwards": r"\\\\ g",
         "zero|nothing": r"0",
@@ -52,6 +57,7 @@ WORDS: Final[Mapping[str, str]] = MappingProxyType(
         r"> 0": "positive|grows",
         r"= 0": "zero|nothing|stops|no|always fails|only one|divides",
         r"\\neq": "not|never|cannot|depends?|differ|wrong|seems|show",
+        r"= \\infty": "diverges?|drifts?",
         r"\\emptyset": "no|without|a function of|goes on",
     }
 )
