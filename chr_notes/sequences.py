@@ -66,7 +66,7 @@ def matrix_from_angles(angles: ArrayLike, sequence: str, *, out: Floats | None =
 
     See Also
     --------
-    chr_notes.matrix_from_euler : Yaw, pitch and roll, as (roll, pitch, yaw).
+    chr_notes.euler.matrix_from_euler : Yaw, pitch and roll, as (roll, pitch, yaw).
 
     Examples
     --------
@@ -260,7 +260,7 @@ def angle_rates_matrix(angles: ArrayLike, sequence: str, *, out: Floats | None =
 
     See Also
     --------
-    chr_notes.euler_rates_matrix : For yaw, pitch and roll, in the order roll, pitch, yaw.
+    chr_notes.euler.euler_rates_matrix : For yaw, pitch and roll, in the order roll, pitch, yaw.
 
     Examples
     --------
