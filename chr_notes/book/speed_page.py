@@ -76,7 +76,7 @@ def choice(run: Mapping[str, Any]) -> Iterator[str]:
     array = [times[OURS][1] for times in timed]
     yield (
         f"For one attitude the functions of plain numbers took {min(one):,.0f} to {max(one):,.0f} "
-        f"ns in this run, those of arrays with one row {min(array):,.0f} to {max(array):,.0f} ns."
+        f"ns in these runs, those of arrays with one row {min(array):,.0f} to {max(array):,.0f} ns."
     )
     if always:
         yield (

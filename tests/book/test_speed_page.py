@@ -42,7 +42,7 @@ def test_a_run_told() -> None:
         "Faster here than ours: B, one at a time (turns: 1 row); A (turns: 100); B (turns: 100)."
     )
     first, then, single = speed_page.choice(run)
-    assert "took 100 to 100 ns in this run, those of arrays with one row 150 to 150 ns" in first
+    assert "took 100 to 100 ns in these runs, those of arrays with one row 150 to 150 ns" in first
     assert then.startswith("With 100 rows")
     assert single == (
         "In turns B took 50 ns for its own objects, one at a time, and 300 ns for arrays of one "
