@@ -3,8 +3,6 @@
 from collections.abc import Iterable, Iterator
 from math import inf, isfinite, pi
 
-from numpy.typing import ArrayLike
-
 from chr_notes._kernels import of_numbers
 from chr_notes._samples import one_sample, period
 from chr_notes._units import warn_of_turn
@@ -13,9 +11,9 @@ from chr_notes.estimation.averaging_settings import Settings
 from chr_notes.estimation.bias import REST, Bias, check_bias
 from chr_notes.estimation.earth_field import EarthField
 from chr_notes.estimation.fixed_gain import way_of
+from chr_notes.estimation.streams import Sample
 from chr_notes.generated.scalar import estimation as steps
 
-Sample = tuple[ArrayLike, ArrayLike, float] | tuple[ArrayLike, ArrayLike, float, ArrayLike]
 _SPEED, _BIAS = 1.0, 0.005  # of the bound, as `averaging_bound` has them
 
 

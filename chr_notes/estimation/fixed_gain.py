@@ -125,6 +125,13 @@ def way_of(method: str) -> _Way:
     return _WAYS[method]
 
 
+def refuse_magnetometer(method: str) -> None:
+    """Refuse one for a method that has no step for it."""
+    if method == "euler":
+        msg = 'mag: expected none for the method "euler", which has no step for it'
+        raise ValueError(msg)
+
+
 def fixed_gain_observer(  # noqa: PLR0913 (a recording, and how to run through it)
     body_rates: ArrayLike,
     accel: ArrayLike,
@@ -225,9 +232,7 @@ def fixed_gain_observer(  # noqa: PLR0913 (a recording, and how to run through i
     warn_of_rates(rates, dt)
     step, constants, level = way.step, [share], (1.0, 0.0)
     if field:
-        if method == "euler":
-            msg = 'mag: expected none for the method "euler", which has no step for it'
-            raise ValueError(msg)
+        refuse_magnetometer(method)
         level = horizontal("reference", reference)
         step = steps.observer_heading_turn
         constants += map(np.array, (check_gain("heading_gain", heading_gain), *level))

@@ -12,10 +12,17 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from chr_notes._arrays import Floats
-from chr_notes._samples import WILD_RATE, one_sample, period, start
+from chr_notes._kernels import of_numbers
+from chr_notes._samples import WILD_RATE, horizontal, one_sample, period, start
 from chr_notes._units import warn_of_turn
-from chr_notes.estimation.fixed_gain import Method, angles_in_range, is_in_range, way_of
-from chr_notes.estimation.starts import canonical, check_gain
+from chr_notes.estimation.fixed_gain import (
+    Method,
+    angles_in_range,
+    is_in_range,
+    refuse_magnetometer,
+    way_of,
+)
+from chr_notes.estimation.starts import canonical, check_gain, with_heading
 from chr_notes.generated.scalar import estimation as steps
 
 
@@ -84,6 +91,10 @@ def observe_sample(  # noqa: PLR0913 (a state and a sample)
     return angles_in_range(way.sample(*before, *rates, *force, step, share))
 
 
+Sample = tuple[ArrayLike, ArrayLike, float] | tuple[ArrayLike, ArrayLike, float, ArrayLike]
+"""Of a stream: body rates, specific force and time step, and the field of a magnetometer."""
+
+
 class Estimate(NamedTuple):
     """What an observer says after a sample.
 
@@ -100,20 +111,24 @@ class Estimate(NamedTuple):
     held_out: int
 
 
-def observe(
-    stream: Iterable[tuple[ArrayLike, ArrayLike, float]],
+def observe(  # noqa: PLR0913 (as for a recording)
+    stream: Iterable[Sample],
     gain: float,
     initial: ArrayLike | None = None,
     *,
     method: Method = "quaternion",
+    heading_gain: float = 1.0,
+    reference: ArrayLike = (1.0, 0.0),
 ) -> Iterator[Estimate]:
     """Run the fixed-gain observer, a complementary filter, on a stream, sample by sample.
 
     Parameters
     ----------
     stream
-        Body rates (3,), specific force (3,) and time step of each sample, as they come.
-    gain, initial, method
+        Body rates (3,), specific force (3,) and time step of each sample, as they come, and after
+        them the magnetic field (3,) where there is a magnetometer. One that reads none, zero or
+        NaN, leaves yaw to the gyros, and is not counted as held out.
+    gain, initial, method, heading_gain, reference
         As for `fixed_gain_observer`, which gives the same numbers. Without an initial attitude
         nothing comes out before the first sample whose accelerometer shows a tilt.
 
@@ -146,14 +161,26 @@ def observe(
     [5.826 0.    0.   ]
     [ 5.826 -0.006  0.057]
     [ 5.826 -0.011  0.114]
+
+    A level body whose nose points east, in a field that points north and down:
+
+    >>> sample = [0, 0, 0], [0, 0, -9.8], 0.01, [0, -20, 40]
+    >>> for estimate in observe([sample] * 2, 0.02, heading_gain=0.02):
+    ...     print(estimate.euler.round(4) + 0.0)
+    [0.     0.     1.5708]
+    [0.     0.     1.5708]
     """
     way, share = way_of(method), check_gain("gain", gain)
+    turning, level = check_gain("heading_gain", heading_gain), horizontal("reference", reference)
     quick = way.quick_advance
+    with_mag = of_numbers(steps.observer_heading_turn)
     keep: Callable[..., Any] = tuple if quick is None else np.array
     state = None if initial is None else keep(way.begin(*canonical("initial", initial)))
     incomplete = 0
-    for body_rates, accel, dt in stream:
+    for body_rates, accel, dt, *field in stream:
         rates, force = one_sample("body_rates", body_rates), one_sample("accel", accel)
+        if field:
+            refuse_magnetometer(method)
         x, y, z = force
         heard = 0 < abs(x) + abs(y) + abs(z) < inf or (any(force) and all(map(isfinite, force)))
         p, q, r = rates
@@ -165,7 +192,13 @@ def observe(
         if state is None:
             if not heard:
                 continue
-            state = keep(way.begin(*steps.tilt_from_accelerometer(*force), 0.0))
+            first = (*steps.tilt_from_accelerometer(*force), 0.0)
+            if field:
+                first = with_heading(first, one_sample("mag", field[0]), level)
+            state = keep(way.begin(*first))
+        elif field:
+            mag = one_sample("mag", field[0])
+            state = keep(with_mag(*state, *rates, *force, *mag, step, share, turning, *level))
         elif quick and (found := quick(state, body_rates, accel, step, share, None)) is not None:
             state = found
         else:

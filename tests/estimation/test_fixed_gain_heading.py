@@ -10,6 +10,7 @@ from chr_notes import (
     heading_from_magnetometer,
     integrate_gyro,
     matrix_from_euler,
+    observe,
     wrap_angle,
 )
 
@@ -53,3 +54,31 @@ def test_a_magnetometer_is_refused_where_it_has_no_meaning() -> None:
     for reference in ((0.0, 0.0), (np.nan, 1.0), 1.0, (1.0, 2.0, 3.0)):
         with pytest.raises(ValueError, match="reference: expected"):
             fixed_gain_observer(rates, forces, 0.01, 0.1, mag=forces, reference=reference)
+
+
+def test_a_stream_gives_the_same_numbers() -> None:
+    generator = np.random.default_rng(3)
+    rates = generator.normal([0, 0, 20.0], 2.0, (300, 3))  # yaw goes round several times
+    forces = generator.normal([0, 0, -9.8], 3.0, (300, 3))
+    field = generator.normal([20, 5, 40.0], 5.0, (300, 3))
+    forces[100], field[150], field[200] = np.nan, np.nan, 0.0
+    steps = generator.uniform(0.001, 0.02, 300)
+    said = {"heading_gain": 0.1, "reference": (2.0, 0.3)}
+    for initial in (None, [0.1, -0.2, 3.0]):
+        expected = fixed_gain_observer(rates, forces, steps, 0.05, initial, mag=field, **said)
+        stream = zip(rates, forces, steps, field, strict=True)
+        streamed = list(observe(stream, 0.05, initial, **said))
+        assert_allclose([each.euler for each in streamed], expected, rtol=0, atol=2e-14)
+        assert streamed[-1].held_out == 1
+
+
+def test_a_stream_refuses_what_a_recording_refuses() -> None:
+    sample = ([0.0] * 3, [0.0, 0.0, -9.8], 0.01, [20.0, 0.0, 40.0])
+    with pytest.raises(ValueError, match='none for the method "euler"'):
+        next(observe([sample], 0.1, method="euler"))
+    with pytest.raises(ValueError, match="heading_gain: expected a number from 0 to 1"):
+        next(observe([sample], 0.1, heading_gain=2.0))
+    with pytest.raises(ValueError, match="reference: expected"):
+        next(observe([sample], 0.1, reference=(0.0, 0.0)))
+    with pytest.raises(ValueError, match=r"mag: expected shape"):
+        next(observe([(*sample[:3], [1.0, 2.0])], 0.1))
