@@ -172,7 +172,7 @@ def walked(recordings: Path) -> tuple[Floats, Floats, float]:
     step = (walk[-1, 0] - walk[0, 0]) / (len(walk) - 1)
     to_body = np.array([1.0, -1.0, -1.0])  # from z up to forward, right, down
     rates, forces = np.radians(walk[:, 1:4]) * to_body, G * walk[:, 4:7] * to_body
-    return rates - fit_gyro_bias(rates[static_interval(rates, 800)]), forces, step
+    return rates + fit_gyro_bias(rates[static_interval(rates, 800)]), forces, step
 
 
 @pytest.mark.parametrize(("limit", "largest"), [(0.3, 0.4), (0.6, 0.5), (1.0, 0.7), (1.5, 1.0)])

@@ -39,8 +39,8 @@ RESTS = (
     *axes("rest_rate_{}", rest.RATE_MEANS, "mean rate about {} over the rest so far, rad/s"),
     *axes("rest_force_{}", rest.FORCE_MEANS, "mean force along {} over the rest so far"),
     Argument("still", rest.STILL, "for how long it has been one, s"),
-    *axes("learnt_{}", rest.LEARNT, "bias about {} as learnt last, rad/s"),
+    *axes("learnt_{}", rest.LEARNT, "reading at rest about {} as learnt last, rad/s"),
 )
-REST = Argument("rest", rest.REST, "after which a bias is learnt, s")
+REST = Argument("rest", rest.REST, "after which it is learnt, s")
 SPEED = Argument("speed", derived.speed, "that the body stays below, m/s")
 BIAS_BOUND = Argument("bias_bound", estimation.bias, "that a gyro's bias stays below, rad/s")

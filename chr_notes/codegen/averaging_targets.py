@@ -86,7 +86,7 @@ TARGETS = (
     Target(
         "bias_at_rest",
         "estimation",
-        "Means over a rest so far, for how long it has been one, and the gyro bias learnt last",
+        "Means over a rest so far, for how long it has been one, and what the gyros read at rest",
         (),
         rest.bias,
         arrays=(

@@ -101,9 +101,11 @@ def averaging_observer(  # noqa: PLR0913 (a recording, and how to run through it
     time_constant, heading_time_constant
         Mean age of what is averaged, seconds.
     bias
-        Of the gyros, taken off: "stillest" is the mean over the stillest two seconds of the
+        Of the gyros: "stillest" takes off the mean over the stillest two seconds of the
         recording, and so looks ahead; "running" is learnt anew in each rest of two seconds, from
-        zero on, and does not; a number or shape (3,), rad/s, is it.
+        zero on, and does not; a number or shape (3,), rad/s, is that of a calibration, as
+        `fit_gyro_bias` gives it: minus what the gyros read at rest. For rates that are
+        calibrated it is 0.
     field
         What is known of the Earth's field, and when a reading of `mag` is held out.
     longest_step

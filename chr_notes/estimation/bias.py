@@ -1,4 +1,4 @@
-"""The bias of a gyro that is taken off before an attitude is estimated."""
+"""What a gyro reads at rest, taken off before an attitude is estimated."""
 
 import warnings
 from collections.abc import Iterator
@@ -23,7 +23,13 @@ _LARGEST = 0.05  # rad/s; a steady reading of more may be a turn
 
 
 def check_bias(bias: Bias) -> str | Floats:
-    """Take "stillest", "running", or a bias: one number for all axes or one for each."""
+    """Take "stillest", "running", or a bias: one number for all axes or one for each.
+
+    Returns
+    -------
+    str or ndarray
+        The word, or what a gyro of this bias reads at rest: its negative.
+    """
     if isinstance(bias, str):
         if bias not in ("stillest", "running"):
             msg = f'bias: expected "stillest", "running" or numbers, got {bias!r}'
@@ -33,11 +39,11 @@ def check_bias(bias: Bias) -> str | Floats:
     if not np.isfinite(given).all():
         msg = f"bias: expected finite numbers, got {given.tolist()}"
         raise ValueError(msg)
-    return given
+    return -given
 
 
 def bias_of(bias: Bias, rates: Floats, forces: Floats, dt: Floats, longest_step: float) -> Floats:
-    """Find the bias of a recording: shape (3,), or (N, 3) where it is learnt on the way."""
+    """Find what the gyros read at rest: shape (3,), or (N, 3) where it is learnt on the way."""
     checked = check_bias(bias)
     if not isinstance(checked, str):
         return checked

@@ -23,10 +23,13 @@ class Picture:
         The drawing.
     alt
         What it shows, for those who do not see it.
+    caption
+        What stands below it, for all; none by default.
     """
 
     svg: str
     alt: str
+    caption: str = ""
 
     def __repr__(self) -> str:
         """Give the words, where no image can be shown."""
@@ -34,13 +37,16 @@ class Picture:
 
     def _repr_html_(self) -> str:
         data = base64.b64encode(self.svg.encode()).decode()
-        return (
+        image = (
             f'<img class="chr-figure" alt="{html.escape(self.alt)}" '
             f'src="data:image/svg+xml;base64,{data}">'
         )
+        if not self.caption:
+            return image
+        return f"<figure>{image}<figcaption>{html.escape(self.caption)}</figcaption></figure>"
 
 
-def show(figure: Figure, alt: str) -> Picture:
+def show(figure: Figure, alt: str, caption: str = "") -> Picture:
     """Turn a figure into a picture for a notebook cell, and close it.
 
     Parameters
@@ -49,13 +55,15 @@ def show(figure: Figure, alt: str) -> Picture:
         The matplotlib figure.
     alt
         What the figure shows, one or two sentences.
+    caption
+        What stands below it, where the text around it does not say it.
     """
     buffer = io.StringIO()
     # Without a date and with a fixed salt the same figure gives the same file.
     with mpl.rc_context({"svg.hashsalt": "chr_notes", "svg.fonttype": "path"}):
         figure.savefig(buffer, format="svg", metadata={"Date": None}, bbox_inches="tight")
     plt.close(figure)
-    return Picture(buffer.getvalue(), alt)
+    return Picture(buffer.getvalue(), alt, caption)
 
 
 def line_style(name: str) -> Any:  # noqa: ANN401 (matplotlib's line styles are untyped)

@@ -109,7 +109,7 @@ def fit_accelerometer(
 
 
 def fit_gyro_bias(body_rates: ArrayLike, *, still_limit: float = STILL_LIMIT) -> Floats:
-    """Find what a gyro reads at rest.
+    """Find the bias of a gyro from its readings at rest.
 
     Parameters
     ----------
@@ -122,9 +122,9 @@ def fit_gyro_bias(body_rates: ArrayLike, *, still_limit: float = STILL_LIMIT) ->
     Returns
     -------
     ndarray
-        Mean reading, rad/s, shape (3,), to be subtracted from readings; a filter's `bias` is this
-        one. `fit_gyro_at_rest` gives it as a calibration whose `correct` takes it off. The bias b
-        of that model has the other sign, as the notes have it: for a reading r at rest it is
+        The bias b of the notes' model and of `RateGyroCalibration`, rad/s, shape (3,): `correct`
+        adds it to readings, so it is minus the mean reading r. `averaging_observer` takes the same.
+        Coupling C and misalignment M count as bias; where they are known, the model's own one is
         `C a - M⁻¹ r`, with the specific force a in which the sensor lies.
 
     Raises
@@ -145,7 +145,7 @@ def fit_gyro_bias(body_rates: ArrayLike, *, still_limit: float = STILL_LIMIT) ->
     >>> import numpy as np
     >>> noise = np.random.default_rng(0).normal(0, 0.001, (1000, 3))
     >>> fit_gyro_bias(noise + [0.01, 0, -0.02]).round(3)
-    array([ 0.01,  0.  , -0.02])
+    array([-0.01,  0.  ,  0.02])
     """
     rates = whole_samples("body_rates", body_rates)
     if not len(rates):
@@ -163,4 +163,4 @@ def fit_gyro_bias(body_rates: ArrayLike, *, still_limit: float = STILL_LIMIT) ->
             f"{'xyz'[int(spread.argmax())]}-axis"
         )
         raise ValueError(msg)
-    return np.asarray(rates.mean(axis=0))
+    return np.asarray(-rates.mean(axis=0))

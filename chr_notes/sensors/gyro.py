@@ -21,8 +21,8 @@ def fit_gyro_at_rest(
 ) -> RateGyroCalibration:
     """Find the bias of a gyro that lies still, and how it depends on temperature.
 
-    The calibration's `correct` takes the bias off. What the gyro read is minus the calibration's
-    bias, which the model of the notes subtracts: `fit_gyro_bias` gives it, to be subtracted.
+    The calibration's `correct` makes the readings zero. Its bias is minus what the gyro read, for
+    the model of the notes subtracts it; `fit_gyro_bias` gives the same.
 
     Parameters
     ----------
@@ -59,7 +59,7 @@ def fit_gyro_at_rest(
     """
     rates = samples("body_rates", body_rates)
     if temperature is None:
-        return _gyro(np.eye(3), np.ones(3), -fit_gyro_bias(rates))
+        return _gyro(np.eye(3), np.ones(3), fit_gyro_bias(rates))
     warmth = _temperatures(temperature, len(rates))
     known = complete(rates) & np.isfinite(warmth)
     rates, warmth = rates[known], warmth[known]

@@ -14,6 +14,7 @@ from chr_notes.sensors.log_units import Unit
 
 _QUIET_BLOCKS = 40
 _TWO = 2  # of three pairs two tell of the third
+_NEGATED = "whether the accelerometer is negated"
 
 
 def pairs(
@@ -118,34 +119,41 @@ def axes(
     place: Callable[[int], str],
 ) -> Floats:
     """Bring all sensors to forward-right-down."""
-    given = settings.axes.get("all")
+    matrix = settings.axes.get("all")
     up, where = None, ""
     if rest is not None and rest.blocks:
         up = rest.means[0]
         where = f"at its first rest ({place(rest.blocks[0] * rest.width)})"
     elif "accel" in values:
         up, where = np.nanmean(values["accel"], axis=0), "on the whole, for it never rests"
-    matrix = given
-    if matrix is None and up is not None and settings.level:
-        matrix = _level(up, where, said)
-    elif matrix is not None and up is not None and settings.level:
-        found, level = log_axes.levelled(matrix @ up)
-        if level and found is not None and found[2, 2] < 0:
-            said.contradiction(
-                f"axes: expected a specific force that points up of a level sensor, got "
-                f"{np.array2string(matrix @ up, precision=2)} m/s² {where} in the axes given, "
-                f"{log_axes.named(matrix)}; pass axes='flu' for a sensor whose z points up, "
-                "axes={'accel': '-x -y -z'} for one that reads gravity, or level=False if it does "
-                "not lie level"
-            )
-        elif not level:
-            said.warnings.append(f"the sensor does not lie level {where}")
-    elif matrix is None:
-        matrix = np.eye(3)
-        said.cannot_tell.append("the axes of the log: they are taken for forward, right, down")
+    if up is not None and settings.level:
+        matrix = _level(up, where, said) if matrix is None else _agreeing(matrix, up, where, said)
+    else:
+        if matrix is None:
+            matrix = np.eye(3)
+            said.cannot_tell.append("the axes of the log: they are taken for forward, right, down")
+        if up is not None:
+            said.cannot_tell.append(_NEGATED)
     for name in SENSORS:
         if name in values and not np.array_equal(matrix, np.eye(3)):
             log_axes.turn(values[name], matrix)
+    return matrix
+
+
+def _agreeing(matrix: Floats, up: Floats, where: str, said: Said) -> Floats:
+    """Compare given axes with where a level sensor's specific force points."""
+    found, level = log_axes.levelled(matrix @ up)
+    if level and found is not None and found[2, 2] < 0:
+        said.contradiction(
+            f"axes: expected a specific force that points up of a level sensor, got "
+            f"{np.array2string(matrix @ up, precision=2)} m/s² {where} in the axes given, "
+            f"{log_axes.named(matrix)}; pass axes='flu' for a sensor whose z points up, "
+            "axes={'accel': '-x -y -z'} for one that reads gravity, or level=False if it does "
+            "not lie level"
+        )
+    elif not level:
+        said.warnings.append(f"the sensor does not lie level {where}")
+        said.cannot_tell.append(_NEGATED)
     return matrix
 
 
@@ -158,8 +166,9 @@ def _level(up: Floats, where: str, said: Said) -> Floats:
             "forward, right, down; pass axes="
         )
         said.warnings.append(said.cannot_tell[-1])
+        said.cannot_tell.append(_NEGATED)
         return np.eye(3)
     name = "flu: z points up" if matrix[2, 2] < 0 else "frd: z points down"
     said.assumed.insert(0, f"axes are {name}, for the sensor is taken to lie level {where}")
-    said.cannot_tell.append("whether the accelerometer is negated instead of z turned over")
+    said.cannot_tell.append(f"{_NEGATED} instead of z turned over")
     return matrix

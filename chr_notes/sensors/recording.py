@@ -3,6 +3,8 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 
+import numpy as np
+
 from chr_notes._arrays import Floats
 
 
@@ -114,9 +116,11 @@ class Report:
             found = getattr(self, name)
             if found:
                 first = found[0]
+                timed = np.isfinite(first.seconds)
+                length = f"{first.seconds:.3g} s" if timed else f"{first.stop - first.start} rows"
                 lines.append(
                     f"{name.replace('_', ' ')}: {len(found)}, the first at {first.place} "
-                    f"({first.what}, {first.seconds:.3g} s)"
+                    f"({first.what}, {length})"
                 )
         lines += [f"{sensors}: {said}" for sensors, said in self.relations.items()]
         for name in ("assumed", "cannot_tell", "warnings"):

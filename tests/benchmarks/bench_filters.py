@@ -10,15 +10,21 @@ from typing import Any, NamedTuple
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from vqf import BasicVQF
+from vqf import VQF, BasicVQF
 
-from chr_notes import _recordings, fixed_gain_observer, integrate_gyro, matrix_from_euler
+from chr_notes import (
+    _recordings,
+    averaging_observer,
+    fixed_gain_observer,
+    integrate_gyro,
+    matrix_from_euler,
+)
 from chr_notes.sensors.simulated import SensorErrors, add_errors
 from chr_notes.simulation import at_rest, ideal_readings, swing, trajectory
 
 Floats = NDArray[np.float64]
 SIZE, PERIOD, GAIN = 1_000_000, 0.01, 0.02
-OURS, PLAIN, VQF = "chr_notes", "chr_notes without kernels", "VQF, in C++"
+OURS, PLAIN, PEER = "chr_notes", "chr_notes without kernels", "VQF, in C++"
 
 
 class Recording(NamedTuple):
@@ -79,11 +85,25 @@ def vqf(given: Recording) -> dict[str, Floats]:
     return BasicVQF(PERIOD).updateBatch(given.rates, given.forces)
 
 
+def average(given: Recording) -> Floats:
+    """Run our averaging filter, which looks for the bias too."""
+    return averaging_observer(given.rates, given.forces, PERIOD, bias="running")
+
+
+def whole_vqf(given: Recording) -> dict[str, Floats]:
+    """Run the filter after which it is made, which estimates the bias too."""
+    return VQF(PERIOD).updateBatch(given.rates, given.forces)
+
+
 OBSERVER, GYROS = "samples through an observer", "samples of gyros integrated"
+AVERAGING = "samples averaged, with the bias"
 CASES = [
     Case(OBSERVER, OURS, observe),
     Case(OBSERVER, PLAIN, observe),
-    Case(OBSERVER, VQF, vqf, down_from_vqf),
+    Case(OBSERVER, PEER, vqf, down_from_vqf),
+    Case(AVERAGING, OURS, average),
+    Case(AVERAGING, PLAIN, average),
+    Case(AVERAGING, PEER, whole_vqf, down_from_vqf),
     Case(GYROS, OURS, integrate),
     Case(GYROS, PLAIN, integrate),
 ]
@@ -97,6 +117,6 @@ def test_speed(benchmark: Any, monkeypatch: pytest.MonkeyPatch, case: Case) -> N
     down = case.down(case.run(given))
     off = np.degrees(np.arccos(np.clip(np.sum(down * given.down, axis=1), -1, 1)))
     # Gyros alone drift off, and are right at first.
-    assert np.sqrt(np.mean(off[: SIZE if case.task == OBSERVER else 1000] ** 2)) < 2
+    assert np.sqrt(np.mean(off[: 1000 if case.task == GYROS else SIZE] ** 2)) < 2
     benchmark.extra_info.update(size=SIZE, task=case.task, library=case.library)
     benchmark(partial(case.run, given))

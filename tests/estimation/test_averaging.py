@@ -15,6 +15,7 @@ from chr_notes import (
     averaged_attitude,
     averaging_bound,
     averaging_observer,
+    fit_gyro_bias,
     fixed_gain_observer,
     integrate_gyro,
     matrix_from_euler,
@@ -97,7 +98,7 @@ def test_a_bias_costs_itself_times_the_time_constant() -> None:
         assert euler[-1, 0] == pytest.approx(0.004 * constant, rel=0.01)
         settled = averaged_attitude(rates, forces, PERIOD, bias=0, time_constant=constant)
         assert settled.tilt_bound[-1] > euler[-1, 0]
-    for bias in ("stillest", "running", [0.004, 0, 0]):
+    for bias in ("stillest", "running", [-0.004, 0, 0], fit_gyro_bias(rates)):
         euler = averaging_observer(rates, forces, PERIOD, bias=bias)  # type: ignore[arg-type]
         assert abs(euler[-1, 0]) < 1e-5
 

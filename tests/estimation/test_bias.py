@@ -39,8 +39,8 @@ def test_one_glitch_moves_nothing(glitch: float, place: int) -> None:
 
 def test_given_ones() -> None:
     rates = moving(10)
-    assert_array_equal(bias_of(0.1, rates, rates, STEP, LONGEST), [0.1] * 3)
-    assert_array_equal(bias_of(BIAS, rates, rates, STEP, LONGEST), BIAS)
+    assert_array_equal(bias_of(0.1, rates, rates, STEP, LONGEST), [-0.1] * 3)
+    assert_array_equal(bias_of(BIAS, rates, rates, STEP, LONGEST), -BIAS)
     with pytest.raises(ValueError, match="bias: expected finite numbers"):
         bias_of(np.nan, rates, rates, STEP, LONGEST)
 

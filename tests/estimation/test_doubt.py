@@ -75,6 +75,51 @@ def test_an_attitude_that_the_gyros_led_astray_is_told_from_iron() -> None:
     assert not mag.any()
 
 
+def planted(onset: Floats, *, force: bool = True) -> tuple[Floats, Floats]:
+    """Readings with noise, and a fault in the room's axes on top from 10 s on."""
+    generator = np.random.default_rng(7)
+    ideal = ideal_readings(TRUTH, FIELD)
+    fault = np.einsum("nij,nj->ni", matrix_from_euler(TRUTH.euler), onset)
+    accel = ideal.accel + generator.normal(0, 0.05, fault.shape) + (fault if force else 0)
+    return accel, ideal.mag + generator.normal(0, 0.3, fault.shape) + (0 if force else fault)
+
+
+SINCE = np.maximum(TIME - 10, 0)
+
+
+@pytest.mark.parametrize(
+    ("frequency", "axis", "delay"), [(1, 0, 0.14), (2, 0, 0.07), (5, 0, 0.03), (1, 2, 0.06)]
+)
+def test_shaking_is_noticed_after_a_moment(frequency: float, axis: int, delay: float) -> None:
+    push = 1.5 * G * np.sin(2 * np.pi * frequency * SINCE)
+    found = accelerated(planted(np.outer(push, np.eye(3)[axis]))[0], 0.01)
+    assert np.argmax(found) == pytest.approx(1000 + 100 * delay, abs=1.5)
+    assert found[1000 + round(100 * delay) + 2 :].all()
+
+
+@pytest.mark.parametrize(("push", "noticed"), [(1.05, False), (1.2, True)])
+def test_a_steady_push_is_noticed_at_once_or_never(push: float, noticed: bool) -> None:  # noqa: FBT001
+    found = accelerated(planted(np.outer(push * G * (SINCE > 0), [1, 0, 0]))[0], 0.01)
+    assert not found[:1001].any()
+    assert found[1010:].all() == found.any() == noticed
+
+
+@pytest.mark.parametrize(
+    ("axis", "least", "heading"), [(0, 11.7, 0.0), (2, 10.4, 0.0), (1, 24.7, 51.0)]
+)
+def test_iron_that_comes_near_is_noticed_at_a_limit(
+    axis: int, least: float, heading: float
+) -> None:
+    iron = np.outer(np.minimum(5 * SINCE, 40), np.eye(3)[axis])
+    accel, mag = planted(iron, force=False)
+    found = doubts(accel, mag, TRUTH.euler)[1]
+    first = int(np.argmax(found))
+    assert iron[first, axis] == pytest.approx(least, abs=0.8)
+    assert found[first:].all()
+    north, east, _ = FIELD + iron[first]
+    assert np.degrees(np.arctan2(east, north)) == pytest.approx(heading, abs=1.5)
+
+
 def test_a_missing_row_says_nothing() -> None:
     ideal = ideal_readings(TRUTH, FIELD)
     ideal.accel[300], ideal.mag[400], TRUTH.euler[0] = np.nan, np.nan, TRUTH.euler[0]
@@ -101,7 +146,7 @@ def trial(recordings: Path, name: str) -> Trial:
         for letter, unit in (("g", "rad_s"), ("a", "m_s2"), ("m", "uT"))
     )
     truth = np.stack([log[f"q{part}"] for part in "wxyz"], axis=1)
-    rates -= fit_gyro_bias(rates[static_interval(rates, 190)])
+    rates += fit_gyro_bias(rates[static_interval(rates, 190)])
     return rates, forces, field, truth, log["moving"] == 1
 
 

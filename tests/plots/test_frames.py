@@ -56,3 +56,10 @@ def test_a_path_is_drawn_in_the_same_frame_as_the_axes() -> None:
     drawn = np.array(axes.lines[0].get_data_3d()).T * [1, -1, -1]
     np.testing.assert_allclose(drawn, points)
     plt.close(axes.figure)
+
+
+def test_a_caption_stands_below_a_picture_for_all_to_see() -> None:
+    plain = plots.show(plt.figure(), "A < B")
+    assert plain._repr_html_().startswith('<img class="chr-figure" alt="A &lt; B"')
+    below = plots.show(plt.figure(), "what it shows", "Simulated & marked.")
+    assert below._repr_html_().endswith("<figcaption>Simulated &amp; marked.</figcaption></figure>")

@@ -90,7 +90,7 @@ def test_positions_that_tell_nothing_are_refused(
 def test_bias_is_the_mean_of_what_is_there() -> None:
     rates = np.random.default_rng(0).normal([0.1, -0.2, 0.3], 0.001, (1000, 3))
     holed = np.insert(rates, [10, 500], np.nan, axis=0)
-    assert_allclose(fit_gyro_bias(holed), rates.mean(axis=0))
+    assert_allclose(fit_gyro_bias(holed), -rates.mean(axis=0))
 
 
 def test_the_bias_of_the_model_follows_from_the_reading_at_rest() -> None:
@@ -98,22 +98,22 @@ def test_the_bias_of_the_model_follows_from_the_reading_at_rest() -> None:
     misalignment, coupling = np.eye(3) + generator.normal(0, 0.1, (3, 3)), generator.normal(size=9)
     bias, force = generator.normal(0, 0.01, 3), np.array([1.0, -2.0, -9.0])
     gyro = RateGyroCalibration(misalignment, np.ones(3), bias, coupling.reshape(3, 3) / 1000)
-    at_rest = fit_gyro_bias(np.tile(gyro.measure(np.zeros(3), force), (10, 1)))
+    at_rest = gyro.measure(np.zeros(3), force)
     assert_allclose(gyro.g_sensitivity @ force - np.linalg.solve(misalignment, at_rest), bias)
     plain = RateGyroCalibration(np.eye(3), np.ones(3), bias, np.zeros((3, 3)))
-    assert_allclose(fit_gyro_bias([plain.measure(np.zeros(3), force)] * 10), -bias)
+    assert_allclose(fit_gyro_bias([plain.measure(np.zeros(3), force)] * 10), bias)
 
 
 def test_bias_of_a_recording_at_rest(recordings: Path) -> None:
     rates = np.radians(recorded(recordings, "mpu6050_static_449s_raw.csv")[:, 4:] / 131)
-    error = fit_gyro_bias(rates) - rates.mean(axis=0)
+    error = fit_gyro_bias(rates) + rates.mean(axis=0)
     assert np.abs(np.degrees(error)).max() < 0.002
     # Half of the samples tell the mean of the other half, and holes do no harm.
     half = np.where(np.arange(len(rates))[:, np.newaxis] % 2, rates, np.nan)
-    error = fit_gyro_bias(half) - rates[::2].mean(axis=0)
+    error = fit_gyro_bias(half) + rates[::2].mean(axis=0)
     assert 0 < np.abs(np.degrees(error)).max() < 0.002
     # The bias drifts by more than that even at rest: two minutes know only their own.
-    error = fit_gyro_bias(rates[static_interval(rates, 12_000)]) - rates.mean(axis=0)
+    error = fit_gyro_bias(rates[static_interval(rates, 12_000)]) + rates.mean(axis=0)
     assert 0.002 < np.abs(np.degrees(error)).max() < 0.01
 
 

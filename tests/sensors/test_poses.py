@@ -145,7 +145,9 @@ def test_a_recorded_session_is_cut_by_itself(recordings: Path) -> None:
 def test_a_bias_is_what_correct_takes() -> None:
     rates = np.random.default_rng(9).normal([0.1, -0.2, 0.3], 0.001, (1000, 3))
     found = fit_gyro_at_rest(rates)
-    assert_allclose(found.correct(rates, np.zeros(3)), rates - fit_gyro_bias(rates), atol=1e-15)
+    assert_allclose(found.bias, [fit_gyro_bias(rates)], atol=1e-15)
+    assert_allclose(found.correct(rates, np.zeros(3)), rates + fit_gyro_bias(rates), atol=1e-15)
+    assert_allclose(found.correct(rates, np.zeros(3)).mean(axis=0), np.zeros(3), atol=1e-15)
 
 
 @pytest.mark.parametrize("seed", range(3))

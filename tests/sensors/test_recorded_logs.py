@@ -78,3 +78,51 @@ def test_faults_planted_in_recordings(recordings: Path, name: str, sensor: str) 
             read_log(columns, **settings | {"units": settings.get("units", {}) | {"accel": other}})
     with pytest.raises(ValueError, match="rate: expected one of a sensor"):
         read_log(columns, **settings | {"rate": 0.1024})
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_what_no_log_tells_is_said(recordings: Path, name: str) -> None:
+    """Faults that obey all equations: read, and named as what cannot be told."""
+    table = read_text(recordings / name, None)
+    columns = {quantity: values for quantity, values in table.values.items() if quantity != "time"}
+    settings: dict[str, Any] = {"rate": 102.4}
+    if "gyro" in columns:
+        settings["units"] = {"gyro": "deg/s"}
+    for faulty in (columns, columns | {"accel": -columns["accel"]}):
+        said = read_log(faulty, **settings).report().cannot_tell
+        assert any("whether the accelerometer is negated" in each for each in said)
+        assert ("whether the magnetometer is negated" in said) == ("mag" in columns)
+    if "mag" in columns:
+        negated = read_log(columns | {"mag": -columns["mag"]}, **settings).report()
+        assert "whether the magnetometer is negated" in negated.cannot_tell
+    # All sensors in other axes alike: found by the first rest, where the axes are said.
+    alike = {sensor: columns[sensor][:, [2, 0, 1]] for sensor in FILES[name]}
+    report = read_log(columns | alike, **settings).report()
+    assert any("axes of the log, for z is not near" in each for each in report.cannot_tell)
+
+
+# Of z up given as z down, and the other way round, the first rest tells if it is level.
+UPSIDE_DOWN = {
+    "xio_fusion_sensor_data.csv": "frd",
+    "ckexplorer_acc_mag_log.csv": "flu",
+    "imucal_ferraris_session.csv": None,
+}
+
+
+@pytest.mark.parametrize("name", UPSIDE_DOWN)
+def test_axes_given_upside_down(recordings: Path, name: str) -> None:
+    wrong = UPSIDE_DOWN[name]
+    if wrong is None:
+        for axes in ("frd", "flu"):
+            report = read_log(recordings / name, axes=axes).report()
+            assert "whether the accelerometer is negated" in report.cannot_tell
+            assert any("does not lie level" in each for each in report.warnings)
+    else:
+        with pytest.raises(ValueError, match="axes: expected a specific force that points up"):
+            read_log(recordings / name, axes=wrong)
+
+
+def test_a_rest_without_times_is_told_in_rows(recordings: Path) -> None:
+    text = str(read_log(recordings / "imucal_ferraris_session.csv").report())
+    assert "rests: 13, the first at line 2 (accel, 300 rows)" in text
+    assert "nan" not in text

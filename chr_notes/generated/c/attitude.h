@@ -1165,7 +1165,7 @@ void attitude_observer_heading_turn_f(float a, float b, float c, float d, float 
     float gain, float heading_gain, float north, float east, float out[4]);
 
 /*
- * Means over a rest so far, for how long it has been one, and the gyro bias learnt last (10).
+ * Means over a rest so far, for how long it has been one, and what the gyros read at rest (10).
  * rest_rate_x: mean rate about x over the rest so far, rad/s
  * rest_rate_y: mean rate about y over the rest so far, rad/s
  * rest_rate_z: mean rate about z over the rest so far, rad/s
@@ -1173,9 +1173,9 @@ void attitude_observer_heading_turn_f(float a, float b, float c, float d, float 
  * rest_force_y: mean force along y over the rest so far
  * rest_force_z: mean force along z over the rest so far
  * still: for how long it has been one, s
- * learnt_x: bias about x as learnt last, rad/s
- * learnt_y: bias about y as learnt last, rad/s
- * learnt_z: bias about z as learnt last, rad/s
+ * learnt_x: reading at rest about x as learnt last, rad/s
+ * learnt_y: reading at rest about y as learnt last, rad/s
+ * learnt_z: reading at rest about z as learnt last, rad/s
  * p: body rate about x, rad/s
  * q: body rate about y, rad/s
  * r: body rate about z, rad/s
@@ -1183,7 +1183,7 @@ void attitude_observer_heading_turn_f(float a, float b, float c, float d, float 
  * accel_y: reading of the accelerometer along y, m/s²
  * accel_z: reading of the accelerometer along z, m/s²
  * dt: time that passes, s
- * rest: after which a bias is learnt, s
+ * rest: after which it is learnt, s
  * longest_step: beyond which a step is a gap, s
  * A sample with a reading that is none changes nothing.
  */

@@ -3246,7 +3246,7 @@ export function observerHeadingTurn(
 }
 
 /**
- * Means over a rest so far, for how long it has been one, and the gyro bias learnt last (10).
+ * Means over a rest so far, for how long it has been one, and what the gyros read at rest (10).
  * A sample with a reading that is none changes nothing.
  * @param {number} restRateX mean rate about x over the rest so far, rad/s
  * @param {number} restRateY mean rate about y over the rest so far, rad/s
@@ -3255,9 +3255,9 @@ export function observerHeadingTurn(
  * @param {number} restForceY mean force along y over the rest so far
  * @param {number} restForceZ mean force along z over the rest so far
  * @param {number} still for how long it has been one, s
- * @param {number} learntX bias about x as learnt last, rad/s
- * @param {number} learntY bias about y as learnt last, rad/s
- * @param {number} learntZ bias about z as learnt last, rad/s
+ * @param {number} learntX reading at rest about x as learnt last, rad/s
+ * @param {number} learntY reading at rest about y as learnt last, rad/s
+ * @param {number} learntZ reading at rest about z as learnt last, rad/s
  * @param {number} p body rate about x, rad/s
  * @param {number} q body rate about y, rad/s
  * @param {number} r body rate about z, rad/s
@@ -3265,7 +3265,7 @@ export function observerHeadingTurn(
  * @param {number} accelY reading of the accelerometer along y, m/s²
  * @param {number} accelZ reading of the accelerometer along z, m/s²
  * @param {number} dt time that passes, s
- * @param {number} rest after which a bias is learnt, s
+ * @param {number} rest after which it is learnt, s
  * @param {number} longestStep beyond which a step is a gap, s
  * @returns {[number, number, number, number, number, number, number, number, number, number]}
  */
