@@ -145,7 +145,7 @@ def fit_gyro_bias(body_rates: ArrayLike, *, still_limit: float = STILL_LIMIT) ->
     >>> import numpy as np
     >>> noise = np.random.default_rng(0).normal(0, 0.001, (1000, 3))
     >>> fit_gyro_bias(noise + [0.01, 0, -0.02]).round(3)
-    array([-0.01,  0.  ,  0.02])
+    array([-0.01, -0.  ,  0.02])
     """
     rates = whole_samples("body_rates", body_rates)
     if not len(rates):
