@@ -47,8 +47,8 @@ def convert(
 
     See Also
     --------
-    chr_notes.find_conventions : Which convention numbers are in.
-    chr_notes.change_angles : Also the angles of Android and of browsers.
+    chr_notes.systems.detective.find_conventions : Which convention numbers are in.
+    chr_notes.frames.change_angles : Also the angles of Android and of browsers.
 
     Examples
     --------

@@ -96,8 +96,8 @@ def find_conventions(  # noqa: PLR0913 (what programs can say)
 
     See Also
     --------
-    chr_notes.convert : From one convention to another.
-    chr_notes.relate_axes : Which axis of one sensor is which of another, from a log.
+    chr_notes.systems.converting.convert : From one convention to another.
+    chr_notes.sensors.axes.relate_axes : Which axis of one sensor is which of another, from a log.
 
     Examples
     --------
