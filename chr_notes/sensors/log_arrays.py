@@ -7,7 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chr_notes._arrays import Floats
-from chr_notes.sensors.columns import SENSORS, Given, select
+from chr_notes.sensors.column_names import SENSORS
+from chr_notes.sensors.columns import Given, select
 from chr_notes.sensors.log_numbers import number
 from chr_notes.sensors.log_table import LARGEST, Table
 

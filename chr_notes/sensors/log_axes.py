@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 from chr_notes._arrays import Floats, floats
 from chr_notes.frames import Axes as Named
 from chr_notes.frames import change_axes
-from chr_notes.sensors.columns import SENSORS
+from chr_notes.sensors.column_names import SENSORS
 
 Axes = str | ArrayLike
 

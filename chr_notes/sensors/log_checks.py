@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chr_notes._arrays import Floats
-from chr_notes.sensors.columns import SENSORS
+from chr_notes.sensors.column_names import SENSORS
 from chr_notes.sensors.recording import Stretch
 
 _LISTED = 1000

@@ -5,7 +5,8 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from chr_notes.sensors.columns import Given, Selected, select, unit_of
+from chr_notes.sensors.column_names import unit_of
+from chr_notes.sensors.columns import Given, Selected, select
 from chr_notes.sensors.log_numbers import NUMBER
 
 Columns = Given | Sequence[str]

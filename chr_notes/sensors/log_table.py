@@ -10,7 +10,8 @@ from os import PathLike, fstat
 import numpy as np
 
 from chr_notes._arrays import Floats
-from chr_notes.sensors.columns import SENSORS, Selected
+from chr_notes.sensors.column_names import SENSORS
+from chr_notes.sensors.columns import Selected
 from chr_notes.sensors.decimals import decimals
 from chr_notes.sensors.log_fields import BESIDE, Fields
 from chr_notes.sensors.log_header import COMMENTS, Columns, Head, head, is_beside, split

@@ -6,7 +6,7 @@ import numpy as np
 
 from chr_notes._arrays import Floats
 from chr_notes.sensors import log_axes, log_checks, log_pairs, log_units
-from chr_notes.sensors.columns import SENSORS
+from chr_notes.sensors.column_names import SENSORS
 from chr_notes.sensors.log_pairs import Pair
 from chr_notes.sensors.log_settings import Rest, Said, Settings, known_unit
 from chr_notes.sensors.log_table import Table

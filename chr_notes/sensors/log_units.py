@@ -8,7 +8,7 @@ import numpy as np
 
 from chr_notes._arrays import Floats
 from chr_notes.conventions import STANDARD_GRAVITY
-from chr_notes.sensors.columns import UNITS, unit_of
+from chr_notes.sensors.column_names import UNITS, unit_of
 from chr_notes.sensors.log_time import SECONDS
 
 FACTORS: dict[str, dict[str, float]] = {

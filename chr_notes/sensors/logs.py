@@ -7,7 +7,7 @@ from typing import Literal
 import numpy as np
 
 from chr_notes.conventions import STANDARD_GRAVITY
-from chr_notes.sensors.columns import SENSORS
+from chr_notes.sensors.column_names import SENSORS
 from chr_notes.sensors.log_arrays import Arrays, names_of, read_arrays
 from chr_notes.sensors.log_axes import Axes, given_axes
 from chr_notes.sensors.log_header import Columns
