@@ -113,7 +113,7 @@ def angles_from_matrix(
     ------
     ValueError
         If the last axes are not 3 by 3, a matrix is not a rotation (see
-        `chr_notes.euler_from_matrix`), or the sequence is none.
+        `chr_notes.euler.euler_from_matrix`), or the sequence is none.
     GimbalLockError
         If an attitude is at gimbal lock and `on_gimbal_lock` is "raise".
 
@@ -195,14 +195,14 @@ def angles_from_quaternion(
     sequence
         Axes of the turns, such as "ZYX" (rotating) or "zyx" (fixed).
     on_gimbal_lock
-        As in `chr_notes.angles_from_matrix`.
+        As in `chr_notes.sequences.angles_from_matrix`.
     out
         An array for the result.
 
     Returns
     -------
     ndarray
-        Angles as `chr_notes.angles_from_matrix` gives them, shape (..., 3).
+        Angles as `chr_notes.sequences.angles_from_matrix` gives them, shape (..., 3).
 
     Raises
     ------

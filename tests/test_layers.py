@@ -41,7 +41,8 @@ ALLOWED = {
     | {"ledger", "conventions", "palette", "demos", "book"}
     | {"plots"}  # for the curves of the page on speed
     # One page follows a formula through these, and one says what the documents' symbols mean.
-    | {"derivations", "codegen", "generated", "typeset", "printed"},
+    | {"derivations", "codegen", "generated", "typeset", "printed"}
+    | {"numeric"},  # for one attitude as other systems write it
     "__init__": NUMERIC,
     "export": {"numeric"},  # the version
     "__main__": {"book", "ledger", "export", "numeric"},

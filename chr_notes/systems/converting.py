@@ -37,8 +37,8 @@ def convert(
     -------
     ndarray
         The same attitude or vector for the target, shape as given. Angles lie in the ranges of
-        `chr_notes.angles_from_matrix`, at gimbal lock without a warning; quaternions are unit
-        quaternions with a scalar part of at least 0.
+        `chr_notes.sequences.angles_from_matrix`, at gimbal lock without a warning; quaternions are
+        unit quaternions with a scalar part of at least 0.
 
     Raises
     ------
