@@ -28,9 +28,9 @@ from chr_notes.errors import (
 from chr_notes.estimation.averaging import (
     Averaged,
     averaged_attitude,
-    averaging_bound,
     averaging_observer,
 )
+from chr_notes.estimation.averaging_bound import averaging_bound
 from chr_notes.estimation.averaging_stream import observe_averaging
 from chr_notes.estimation.doubt import Doubts, accelerated, doubtful_sensors
 from chr_notes.estimation.earth_field import EarthField

@@ -12,25 +12,21 @@ from numpy.typing import ArrayLike
 
 from chr_notes._arrays import Floats
 from chr_notes._recordings import run
-from chr_notes._rows import Rows
 from chr_notes._samples import (
     WILD_RATE,
     complete,
-    number,
     periods,
-    positive,
     same_length,
     samples,
 )
 from chr_notes._units import warn_of_rates
+from chr_notes.estimation.averaging_bound import averaging_bound
 from chr_notes.estimation.averaging_settings import Settings
 from chr_notes.estimation.bias import Bias, bias_of
 from chr_notes.estimation.earth_field import EarthField
 from chr_notes.estimation.gyro import attitudes_in_range
 from chr_notes.estimation.starts import first_tilt
-from chr_notes.generated.arrays import estimation as generated
 
-_averaging_bound = Rows(generated.averaging_bound)
 AVERAGED, HEADING_AVERAGED = 8, 10  # in the state
 
 
@@ -211,56 +207,6 @@ def averaged_attitude(  # noqa: PLR0913 (a recording, and how to run through it)
     heading = np.nan_to_num(found[:, 4]) if mag is not None else np.zeros(len(found))
     bound = averaging_bound(averaged, time_constant)
     return Averaged(np.ascontiguousarray(found[:, :3]), averaged, bound, heading)
-
-
-def averaging_bound(
-    averaged: ArrayLike,
-    time_constant: float = 3.0,
-    *,
-    speed: float = 1.0,
-    bias: float = 0.005,
-    out: Floats | None = None,
-) -> Floats:
-    """Bound the angle between the true vertical and that of the averaging filter.
-
-    Parameters
-    ----------
-    averaged
-        Seconds that have been averaged, shape (...).
-    time_constant
-        Of the filter, seconds.
-    speed
-        That the body stays below, m/s.
-    bias
-        That the gyros' bias stays below once the known one is taken off, rad/s.
-    out
-        An array for the result.
-
-    Returns
-    -------
-    ndarray
-        Radians, at most pi, shape (...).
-
-    Raises
-    ------
-    ValueError
-        If the time constant is not positive, or another number is negative.
-
-    Examples
-    --------
-    How far off may up be for a body that moves by less than 3 m/s?
-
-    >>> float(np.degrees(averaging_bound(3.0, speed=3.0, bias=0.0)).round(1))
-    7.9
-    """
-    positive("time_constant", time_constant)
-    for name, value in (("speed", speed), ("bias", bias)):
-        if not number(name, value) >= 0:
-            msg = f"{name}: expected a number, not negative, got {value}"
-            raise ValueError(msg)
-    given = (averaged, float(time_constant), float(speed), float(bias))
-    bound = _averaging_bound(*given, out=out)
-    return bound[()] if out is None else bound
 
 
 def _run(

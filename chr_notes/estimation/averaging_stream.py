@@ -7,14 +7,13 @@ from chr_notes._kernels import of_numbers
 from chr_notes._samples import one_sample, period
 from chr_notes._units import warn_of_turn
 from chr_notes.estimation.averaging import AVERAGED, HEADING_AVERAGED, Averaged
+from chr_notes.estimation.averaging_bound import BIAS, SPEED
 from chr_notes.estimation.averaging_settings import Settings
 from chr_notes.estimation.bias import REST, Bias, check_bias
 from chr_notes.estimation.earth_field import EarthField
 from chr_notes.estimation.fixed_gain import way_of
 from chr_notes.estimation.streams import Sample
 from chr_notes.generated.scalar import estimation as steps
-
-_SPEED, _BIAS = 1.0, 0.005  # of the bound, as `averaging_bound` has them
 
 
 def observe_averaging(  # noqa: PLR0913 (as for a recording)
@@ -102,5 +101,5 @@ def _observed(
         averaged = state[AVERAGED]
         heading = state[HEADING_AVERAGED] if field else 0.0
         if averaged != last:  # once it has run in, it is the same each time
-            last, most = averaged, steps.averaging_bound(averaged, constant, _SPEED, _BIAS)
+            last, most = averaged, steps.averaging_bound(averaged, constant, SPEED, BIAS)
         yield Averaged(angles(state[:4]), averaged, most, heading)
