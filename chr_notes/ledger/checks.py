@@ -152,7 +152,8 @@ def check_says_something(case: Case) -> None:
 
 
 def _is_equality(part: Relational, case: Case) -> bool:
-    return proves(Eq(*part.args, evaluate=False), case.reading, *case.given)
+    under = (*case.given, *((case.condition,) if case.condition is not None else ()))
+    return proves(Eq(*part.args, evaluate=False), case.reading, *under)
 
 
 def _plain(side: Basic) -> Basic:

@@ -6,9 +6,9 @@ from sympy import Basic, Eq, MatrixBase, Ne
 
 from chr_notes.ledger.case import CannotJudgeError, Case
 from chr_notes.ledger.condition import Condition
-from chr_notes.symbols import EULER, QUATERNION
+from chr_notes.symbols import BODY_RATES, EULER, EULER_RATES, QUATERNION
 
-ATTITUDE = frozenset((*EULER, *QUATERNION))
+ATTITUDE = frozenset((*EULER, *QUATERNION, *EULER_RATES, *BODY_RATES))
 
 
 def check_given(case: Case) -> None:
@@ -37,7 +37,7 @@ def check_given(case: Case) -> None:
 
 
 def _fixes_attitude(condition: Condition) -> bool:
-    """Whether an equation binds the angles or elements of an attitude; its norm is none of it."""
+    """Whether an equation binds angles, elements or rates; the norm of a quaternion is neither."""
     equations = (
         Eq(*pair, evaluate=False)
         for relation in condition.relations

@@ -112,6 +112,9 @@ def test_an_equality_is_not_proved_as_an_inequality(say: Say) -> None:
     for less in (Ge, Le):
         with pytest.raises(CannotJudgeError, match="says less than is so"):
             say(less(y, x * x, evaluate=False))
+    within: Bring = {"condition": Condition(Gt(z, 0)), "witness": {z: -1}}
+    with pytest.raises(CannotJudgeError, match="says less than is so"):
+        say(Le(Abs(z), z, evaluate=False), **within, **ROOTED)
     assert say(Ge(y + x**2, x**2), read=reading({y: x**2})).verdict == "proved"
 
 

@@ -14,7 +14,7 @@ from chr_notes.ledger.generality import check_given
 from chr_notes.ledger.reading import defined
 from chr_notes.ledger.sensors_reading import READ, TEMPERATURES
 from chr_notes.printed import BY_ID, DOCUMENTS
-from chr_notes.symbols import QUATERNION, b, c, d, phi, psi, theta
+from chr_notes.symbols import QUATERNION, b, c, d, phi, psi, q, r, theta
 
 PRESUMED = {row: None for case in CASES.values() for row in case.reading.presumed}
 
@@ -51,6 +51,7 @@ def test_what_makes_a_wrong_line_right_is_not_given(name: str, holds: Boolean) -
         ("validation.1", And(Eq(phi, 0), Eq(theta, 0), Eq(psi, 0))),
         ("quaternions.3.1", And(Eq(b, 0), Eq(c, 0), Eq(d, 0))),
         ("euler.7.a", Eq(theta, phi)),
+        ("euler.7.a", And(Eq(q, 0), Eq(r, 0))),
     ],
 )
 def test_one_attitude_is_no_condition(name: str, holds: Boolean) -> None:
