@@ -42,7 +42,10 @@ PERMITTED = {
         "tests/sensors/test_still.py::test_the_six_positions_of_a_session_are_found",
         "tests/sensors/test_recorded_logs.py::test_each_recording_is_read",
         "tests/test_units.py::test_a_recording_is_told_from_itself_in_degrees",
+        "tests/sensors/test_recorded_logs.py::test_a_rest_without_times_is_told_in_rows",
+        "tests/sensors/test_recorded_logs.py::test_axes_given_upside_down",
         "tests/sensors/test_recorded_logs.py::test_faults_planted_in_recordings",
+        "tests/sensors/test_recorded_logs.py::test_what_no_log_tells_is_said",
         "tests/estimation/test_fixed_gain.py::test_inclination_on_a_recording_with_optical_truth",
     ),
     # The documents themselves: what the project keeps of them is compared where they are.

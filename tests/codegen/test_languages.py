@@ -27,6 +27,9 @@ ANGLES = {
 }
 
 
+OF_MATRICES = ("angles_from_matrix", "euler_from_matrix", "quaternion_from_matrix")
+
+
 @pytest.fixture(scope="module")
 def double() -> list[Vector]:
     return vectors(DOUBLE)
@@ -109,7 +112,7 @@ def test_kernels(double: list[Vector]) -> None:
             by_name.setdefault(vector.target.name, []).append(bool(got))
     # Ordinary values are not left to the general way, but for matrices, which are no rotations.
     for name, computed in by_name.items():
-        assert all(computed[:12]) or name in ("euler_from_matrix", "quaternion_from_matrix"), name
+        assert all(computed[:12]) or name in OF_MATRICES, name
 
 
 def test_javascript(
