@@ -21,6 +21,7 @@ from chr_notes.demos.base import Demo, entry, rounded
 
 Visit = Callable[..., Page]
 PageOf = Callable[..., str]
+Samples = Callable[[int, int], int]
 
 DEMOS = (
     DriftDemo,
@@ -34,6 +35,16 @@ DEMOS = (
 )
 
 each_demo = pytest.mark.parametrize("demo", DEMOS, ids=lambda demo: demo.element)
+
+# What all do by the same code is tried on one of each kind of picture; on all with --full.
+KINDS = (FilterDemo, GimbalLockDemo, TiltDemo)
+each_kind = pytest.mark.parametrize(
+    "demo",
+    [
+        pytest.param(demo, id=demo.element, marks=() if demo in KINDS else pytest.mark.full)
+        for demo in DEMOS
+    ],
+)
 
 
 def output(page: Page | Locator, name: str) -> Locator:

@@ -10,7 +10,7 @@ from chr_notes.demos import build
 from chr_notes.demos.base import BUILT
 
 
-@pytest.mark.slow
+@pytest.mark.full  # `.ci/run` and `nox -s lint` check the same by name
 def test_committed_bundles_are_as_made_now(program: Callable[[str], str]) -> None:
     program("npx")
     assert build.check() == []

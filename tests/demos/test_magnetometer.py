@@ -11,7 +11,7 @@ from chr_notes.demos import MagnetometerDemo
 from chr_notes.demos.base import rounded
 from chr_notes.demos.magnetometer import SETTING
 
-from .parts import SET_AND_READ, PageOf, Visit, output, random_states
+from .parts import SET_AND_READ, PageOf, Samples, Visit, output, random_states
 
 STEPS = {"readings": 1, "tilt": 5, "hard_iron": 1, "soft_iron": 0.01, "noise": 0.1}
 
@@ -37,9 +37,11 @@ def expected(demo: MagnetometerDemo) -> dict[str, float]:
     return {"error_before": largest(raw), "error_after": after}
 
 
-def test_readouts_are_those_of_the_calibration(visit: Visit, page_of: PageOf) -> None:
+def test_readouts_are_those_of_the_calibration(
+    visit: Visit, page_of: PageOf, samples: Samples
+) -> None:
     page = visit(page_of(MagnetometerDemo()))
-    states = random_states(MagnetometerDemo, STEPS, seed=9)
+    states = random_states(MagnetometerDemo, STEPS, seed=9)[: samples(16, 50)]
     for state in states[::2]:  # half of them tilted far enough for a fit
         state |= {"tilt": 180.0 - state["tilt"] / 6, "readings": 200.0 - state["readings"] / 2}
     names = MagnetometerDemo.controls
@@ -58,7 +60,7 @@ def test_readouts_are_those_of_the_calibration(visit: Visit, page_of: PageOf) ->
         assert texts["error_before"] == rounded(numbers["error_before"])
         assert texts["gap"] == rounded(found["gap"])
         assert ("refuses" in texts["meaning"]) == unknown
-    assert 10 < refused < 40
+    assert len(states) / 5 < refused < len(states) * 4 / 5
 
 
 def test_walk_keeps_the_field_and_covers_what_it_says() -> None:

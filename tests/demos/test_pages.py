@@ -14,6 +14,7 @@ from .parts import (
     PageOf,
     Visit,
     each_demo,
+    each_kind,
     hold,
     let_pass,
     output,
@@ -35,7 +36,7 @@ def test_a_demo_that_fails_leaves_the_others_alone(visit: Visit, page_of: PageOf
     expect(page.get_by_text("An aircraft in three rings: yaw 0°")).to_have_count(1)
 
 
-@each_demo
+@each_kind
 def test_a_state_can_be_kept_and_copied(visit: Visit, page_of: PageOf, demo: type[Demo]) -> None:
     page = visit(page_of(demo(), demo()))
     assert "#" not in page.url

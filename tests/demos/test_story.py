@@ -6,7 +6,7 @@ from playwright.sync_api import Page, expect
 
 from chr_notes.demos.base import Demo
 
-from .parts import PageOf, Visit, each_demo, hold, let_pass, picture, slider, state_of
+from .parts import PageOf, Visit, each_demo, each_kind, hold, let_pass, picture, slider, state_of
 
 COUNT = """() => {
   window.announced = 0;
@@ -15,7 +15,7 @@ COUNT = """() => {
 }"""
 
 
-@each_demo
+@each_kind
 def test_what_moves_is_asked_for_and_told(visit: Visit, page_of: PageOf, demo: type[Demo]) -> None:
     """One page, whose time passes as the test has it."""
     page = visit(page_of(demo()))

@@ -88,8 +88,10 @@ def test_vibration_scatters_and_leaves_the_average(visit: Visit, page_of: PageOf
     assert float(str(output(page, "roll_scatter").text_content())) > 5
 
 
-@pytest.mark.parametrize("pitch", [90, -90])
-@pytest.mark.parametrize("others", [(30, 0, 0), (-150, 3, 0), (0, -10, 2)])
+@pytest.mark.parametrize(
+    ("pitch", "others"),
+    [(90, (30, 0, 0)), (-90, (30, 0, 0)), (90, (-150, 3, 0)), (-90, (0, -10, 2))],
+)
 def test_roll_is_undefined_where_the_reading_lies_along_the_roll_axis(
     visit: Visit, page_of: PageOf, pitch: float, others: tuple[float, float, float]
 ) -> None:

@@ -4,7 +4,7 @@ from playwright.sync_api import Page, expect
 
 from chr_notes.demos.base import BUILT, Demo
 
-from .parts import PageOf, Visit, each_demo, hold, let_pass, slider, state_of
+from .parts import PageOf, Visit, each_kind, hold, let_pass, slider, state_of
 
 RENDER = """async ([source, values]) => {
   const url = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
@@ -31,7 +31,7 @@ def rendered(visit: Visit, page_of: PageOf, demo: type[Demo]) -> Page:
     return page
 
 
-@each_demo
+@each_kind
 def test_widget_and_model_follow_each_other(
     visit: Visit, page_of: PageOf, demo: type[Demo]
 ) -> None:
