@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 from typing import Final, get_args
 
-from chr_notes.book import code_pages, sequence_page, speed_page
+from chr_notes.book import code_pages, frames_picture, sequence_page, speed_page
 from chr_notes.book.errata import errata, summary
 from chr_notes.book.notation import notation
 from chr_notes.conventions import CONVENTIONS
@@ -52,7 +52,9 @@ def generated() -> dict[str, str]:
     for document in DOCUMENTS:
         rows = (_row(entry) for entry in ledger if entry.document == document)
         pages[f"ledger/{document}.md"] = "\n".join(line for row in rows for line in row)
-    return pages | code_pages.generated() | speed_page.generated() | sequence_page.generated()
+    for part in (code_pages, speed_page, frames_picture, sequence_page):
+        pages |= part.generated()
+    return pages
 
 
 def conventions() -> str:

@@ -109,6 +109,62 @@ def draw_arc(
     return axes
 
 
+def draw_turn(
+    axes: Any,  # noqa: ANN401
+    matrix: ArrayLike,
+    letter: str,
+    label: str,
+) -> Any:  # noqa: ANN401
+    """Draw around an axis of a frame which way a positive turn goes, by the right hand.
+
+    Parameters
+    ----------
+    axes
+        From `world`.
+    matrix
+        From the inertial to the frame, shape (3, 3).
+    letter
+        The axis: "x", "y" or "z".
+    label
+        Written beyond the tip of the axis.
+    """
+    place = AXES.index(letter)
+    # The thumb along the axis; the fingers go from the next axis to the one after it.
+    axis, first, then = np.roll(np.asarray(matrix, dtype=np.float64), -place, axis=0)
+    angle = np.linspace(np.radians(30.0), np.radians(310.0), 60)[:, np.newaxis]
+    circle = np.cos(angle) * first + np.sin(angle) * then
+    arc = (0.8 * axis + 0.17 * circle) @ _DRAWN_FROM_NED
+    colour = PALETTE[letter].light
+    axes.plot(*arc[:-8].T, color=colour, linewidth=1.6)
+    axes.quiver(*arc[-9], *(arc[-1] - arc[-9]), color=colour, linewidth=1.6, arrow_length_ratio=1.0)
+    return draw_label(axes, 1.35 * axis, label, colour=letter)
+
+
+def draw_label(
+    axes: Any,  # noqa: ANN401
+    point: ArrayLike,
+    label: str,
+    *,
+    colour: str = "ink",
+) -> Any:  # noqa: ANN401
+    """Write a label about a point.
+
+    Parameters
+    ----------
+    axes
+        From `world`.
+    point
+        In inertial components, shape (3,).
+    label
+        One line or more.
+    colour
+        Name in the palette.
+    """
+    place = np.asarray(point, dtype=np.float64) @ _DRAWN_FROM_NED
+    axes.text(*place, label, color=PALETTE[colour].light, ha="center", va="center", fontsize=12)
+    return axes
+
+
 def draw_vector(
     axes: Any,  # noqa: ANN401
     vector: ArrayLike,

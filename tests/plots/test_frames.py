@@ -1,6 +1,7 @@
 """What the figures show is where the numbers say."""
 
 import numpy as np
+import pytest
 from matplotlib import pyplot as plt
 
 import chr_notes
@@ -47,6 +48,22 @@ def test_the_label_of_a_vector_stands_beyond_its_tip() -> None:
     np.testing.assert_allclose(placed / vector, placed[0] / vector[0])
     assert placed[0] / vector[0] > 1
     assert text.get_horizontalalignment() == "left"
+    plt.close(axes.figure)
+
+
+@pytest.mark.parametrize(("letter", "along", "to"), [("x", 1, 2), ("y", 2, 0), ("z", 0, 1)])
+def test_a_turn_goes_by_the_right_hand(letter: str, along: int, to: int) -> None:
+    matrix = chr_notes.matrix_from_euler([0.1, 0.2, 0.3])
+    axes = plots.draw_turn(plots.world(), matrix, letter, "roll")
+    drawn = np.array(axes.lines[0].get_data_3d()).T * [1, -1, -1]
+    axis = matrix["xyz".index(letter)]
+    around = drawn - np.outer(drawn @ axis, axis)
+    # From each point of the arc to the next about the axis, and within the frame as printed.
+    assert (np.cross(around[:-1], around[1:]) @ axis > 0).all()
+    angle = np.unwrap(np.arctan2(around @ matrix[to], around @ matrix[along]))
+    assert (np.diff(angle) > 0).all()
+    (text,) = axes.texts
+    np.testing.assert_allclose(np.array(text.get_position_3d()) * [1, -1, -1] / 1.35, axis)
     plt.close(axes.figure)
 
 
