@@ -49,7 +49,7 @@ def picture() -> Picture:
     for letter, axis, of_room, of_body in zip(AXES, np.eye(3), ROOM, BODY, strict=True):
         draw_label(room, 1.45 * axis, f"{letter} {of_room}", colour=letter)
         draw_turn(body, attitude, letter, f"{letter} {of_body}")
-    for height, name in ((0.93, "inertial frame"), (0.62, "body frame")):
+    for height, name in ((0.93, "inertial frame"), (0.56, "body frame")):
         figure.text(0.02, height, name, color=PALETTE["ink"].light, fontsize=12)
     drawn = show(figure, ALT, CAPTION)
     return replace(drawn, svg=NOT_SEEN.sub(r"\1", drawn.svg))

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 from typing import Final, get_args
 
-from chr_notes.book import code_pages, frames_picture, sequence_page, speed_page
+from chr_notes.book import cases_page, code_pages, frames_picture, sequence_page, speed_page
 from chr_notes.book.errata import errata, summary
 from chr_notes.book.notation import notation
 from chr_notes.conventions import CONVENTIONS
@@ -52,7 +52,7 @@ def generated() -> dict[str, str]:
     for document in DOCUMENTS:
         rows = (_row(entry) for entry in ledger if entry.document == document)
         pages[f"ledger/{document}.md"] = "\n".join(line for row in rows for line in row)
-    for part in (code_pages, speed_page, frames_picture, sequence_page):
+    for part in (code_pages, speed_page, frames_picture, sequence_page, cases_page):
         pages |= part.generated()
     return pages
 
