@@ -42,10 +42,11 @@ def quaternion_note() -> Iterator[str]:
     yield (
         f"Take the quaternion from which [quaternions.4.1](#quaternions.4.1) to 4.3 find roll, "
         f"pitch and yaw of {_row(angles, 0)}°. Put it into the formulas of section 3, as printed, "
-        "and give all numbers to `find_conventions`:\n"
+        "and give all numbers to `find_conventions`. The frame to which each leads, as its symbol "
+        "names it and as it is found:\n"
     )
     yield from _table(
-        ("the quaternion, $q_i^b$", _row(q, 4), "to body", found.quaternion),
+        ("the quaternion $q_i^b$", _row(q, 4), "to body", found.quaternion),
         ("[its matrix](#quaternions.3.3), first row", _row(matrix[0], 4), "to body", found.matrix),
         ("[a vector to the north](#quaternions.3.1)", _row(turned, 4), "to body", found.vectors),
     )
@@ -108,9 +109,10 @@ def _only(**given: Any) -> Convention:  # noqa: ANN401 (as find_conventions take
 
 
 def _table(*rows: tuple[str, str, str, str]) -> Iterator[str]:
-    yield "| what | numbers | the symbol says | the numbers say |\n|---|---|---|---|"
-    for row in rows:
-        yield f"| {' | '.join(row)} |"
+    yield "| what | numbers | named | found |\n|---|---|---|---|"
+    words = {"to body": "body", "to navigation": "inertial"}  # short, for a phone
+    for what, numbers, named, found in rows:
+        yield f"| {what} | {numbers} | {words[named]} | {words[found]} |"
     yield ""
 
 

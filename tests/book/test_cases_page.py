@@ -21,7 +21,7 @@ def test_the_quaternion_note_goes_the_other_way_than_its_symbols() -> None:
     lines = list(cases_page.quaternion_note())
     quaternion, matrix, vector = rows("\n".join(lines).splitlines())
     for row in (quaternion, matrix, vector):
-        assert row[2:] == ["to body", "to navigation"]
+        assert row[2:] == ["body", "inertial"]
     theirs = TO_INERTIAL.as_quat()
     np.testing.assert_allclose(numbers(quaternion[1]), np.roll(theirs, 1), atol=6e-5)
     np.testing.assert_allclose(numbers(matrix[1]), TO_INERTIAL.as_matrix()[0], atol=6e-5)
@@ -34,9 +34,9 @@ def test_the_paper_uses_one_symbol_both_ways_and_gravity_for_a_reading() -> None
     table = rows("\n".join(cases_page.validation_paper()).splitlines())
     matrix, there, back, _, gravity, reading = table
     assert [row[3] for row in (matrix, there, back)] == [
-        "to navigation",
-        "to body",
-        "to navigation",
+        "inertial",
+        "body",
+        "inertial",
     ]
     np.testing.assert_allclose(numbers(there[1]), TO_INERTIAL.inv().apply([0, 0, 9.8]), atol=6e-5)
     assert gravity[1:] == ["-20.0°", "gravity itself"]
