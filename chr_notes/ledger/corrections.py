@@ -47,8 +47,10 @@ def _wrong_with(case: Case, printed: Basic, right: Basic) -> str | None:
     if not kept:
         return None if _is_multiplied_out(case, printed, right) else "changes both sides"
     named = {alias for name in _names(kept[0]) for alias in _aliases(name, case)}
+    # Names in place of names, and no other edit.
+    relabelled = all(map(_is_renamed, case.edits))
     for edit in case.edits:
-        for name in () if _is_renamed(edit) else _names(edit.by) - _names(edit.part):
+        for name in () if relabelled else _names(edit.by) - _names(edit.part):
             if named & {*_aliases(name, case)}:
                 return f"is true by its names alone, {name} is what the other side names"
     return None

@@ -205,8 +205,9 @@ def _short(expression: Basic) -> str:
 
 
 def _within_its_digits(relation: Approximately, read: Read, by: Mapping[Basic, Basic]) -> bool:
-    off = N(evaluate(relation.lhs, read, by) - relation.rhs, 30)
-    return bool(abs(off) <= relation.unit / 2)
+    quantity = N(evaluate(relation.lhs, read, by), 30)
+    tells = relation.rhs != 0 or quantity == 0  # a zero in place of something tells nothing
+    return bool(tells and abs(quantity - relation.rhs) <= relation.unit / 2)
 
 
 def _never_equal(

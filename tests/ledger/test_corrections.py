@@ -3,16 +3,18 @@
 from dataclasses import replace
 
 import pytest
-from sympy import Basic, asin, sin, sqrt, tan
+from sympy import Basic, Identity, ZeroMatrix, asin, sin, sqrt, tan
 
 from chr_notes.ledger.case import CannotJudgeError
 from chr_notes.ledger.cases import CASES
 from chr_notes.ledger.corrections import check_correction
 from chr_notes.ledger.edits import Edit
 from chr_notes.ledger.evaluation import parts
+from chr_notes.ledger.judgement import judge
 from chr_notes.ledger.validation_presumed import SEEN
 from chr_notes.printed import BY_ID
 from chr_notes.printed import quaternions as quaternion
+from chr_notes.printed import sensors as sensor
 from chr_notes.printed import validation as paper
 from chr_notes.printed.hamilton import Pure
 from chr_notes.printed.table_1 import error
@@ -83,3 +85,14 @@ def test_equations_and_numbers_are_corrected_and_nothing_else() -> None:
 
 def test_more_digits_than_printed_are_welcome() -> None:
     check_correction(replace(CASES["dead_reckoning.4.b"], edits=(Edit("17.1", "8.55"),)))
+
+
+def test_a_name_for_a_name_is_no_excuse_beside_another_edit() -> None:
+    edits = (
+        Edit(sensor.S_A.I, Identity(3)),
+        Edit(sensor.M_A.I, Identity(3)),
+        Edit(sensor.A_M, sensor.B),
+        Edit(sensor.BETA_A, ZeroMatrix(3, 1)),
+    )
+    with pytest.raises(CannotJudgeError, match=BY_NAMES):
+        judge(replace(CASES["sensors.4.3"], edits=edits))

@@ -1,7 +1,7 @@
 """What the proofs accept, and what they must not."""
 
 import pytest
-from sympy import (
+from sympy import Integer, (
     Abs,
     Basic,
     Eq,
@@ -139,6 +139,11 @@ def test_conditions_hold_together() -> None:
     first, second = Condition(Eq(x, 1)), Condition(Eq(s, 2))
     assert proves(Eq(x * s, 2), same, first, second)
     assert not proves(Eq(x * s, 2), same, first)
+
+
+def test_a_zero_in_place_of_something_tells_nothing() -> None:
+    assert not proves(Approximately(Integer(49), "0 e 3"), same)
+    assert proves(Approximately(Integer(0), "0"), same)
 
 
 @pytest.mark.parametrize(
