@@ -1,7 +1,7 @@
 """What the proofs accept, and what they must not."""
 
 import pytest
-from sympy import Integer, (
+from sympy import (
     Abs,
     Basic,
     Eq,
@@ -11,6 +11,7 @@ from sympy import Integer, (
     Gt,
     Identity,
     ImmutableMatrix,
+    Integer,
     Inverse,
     Limit,
     Lt,
