@@ -5,9 +5,9 @@ from math import acos, degrees
 from typing import Any, Final
 
 import numpy as np
+from numpy.typing import NDArray
 from sympy import ImmutableMatrix, Symbol
 
-from chr_notes._arrays import Floats
 from chr_notes.printed import PRINTED, quaternions, validation
 from chr_notes.quaternions import quaternion_conjugate, quaternion_from_euler, quaternion_multiply
 from chr_notes.symbols import a, b, c, d, g, phi, psi, theta
@@ -98,7 +98,7 @@ def _printed(name: str) -> Any:  # noqa: ANN401 (SymPy's sides of an equation ar
     return found.statement
 
 
-def _numbers(formula: ImmutableMatrix, known: Mapping[Symbol, float]) -> Floats:
+def _numbers(formula: ImmutableMatrix, known: Mapping[Symbol, float]) -> NDArray[np.float64]:
     return np.array(formula.subs(known).evalf().tolist(), dtype=np.float64)
 
 
@@ -116,5 +116,5 @@ def _table(*rows: tuple[str, str, str, str]) -> Iterator[str]:
     yield ""
 
 
-def _row(values: Sequence[float] | Floats, digits: int) -> str:
+def _row(values: Sequence[float] | NDArray[np.float64], digits: int) -> str:
     return ", ".join(f"{value:.{digits}f}" for value in np.round(values, digits) + 0.0)
