@@ -49,18 +49,20 @@ from chr_notes.euler import (
     wrap_angle,
 )
 from chr_notes.frames import change_angles, change_axes, change_quaternion
-from chr_notes.quaternions import (
-    axis_angle_from_quaternion,
-    euler_from_quaternion,
-    matrix_from_quaternion,
+from chr_notes.quaternions.algebra import (
     quaternion_conjugate,
-    quaternion_from_axis_angle,
-    quaternion_from_euler,
-    quaternion_from_matrix,
     quaternion_inverse,
     quaternion_multiply,
     rotate_to_body,
     rotate_to_inertial,
+)
+from chr_notes.quaternions.conversions import (
+    axis_angle_from_quaternion,
+    euler_from_quaternion,
+    matrix_from_quaternion,
+    quaternion_from_axis_angle,
+    quaternion_from_euler,
+    quaternion_from_matrix,
 )
 from chr_notes.sensors.axes import AxesRelation, relate_axes
 from chr_notes.sensors.calibration import (

@@ -6,11 +6,8 @@ from numpy.typing import ArrayLike
 from chr_notes._arrays import Floats, floats
 from chr_notes._rows import Rows
 from chr_notes.generated.arrays import quaternions as generated
-from chr_notes.quaternions import (
-    axis_angle_from_quaternion,
-    quaternion_from_axis_angle,
-    quaternion_multiply,
-)
+from chr_notes.quaternions.algebra import quaternion_multiply
+from chr_notes.quaternions.conversions import axis_angle_from_quaternion, quaternion_from_axis_angle
 
 _quaternion_inverse = Rows(generated.quaternion_inverse, scaled="refused", degree=-1)
 _inclination_from_quaternion = Rows(generated.inclination_from_quaternion, scaled="refused")

@@ -43,7 +43,7 @@ def matrix_from_euler(euler: ArrayLike, *, out: Floats | None = None) -> Floats:
     See Also
     --------
     euler_from_matrix
-    chr_notes.quaternions.quaternion_from_euler
+    chr_notes.quaternions.conversions.quaternion_from_euler
 
     Notes
     -----

@@ -17,12 +17,11 @@ from numpy.typing import ArrayLike
 
 from chr_notes._arrays import Floats, floats
 from chr_notes.euler import wrap_angle
-from chr_notes.quaternions import (
+from chr_notes.quaternions.algebra import quaternion_conjugate, quaternion_multiply
+from chr_notes.quaternions.conversions import (
     euler_from_quaternion,
-    quaternion_conjugate,
     quaternion_from_euler,
     quaternion_from_matrix,
-    quaternion_multiply,
 )
 
 Axes = Literal["frd", "flu", "rfu", "ned", "enu"]

@@ -168,7 +168,7 @@ def quaternion_from_angles(
 
     See Also
     --------
-    chr_notes.quaternions.quaternion_from_euler : Of roll, pitch and yaw.
+    chr_notes.quaternions.conversions.quaternion_from_euler : Of roll, pitch and yaw.
 
     Examples
     --------
@@ -218,7 +218,7 @@ def angles_from_quaternion(
 
     See Also
     --------
-    chr_notes.quaternions.euler_from_quaternion : Roll, pitch and yaw.
+    chr_notes.quaternions.conversions.euler_from_quaternion : Roll, pitch and yaw.
 
     Examples
     --------

@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 from sympy import ImmutableMatrix, Symbol
 
 from chr_notes.printed import PRINTED, quaternions, validation
-from chr_notes.quaternions import quaternion_conjugate, quaternion_from_euler, quaternion_multiply
+from chr_notes.quaternions.algebra import quaternion_conjugate, quaternion_multiply
+from chr_notes.quaternions.conversions import quaternion_from_euler
 from chr_notes.symbols import a, b, c, d, g, phi, psi, theta
 from chr_notes.systems.convention import Convention
 from chr_notes.systems.detective import find_conventions

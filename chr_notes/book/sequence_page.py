@@ -8,7 +8,7 @@ from sympy import ImmutableMatrix, Symbol
 
 from chr_notes.derivations import sequences
 from chr_notes.euler import matrix_from_euler
-from chr_notes.quaternions import quaternion_from_euler
+from chr_notes.quaternions.conversions import quaternion_from_euler
 from chr_notes.symbols import theta
 from chr_notes.systems.convention import DOCUMENTED, PRESETS, Convention
 from chr_notes.systems.converting import convert

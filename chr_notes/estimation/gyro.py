@@ -11,7 +11,7 @@ from chr_notes._samples import WILD_RATE, held_out, periods, start
 from chr_notes._units import warn_of_rates
 from chr_notes.euler import wrap_angle
 from chr_notes.generated.scalar.estimation import gyro_step, gyro_turn
-from chr_notes.quaternions import euler_from_quaternion, quaternion_from_euler
+from chr_notes.quaternions.conversions import euler_from_quaternion, quaternion_from_euler
 
 
 def integrate_gyro(

@@ -13,7 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chr_notes._arrays import Floats
-from chr_notes.quaternions import quaternion_from_axis_angle, quaternion_multiply, rotate_to_body
+from chr_notes.quaternions.algebra import quaternion_multiply, rotate_to_body
+from chr_notes.quaternions.conversions import quaternion_from_axis_angle
 from chr_notes.sensors.axes import AxesRelation, relate_axes
 from chr_notes.sensors.log_axes import named
 

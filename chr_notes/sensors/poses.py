@@ -12,7 +12,7 @@ from chr_notes._samples import complete, periods, positive, samples
 from chr_notes.conventions import STANDARD_GRAVITY
 from chr_notes.errors import CalibrationWarning
 from chr_notes.generated.scalar.estimation import gyro_turn
-from chr_notes.quaternions import matrix_from_quaternion
+from chr_notes.quaternions.conversions import matrix_from_quaternion
 from chr_notes.sensors.coverage import named, sphere_centre, widest_gap
 from chr_notes.sensors.models import ThreeAxisCalibration
 from chr_notes.sensors.norms import ALL, SCALES, norms_less_one, refined

@@ -6,11 +6,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from chr_notes._arrays import Floats, floats
-from chr_notes.quaternions import (
-    matrix_from_quaternion,
-    quaternion_conjugate,
-    quaternion_from_matrix,
-)
+from chr_notes.quaternions.algebra import quaternion_conjugate
+from chr_notes.quaternions.conversions import matrix_from_quaternion, quaternion_from_matrix
 from chr_notes.sequences import angles_from_matrix, matrix_from_angles
 from chr_notes.systems.convention import DOCUMENTED, PRESETS, Convention
 
