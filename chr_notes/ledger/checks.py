@@ -26,7 +26,7 @@ from sympy.core.relational import Relational
 from chr_notes.ledger.case import CannotJudgeError, Case
 from chr_notes.ledger.condition import Condition
 from chr_notes.ledger.edits import in_order
-from chr_notes.ledger.evaluation import evaluate, parts, sides
+from chr_notes.ledger.evaluation import evaluate, parts, sides, work_out
 from chr_notes.ledger.identities import difference, is_zero
 from chr_notes.ledger.proof import excludes, fails, proves
 from chr_notes.ledger.roots import ROOTS
@@ -238,8 +238,16 @@ def _components(relation: Relational, case: Case) -> tuple[Basic, ...]:
 
 
 def check_witness(case: Case) -> None:
-    """Refuse a witness at which the statement does not fail, or only has no value."""
+    """Refuse a witness at which the statement does not fail, or only has no value.
+
+    Its values are those of free quantities: another value for a name that is derived would make
+    anything fail.
+    """
     statement, read, point = case.printed.statement, case.reading, case.witness
+    read_otherwise = [name for name in point if work_out(name, read, {}) != name]
+    if read_otherwise:
+        msg = f"{case.id}: the witness changes {read_otherwise[0]}, which is derived"
+        raise CannotJudgeError(msg)
     if any(excludes(given, point) for given in case.given):
         msg = f"{case.id}: the witness {point} lies outside what is given"
         raise CannotJudgeError(msg)
