@@ -75,10 +75,10 @@ export function reserved(element, texts) {
 
 /**
  * A readout of the output { name, label, unit: { short, long }, wide, grid, table, longestAt }: a
- * number and its unit, a sentence (`wide`), numbers in rows and columns (`grid`), or a table, whose text is
- * an array of rows with the headings first; a row that begins with ▸ is lit. A text may be { text, note }: the note stands beside
- * it and says what is to be thought of the number. A sentence is as long as anywhere at one of the
- * states `longestAt`.
+ * number and its unit, a sentence (`wide`), numbers in rows and columns (`grid`), or a table, whose
+ * text is an array of rows with the headings first; a row that begins with ▸ is lit. A text may be
+ * { text, note }: the note stands beside it and says what is to be thought of the number. A sentence
+ * is as long as anywhere at one of the states `longestAt`.
  */
 export function readout(output, readouts) {
   return { wide: Boolean(output.wide), ...(output.table ? tableOf(output) : textOf(output, readouts)) };

@@ -7,32 +7,15 @@ import numpy as np
 import pytest
 from playwright.sync_api import Locator, Page
 
-from chr_notes.demos import (
-    DriftDemo,
-    FilterDemo,
-    FramesDemo,
-    GimbalLockDemo,
-    MagnetometerDemo,
-    QuaternionDemo,
-    TiltDemo,
-    ValidationDemo,
-)
+from chr_notes import demos
+from chr_notes.demos import FilterDemo, GimbalLockDemo, TiltDemo
 from chr_notes.demos.base import Demo, entry, rounded
 
 Visit = Callable[..., Page]
 PageOf = Callable[..., str]
 Samples = Callable[[int, int], int]
 
-DEMOS = (
-    DriftDemo,
-    FilterDemo,
-    FramesDemo,
-    GimbalLockDemo,
-    MagnetometerDemo,
-    QuaternionDemo,
-    TiltDemo,
-    ValidationDemo,
-)
+DEMOS: tuple[type[Demo], ...] = tuple(getattr(demos, name) for name in demos.__all__)
 
 each_demo = pytest.mark.parametrize("demo", DEMOS, ids=lambda demo: demo.element)
 
