@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 
 from chr_notes._arrays import Floats, floats
 from chr_notes._attitudes import OnGimbalLock, with_lock
-from chr_notes._rows import Rows, check_out
+from chr_notes._rows import Rows
 from chr_notes.generated.arrays import sequences as generated
 
 _matrix_from_angles = Rows(generated.matrix_from_angles)
@@ -137,9 +137,8 @@ def angles_from_matrix(
     [0.1 0.2 0.3]
     """
     # Direct, so that a warning tells of the caller's line.
-    wanted = None if sequence.islower() else out
-    angles = with_lock(_angles_from_matrix, matrix, on_gimbal_lock, wanted, _axes(sequence))
-    return _in_order(angles, sequence, out)
+    angles = with_lock(_angles_from_matrix, matrix, on_gimbal_lock, out, _axes(sequence))
+    return _in_order(angles, sequence)
 
 
 def quaternion_from_angles(
@@ -228,9 +227,8 @@ def angles_from_quaternion(
     >>> print(chr_notes.angles_from_quaternion((1.0, 1.0, 0.0, 0.0), "ZXZ").round(4))
     [0.     1.5708 0.    ]
     """
-    wanted = None if sequence.islower() else out
-    angles = with_lock(_angles_from_quaternion, q, on_gimbal_lock, wanted, _axes(sequence))
-    return _in_order(angles, sequence, out)
+    angles = with_lock(_angles_from_quaternion, q, on_gimbal_lock, out, _axes(sequence))
+    return _in_order(angles, sequence)
 
 
 def angle_rates_matrix(angles: ArrayLike, sequence: str, *, out: Floats | None = None) -> Floats:
@@ -272,11 +270,10 @@ def angle_rates_matrix(angles: ArrayLike, sequence: str, *, out: Floats | None =
      [0. 1. 0.]
      [0. 0. 1.]]
     """
-    given = _turns(angles, sequence)
-    if sequence.isupper():
-        return _angle_rates_matrix.compute(given, _axes(sequence), out)
-    rates = _angle_rates_matrix.compute(given, _axes(sequence), None)[..., ::-1, :].copy()
-    return _to(rates, out)
+    rates = _angle_rates_matrix.compute(_turns(angles, sequence), _axes(sequence), out)
+    if sequence.islower():
+        rates[...] = rates[..., ::-1, :]
+    return rates
 
 
 def _axes(sequence: str) -> Floats:
@@ -296,14 +293,8 @@ def _turns(angles: ArrayLike, sequence: str) -> Floats:
     return given if sequence.isupper() else np.ascontiguousarray(given[..., ::-1])
 
 
-def _in_order(angles: Floats, sequence: str, out: Floats | None) -> Floats:
-    """Angles of turns about rotating axes in the order of the letters."""
-    return angles if sequence.isupper() else _to(angles[..., ::-1].copy(), out)
-
-
-def _to(result: Floats, out: Floats | None) -> Floats:
-    if out is None:
-        return result
-    check_out(out, result.shape)
-    np.copyto(out, result)
-    return out
+def _in_order(angles: Floats, sequence: str) -> Floats:
+    """Put angles of turns about rotating axes in the order of the letters, in their place."""
+    if sequence.islower():
+        angles[...] = angles[..., ::-1]
+    return angles

@@ -70,6 +70,13 @@ def test_the_beginning_is_a_mean_over_the_time() -> None:
     assert list(now[3:]) == [0, 0, 0]
 
 
+def test_a_sample_is_its_share_of_the_time_and_all_of_no_time() -> None:
+    share, length = symbols("share length", real=True)
+    choice = averaging.share_of_mean(share, T, length)
+    assert Computation((choice,), share).inlined(0) == T / length
+    assert Computation((choice,), share).inlined(1) == 1
+
+
 def test_what_is_not_heard_leaves_the_mean() -> None:
     found = taken_in().inlined(0, 0, 2)
     assert list(found[:3]) == [0, 0, -averaging.LENGTH]
