@@ -40,10 +40,10 @@ function readouts(state) {
 
 function meaning({ error, threshold, iron }, { seen, missed, falsely }) {
   const above = seen > threshold;
-  const shares = `Of all directions of such an error it misses ${rounded(missed)} %; with right angles it gives a false alarm at ${rounded(falsely)} % of the readings.`;
+  const shares = `Of all directions of such an error it misses ${rounded(missed)} %. Where the angles are right, noise makes ${rounded(falsely)} % of the readings a false alarm.`;
   const said = `E is ${three(seen)}, ${above ? "above" : "below"} the threshold`;
-  if (error === 0 && iron !== 0 && above) return `${said}, although the angles are right: the magnetometer lies. With right angles it gives a false alarm at ${rounded(falsely)} % of the readings.`;
-  if (error === 0) return `${said}, and the angles are right. Through noise it gives a false alarm at ${rounded(falsely)} % of the readings.`;
+  if (error === 0 && iron !== 0 && above) return `${said}, although the angles are right: the magnetometer lies. Noise alone makes ${rounded(falsely)} % of the readings a false alarm.`;
+  if (error === 0) return `${said}, and the angles are right. Noise makes ${rounded(falsely)} % of the readings a false alarm.`;
   return above ? `${said}: it sees this error. ${shares}` : `${said}, although the attitude is off by ${rounded(error)}°: to this direction it is blind. ${shares}`;
 }
 
@@ -71,7 +71,7 @@ const patches = (state) =>
 function draw(context, { width, height }, state, colours, viewpoint) {
   const split = 0.68 * height;
   inPart(context, [0, 0, width, split], (size) => scene(context, size, state, colours, viewpoint));
-  curves(context, [44, width - 14, split + 26, height - 28], state, colours);
+  curves(context, [52, width - 14, split + 26, height - 28], state, colours);
 }
 
 function scene(context, size, state, colours, viewpoint) {
