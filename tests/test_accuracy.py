@@ -8,39 +8,19 @@ import pytest
 from numpy.typing import NDArray
 
 from chr_notes import (
-    euler,
     euler_from_quaternion,
     matrix_from_euler,
     matrix_from_quaternion,
-    quaternions,
     wrap_angle,
 )
-from chr_notes._kernels import kernel
-from chr_notes._rows import Rows
 
 Floats = NDArray[np.float64]
 MP = mpmath.mp.clone()
 MP.prec = 150
 ANGLES, ELEMENTS = 1e-15, 4e-16
 FROM_THE_POLE = (1e-3, 1e-6, 1e-9)
-FUNCTIONS: list[Rows] = [
-    vars(module)[f"_{function.__name__}"]
-    for module, function in (
-        (quaternions, euler_from_quaternion),
-        (quaternions, matrix_from_quaternion),
-        (euler, matrix_from_euler),
-        (euler, wrap_angle),
-    )
-]
 
-
-@pytest.fixture(params=[pytest.param("kernels", marks=pytest.mark.kernels), "NumPy"], autouse=True)
-def _computed_by(request: pytest.FixtureRequest) -> Iterator[None]:
-    for function in FUNCTIONS:
-        function.use(None if request.param == "NumPy" else kernel(function.name))
-    yield
-    for function in FUNCTIONS:
-        function.use(kernel(function.name))
+pytestmark = pytest.mark.usefixtures("each_way")
 
 
 @pytest.fixture(scope="module")
