@@ -19,8 +19,9 @@
  *   draw      (context, { width, height }, state, colours, viewpoint)
  */
 import { copying } from "./copying.js";
-import { sight, turnByHand, turned } from "./looking.js";
+import { turnByHand, turned } from "./looking.js";
 import { legend, node, readout, reserved, slider } from "./parts.js";
+import { keepKeys, painting } from "./stage.js";
 import { glide, player } from "./story.js";
 
 const ANNOUNCE_AFTER = 600; // milliseconds without a change
@@ -41,27 +42,8 @@ function mountDemo(element, definition, opening, { now = {}, onChange = () => {}
   const seenFrom = definition.viewpoint;
   let viewpoint = seenFrom?.(state);
 
-  let frame = 0;
   let timer = 0;
   let rest = () => {};
-  let inSight = () => true;
-
-  function paint() {
-    frame = 0;
-    const ratio = devicePixelRatio || 1;
-    const { width, height } = canvas.getBoundingClientRect();
-    if (width === 0) return;
-    canvas.width = Math.round(width * ratio);
-    canvas.height = Math.round(height * ratio);
-    const context = canvas.getContext("2d");
-    context.scale(ratio, ratio);
-    definition.draw(context, { width, height }, state, coloursOf(root), viewpoint);
-  }
-
-  /** Draw with the next frame, unless nobody can see it: then once it comes into sight. */
-  function redraw() {
-    if (inSight()) frame ||= requestAnimationFrame(paint);
-  }
 
   function show() {
     const texts = definition.readouts(state);
@@ -130,8 +112,11 @@ function mountDemo(element, definition, opening, { now = {}, onChange = () => {}
       turn: (part) => look(turned(viewpoint, part)),
       putBack: () => look(seenFrom(home)),
     });
-  inSight = sight(canvas, (visible) => (visible ? redraw() : tour.stop()), cleanup.signal);
-  watch(root, canvas, redraw, cleanup.signal);
+  const drawn = (context, size, colours) => definition.draw(context, size, state, colours, viewpoint);
+  const redraw = painting(root, canvas, drawn, {
+    seen: (visible) => visible || tour.stop(),
+    signal: cleanup.signal,
+  });
   element.replaceChildren(root);
   show();
 
@@ -146,7 +131,6 @@ function mountDemo(element, definition, opening, { now = {}, onChange = () => {}
       tour.stop();
       cleanup.abort();
       clearTimeout(timer);
-      cancelAnimationFrame(frame);
       root.remove();
     },
   };
@@ -206,11 +190,7 @@ function build(definition, touched) {
     ),
     live,
   );
-  // Keys that move a slider are ours; with Ctrl or another such key they belong to the page.
-  for (const type of ["keydown", "keyup", "keypress"])
-    root.addEventListener(type, (event) => {
-      if (!event.ctrlKey && !event.metaKey && !event.altKey) event.stopPropagation();
-    });
+  keepKeys(root);
   return { root, canvas, live, said, sliders, outputs, play, reset, buttons };
 }
 
@@ -222,22 +202,3 @@ const betweenOf = (controls) => (from, to, t) =>
       return [name, start === end ? to[name] : toValue(start + t * (end - start))];
     }),
   );
-
-function coloursOf(element) {
-  const style = getComputedStyle(element);
-  return (name) => style.getPropertyValue(`--chr-${name}`).trim();
-}
-
-/** Redraw when the size or the theme of the page changes. */
-function watch(root, canvas, redraw, signal) {
-  const sizes = new ResizeObserver(redraw);
-  sizes.observe(canvas);
-  const themes = new MutationObserver(redraw);
-  for (const host of [document.documentElement, document.body])
-    themes.observe(host, { attributes: true });
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw, { signal });
-  signal.addEventListener("abort", () => {
-    sizes.disconnect();
-    themes.disconnect();
-  });
-}

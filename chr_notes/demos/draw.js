@@ -23,6 +23,14 @@ export const toParent = (m, [x, y, z]) => [
   m[2] * x + m[5] * y + m[8] * z,
 ];
 
+/** The rotation by `later` after that by `first`: the product of two matrices. */
+export const times = (later, first) => {
+  const columns = [0, 1, 2].map((k) => toChild(later, [first[k], first[3 + k], first[6 + k]]));
+  return [0, 1, 2].flatMap((row) => columns.map((column) => column[row]));
+};
+
+export const transposed = (m) => [m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]];
+
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 const between = (a, b, t) => a.map((value, i) => value + t * (b[i] - value));

@@ -5,7 +5,7 @@
 import { matrixFromEuler } from "../generated/javascript/attitude.mjs";
 import { bars, inPart, line, words } from "./chart.js";
 import { mountOf } from "./controls.js";
-import { cross, scaled, toChild, toParent } from "./draw.js";
+import { cross, scaled, times, toChild, toParent } from "./draw.js";
 import { flown, looking, pointer } from "./globe.js";
 import { entry, rounded } from "./parts.js";
 import { widget } from "./widget.js";
@@ -15,18 +15,12 @@ const FRAMES = ["inertial", "vehicle-1", "vehicle-2", "body"];
 const AXES = ["x", "y", "z"];
 const UNITS = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 
-/** The turn by `later` after the turn by `first`, as one matrix. */
-const after = (later, first) => {
-  const columns = [0, 1, 2].map((k) => toChild(later, [first[k], first[3 + k], first[6 + k]]));
-  return [0, 1, 2].flatMap((row) => columns.map((column) => column[row]));
-};
-
 /** The matrix to the frame after so many turns: yaw before pitch, and pitch before yaw. */
 function matrices({ yaw, pitch, roll, frame }) {
   const share = (turn) => Math.min(1, Math.max(0, frame - turn)) * DEGREE;
   const [psi, theta, phi] = [yaw * share(0), pitch * share(1), roll * share(2)];
   const [pitched, turned] = [matrixFromEuler(0, pitch * share(0), 0), matrixFromEuler(0, 0, yaw * share(1))];
-  return [matrixFromEuler(phi, theta, psi), after(matrixFromEuler(phi, 0, 0), after(turned, pitched))];
+  return [matrixFromEuler(phi, theta, psi), times(matrixFromEuler(phi, 0, 0), times(turned, pitched))];
 }
 
 /** Name of a frame, or between which two a turn has come. */
