@@ -74,10 +74,11 @@ def _browser(euler: Floats) -> Floats:
     roll, pitch, yaw = np.moveaxis(euler, -1, 0)
     over = ~((roll >= -np.pi / 2) & (roll < np.pi / 2))
     half = np.where(over, np.pi, 0.0)
-    alpha = wrap_angle(-yaw + half - np.pi) + np.pi
-    return np.stack(
-        [alpha, wrap_angle(np.where(over, np.pi - pitch, pitch)), wrap_angle(roll + half)], axis=-1
-    )
+    # At an end of a range a sum may round to what lies outside.
+    alpha = (wrap_angle(-yaw + half - np.pi) + np.pi) % (2 * np.pi)
+    beta = wrap_angle(np.where(over, np.pi - pitch, pitch))
+    gamma = np.maximum(wrap_angle(roll + half), -np.pi / 2)
+    return np.stack([alpha, beta, gamma], axis=-1)
 
 
 def _from_browser(angles: Floats) -> Floats:

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 from numpy.typing import NDArray
@@ -72,6 +72,8 @@ def test_angles_of_android_are_those_of_its_source(euler: Floats) -> None:
     assert_allclose(change_angles(found, "android", "notes"), euler, atol=1e-13)
 
 
+@example(np.array([np.nextafter(np.pi / 2, 2), 0.3, 0.0]))
+@example(np.array([1.447433435930676, 1.46875, 0.0]))  # alpha rounds to a whole turn
 @given(eulers)
 def test_angles_of_a_browser_turn_about_z_x_and_y(euler: Floats) -> None:
     found = change_angles(euler, "notes", "browser")
