@@ -8,6 +8,7 @@ _CELL = 0.03  # of the extent
 _FURTHEST = 1_000_000  # cells; three such numbers make one of 63 bits
 _ALIKE = 0.05  # of the root mean square distance from the mean, some 3° on a sphere
 _AXES = ("x", "y", "z")
+_BLOCK = 4096
 _ASLANT = 0.4  # part of a unit vector along an axis that is worth naming
 
 
@@ -43,7 +44,9 @@ def count_directions(points: Floats, most: int) -> int:
 def widest_gap(outward: Floats) -> tuple[float, Floats]:
     """Find the direction that is furthest from all of these, and how far, radians."""
     sphere = evenly_spread(500)
-    nearest = np.array([np.max(outward @ direction) for direction in sphere])
+    # In blocks, or a long log would need five hundred times its memory.
+    blocks = np.array_split(outward, len(outward) // _BLOCK + 1)
+    nearest = np.max([np.max(sphere @ block.T, axis=1) for block in blocks], axis=0)
     return float(np.arccos(np.clip(nearest.min(), -1, 1))), sphere[int(nearest.argmin())]
 
 

@@ -41,9 +41,9 @@ def a_screen_reader_hears_once_the_reader_pauses(page: Page, demo: type[Demo]) -
     first = demo.controls[0]
     up = demo().state()[first] < demo.class_traits()[first].max
     slider(page, first).focus()
-    for _ in range(20):
+    for _ in range(10):
         page.keyboard.press("ArrowRight" if up else "ArrowLeft")
-        page.clock.run_for(100)
+        page.clock.fast_forward(200)
     assert page.evaluate("announced") == 0
     let_pass(page, 1_000)
     assert page.evaluate("announced") == 1
@@ -58,24 +58,24 @@ def play_tells_a_sentence_at_a_time_and_pause_stops(page: Page) -> None:
     page.get_by_role("button", name="Play").click()
     expect(page.locator(".chr-said")).not_to_have_text("")
     # It glides for two seconds or more, waits for three and a half, and glides on.
-    let_pass(page, 1_900, frame=100)
+    let_pass(page, 1_750, frame=250)
     assert page.evaluate("announced") == 0
-    let_pass(page, 3_100, frame=100)
+    let_pass(page, 3_250, frame=250)
     assert page.evaluate("announced") == 1
-    let_pass(page, 2_500, frame=100)
+    let_pass(page, 2_500, frame=250)
     page.get_by_role("button", name="Pause").click()
     stopped = state_of(page)
     assert stopped != first
     let_pass(page, 20_000, frame=5_000)
     assert state_of(page) == stopped
     page.get_by_role("button", name="Go on").click()
-    let_pass(page, 90_000, frame=1_000)
+    let_pass(page, 120_000, frame=3_000)
     expect(page.get_by_role("button", name="Play")).to_have_count(1)
 
 
 def a_hand_on_a_slider_ends_the_story(page: Page) -> None:
     page.get_by_role("button", name="Play").click()
-    let_pass(page, 7_000)
+    let_pass(page, 7_000, frame=1_000)
     page.locator("input").first.focus()
     page.keyboard.press("ArrowLeft")
     state = state_of(page)

@@ -53,10 +53,10 @@ def test_widget_and_model_follow_each_other(
 def the_model_is_told_a_few_times_a_second_and_of_the_end(page: Page) -> None:
     page.get_by_role("button", name="Play").click()
     frames = set()
-    let_pass(page, 6_000)
+    let_pass(page, 6_000, frame=400)
     before = page.evaluate("saved")
     for _ in range(20):
-        page.clock.run_for(50)
+        page.clock.fast_forward(50)
         frames.add(str(page.locator(".chr-demo").get_attribute("data-state")))
     assert 0 < page.evaluate("saved") - before <= 5
     assert len(frames) > 10
@@ -69,7 +69,7 @@ def a_change_by_the_kernel_ends_the_story(page: Page, control: str, most: float)
     page.get_by_role("button", name="Go on").click()
     let_pass(page, 1_000)
     page.evaluate(f"model.set('{control}', {most})")
-    let_pass(page, 10_000)
+    let_pass(page, 10_000, frame=2_000)
     assert state_of(page)[control] == most
     expect(page.get_by_role("button", name="Pause")).to_have_count(0)
 
