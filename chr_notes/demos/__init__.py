@@ -1,5 +1,6 @@
 """Demos: widgets in a notebook, and the same modules on a page without a kernel."""
 
+from chr_notes.demos.converter import ConverterDemo
 from chr_notes.demos.drift import DriftDemo
 from chr_notes.demos.filter import FilterDemo
 from chr_notes.demos.frames import FramesDemo
@@ -10,6 +11,7 @@ from chr_notes.demos.tilt import TiltDemo
 from chr_notes.demos.validation import ValidationDemo
 
 __all__ = [
+    "ConverterDemo",
     "DriftDemo",
     "FilterDemo",
     "FramesDemo",

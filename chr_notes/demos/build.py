@@ -19,6 +19,7 @@ from pathlib import Path
 from chr_notes.aircraft import PARTS
 from chr_notes.conventions import NOTES_GRAVITY, STANDARD_GRAVITY
 from chr_notes.demos import (
+    ConverterDemo,
     DriftDemo,
     FilterDemo,
     FramesDemo,
@@ -31,6 +32,7 @@ from chr_notes.demos import (
     validation,
 )
 from chr_notes.demos.base import BUILT, SOURCES
+from chr_notes.demos.converter import CONVENTIONS
 from chr_notes.demos.filter import RUN
 from chr_notes.demos.noise import MODULUS, MULTIPLIER
 from chr_notes.demos.tilt import NOTHING
@@ -41,6 +43,7 @@ ESBUILD = "esbuild@0.28.2"
 """The exact bundler: the same version writes the same bytes."""
 
 WIDGETS = (
+    "converter",
     "drift",
     "filter",
     "frames",
@@ -52,6 +55,7 @@ WIDGETS = (
 )
 PAGES = "pages"
 STILLS = (
+    ConverterDemo(),
     FilterDemo(),
     FramesDemo(),
     DriftDemo(),
@@ -82,6 +86,7 @@ CONSTANTS = {
     "MULTIPLIER": MULTIPLIER,
     "MODULUS": MODULUS,
     "FILTER_RUN": RUN._asdict(),
+    "CONVENTIONS": CONVENTIONS,
 }
 """What the modules have from Python, by the name that stands for it in them."""
 

@@ -24,7 +24,7 @@ export function copying({ python, controls }, linkTo, current, live) {
 }
 
 /** Put a text on the clipboard, also where only the old way is allowed. */
-async function copied(text) {
+export async function copied(text) {
   try {
     await navigator.clipboard.writeText(text);
     return true;

@@ -1,4 +1,5 @@
 /** All demos, by the name of their elements. */
+import { mount as converter } from "./converter.js";
 import { mount as drift } from "./drift.js";
 import { mount as filter } from "./filter.js";
 import { mount as frames } from "./frames.js";
@@ -8,4 +9,4 @@ import { mount as quaternion } from "./quaternion.js";
 import { mount as tilt } from "./tilt.js";
 import { mount as validation } from "./validation.js";
 
-export const DEMOS = { drift, filter, frames, "gimbal-lock": gimbalLock, magnetometer, quaternion, tilt, validation };
+export const DEMOS = { converter, drift, filter, frames, "gimbal-lock": gimbalLock, magnetometer, quaternion, tilt, validation };

@@ -6,8 +6,11 @@ import { DEMOS } from "./demos.js";
 
 const WAIT = 250; // milliseconds without a change before the address follows
 
+const written = (value) =>
+  typeof value === "number" ? Number(value.toPrecision(6)) : encodeURIComponent(value).replaceAll("%2C", ",");
+
 const hashOf = (name, state) =>
-  `#${name}?${Object.entries(state).map(([key, value]) => `${key}=${Number(value.toPrecision(6))}`).join("&")}`;
+  `#${name}?${Object.entries(state).map(([key, value]) => `${key}=${written(value)}`).join("&")}`;
 
 /** Which demo the address names, and with which state. */
 function addressed() {

@@ -7,15 +7,29 @@ from numpy.typing import ArrayLike
 
 from chr_notes._arrays import Floats, floats
 from chr_notes.quaternions.algebra import quaternion_conjugate
-from chr_notes.quaternions.conversions import matrix_from_quaternion, quaternion_from_matrix
+from chr_notes.quaternions.conversions import (
+    axis_angle_from_quaternion,
+    matrix_from_quaternion,
+    quaternion_from_axis_angle,
+    quaternion_from_matrix,
+)
 from chr_notes.sequences import angles_from_matrix, matrix_from_angles
 from chr_notes.systems.convention import DOCUMENTED, PRESETS, Convention
 
-Kind = Literal["angles", "matrix", "quaternion", "body vector", "navigation vector"]
+Kind = Literal["angles", "matrix", "quaternion", "axis angle", "body vector", "navigation vector"]
+
+
+_VECTORS = {"body vector", "navigation vector"}
+_ATTITUDES = tuple(kind for kind in get_args(Kind) if kind not in _VECTORS)
 
 
 def convert(
-    value: ArrayLike, source: Convention | str, target: Convention | str, *, kind: Kind
+    value: ArrayLike,
+    source: Convention | str,
+    target: Convention | str,
+    *,
+    kind: Kind,
+    to: Kind | None = None,
 ) -> Floats:
     """Write what stands for an attitude, or a vector, in another convention.
 
@@ -23,24 +37,30 @@ def convert(
     ----------
     value
         Angles or vectors, shape (..., 3); matrices, (..., 3, 3); quaternions of any norm but zero,
-        (..., 4).
+        (..., 4); axes of any length but zero, each with its angle behind it, (..., 4).
     source, target
         Conventions, or their names in `PRESETS` or `DOCUMENTED` of
         `chr_notes.systems.convention`.
     kind
-        What the value is: "angles", "matrix", "quaternion", "body vector" or "navigation vector".
+        What the value is: "angles", "matrix", "quaternion", "axis angle" (of the turn that the
+        convention's quaternion stands for), "body vector" or "navigation vector".
+    to
+        As what to write an attitude: "angles", "matrix", "quaternion" or "axis angle"; what the
+        value is if None.
 
     Returns
     -------
     ndarray
-        The same attitude or vector for the target, shape as given. Angles lie in the ranges of
-        `chr_notes.sequences.angles_from_matrix`, at gimbal lock without a warning; quaternions are
-        unit quaternions with a scalar part of at least 0.
+        The same attitude or vector for the target, in the shape of its kind. Angles lie in the
+        ranges of `chr_notes.sequences.angles_from_matrix`, at gimbal lock without a warning;
+        quaternions are unit quaternions with a scalar part of at least 0; axes have length 1, and
+        their angles go from 0 to half a turn.
 
     Raises
     ------
     ValueError
-        If a shape is wrong, a name unknown, or a value stands for no attitude.
+        If a shape is wrong, a name unknown, a value stands for no attitude, or a vector is to
+        become one.
 
     See Also
     --------
@@ -58,6 +78,12 @@ def convert(
     >>> print(np.degrees(angles).round(4))
     [ 10. -20.  60.]
 
+    The same as a quaternion, x, y, z, w:
+
+    >>> q = chr_notes.convert([10.0, 20.0, 30.0], "CHR", "ROS", kind="angles", to="quaternion")
+    >>> print(q.round(4))
+    [ 0.1608 -0.1069  0.5036  0.8421]
+
     Level and facing north, scalar first there and last here:
 
     >>> q = chr_notes.convert([1.0, 0.0, 0.0, 0.0], "CHR", "ROS", kind="quaternion")
@@ -68,13 +94,19 @@ def convert(
     if kind not in get_args(Kind):
         msg = f"kind: expected one of {get_args(Kind)}, got {kind!r}"
         raise ValueError(msg)
-    if kind in ("body vector", "navigation vector"):
+    wanted_kind = kind if to is None else to
+    if wanted_kind not in get_args(Kind) or (
+        kind != wanted_kind and _VECTORS & {kind, wanted_kind}
+    ):
+        msg = f"to: expected one of {_ATTITUDES} for an attitude, got {to!r} for kind {kind!r}"
+        raise ValueError(msg)
+    if kind in _VECTORS:
         frame: Literal["body", "navigation"] = "body" if kind == "body vector" else "navigation"
         change = wanted.axes(frame).T @ given.axes(frame)
         return np.asarray(floats("value", value, 3) @ change.T)
     own = to_body(value, given, kind)
     room = given.axes("navigation").T @ wanted.axes("navigation")
-    return from_matrix(wanted.axes("body").T @ given.axes("body") @ own @ room, wanted, kind)
+    return from_matrix(wanted.axes("body").T @ given.axes("body") @ own @ room, wanted, wanted_kind)
 
 
 def to_body(value: ArrayLike, convention: Convention, kind: str) -> Floats:
@@ -87,7 +119,11 @@ def to_body(value: ArrayLike, convention: Convention, kind: str) -> Floats:
         matrix = floats("value", value, 3, 3)
         return np.swapaxes(matrix, -1, -2) if convention.matrix_is_transposed else matrix
     q = floats("value", value, 4)
-    q = q if convention.scalar_first else np.roll(q, 1, axis=-1)
+    if kind == "axis angle":
+        angle = np.radians(q[..., 3]) if convention.degrees else q[..., 3]
+        q = quaternion_from_axis_angle(q[..., :3], angle)
+    elif not convention.scalar_first:
+        q = np.roll(q, 1, axis=-1)
     return matrix_from_quaternion(
         quaternion_conjugate(q) if convention.quaternion_is_conjugated else q
     )
@@ -104,6 +140,10 @@ def from_matrix(matrix: Floats, convention: Convention, kind: str) -> Floats:
         return np.swapaxes(matrix, -1, -2).copy() if convention.matrix_is_transposed else matrix
     q = quaternion_from_matrix(matrix)
     q = quaternion_conjugate(q) if convention.quaternion_is_conjugated else q
+    if kind == "axis angle":
+        axis, angle = axis_angle_from_quaternion(q)
+        angle = np.degrees(angle) if convention.degrees else angle
+        return np.concatenate([axis, np.asarray(angle)[..., np.newaxis]], axis=-1)
     return q if convention.scalar_first else np.roll(q, -1, axis=-1)
 
 

@@ -13,7 +13,7 @@ from chr_notes.demos.base import SOURCES, Demo
 from chr_notes.palette import PALETTE
 
 from .parts import (
-    DEMOS,
+    ALL,
     PageOf,
     Visit,
     each_demo,
@@ -209,7 +209,7 @@ WRITTEN = """() => [...document.querySelectorAll(".chr-demo *")].filter((each) =
 
 @pytest.mark.parametrize("theme", ["light", "dark"])
 def test_words_and_edges_stand_out(visit: Visit, page_of: PageOf, theme: str) -> None:
-    page = visit(page_of(*(demo() for demo in DEMOS), TiltDemo(pitch=90), theme=theme))
+    page = visit(page_of(*(demo() for demo in ALL), TiltDemo(pitch=90), theme=theme))
     written = page.evaluate(WRITTEN)
     assert len(written) > 60
     for text, colour, background in written:
@@ -281,7 +281,7 @@ STRICT = "default-src 'self'; img-src 'self' data:; style-src 'self' 'unsafe-inl
 def test_demos_work_from_a_server_with_a_strict_policy(
     visit: Visit, page_of: PageOf, serve: Callable[[Path], str], tmp_path: Path
 ) -> None:
-    page_of(*(demo() for demo in DEMOS))
+    page_of(*(demo() for demo in ALL))
     written = (tmp_path / "page.html").read_text(encoding="utf-8")
     before, script, after = re.split(r"<script>(.*)</script>", written, flags=re.DOTALL)
     (tmp_path / "pages.js").write_text(script, encoding="utf-8")
@@ -291,14 +291,14 @@ def test_demos_work_from_a_server_with_a_strict_policy(
         f'{strict}<script src="pages.js"></script>{after}', encoding="utf-8"
     )
     page = visit(serve(tmp_path) + "page.html")
-    expect(page.locator(".chr-demo canvas")).to_have_count(len(DEMOS))
+    expect(page.locator(".chr-demo canvas")).to_have_count(len(ALL))
     assert picture(page.locator(".chr-demo").first) != ""
 
 
 def test_what_a_finger_hits_is_large_enough(visit: Visit, page_of: PageOf) -> None:
-    page = visit(page_of(*(demo() for demo in DEMOS)), width=390, has_touch=True, is_mobile=True)
+    page = visit(page_of(*(demo() for demo in ALL)), width=390, has_touch=True, is_mobile=True)
     sizes = page.evaluate(
-        "() => [...document.querySelectorAll('.chr-demo :is(input, button)')]"
+        "() => [...document.querySelectorAll('.chr-demo :is(input, button, select, textarea)')]"
         ".map((each) => each.getBoundingClientRect()).map(({ width, height }) => [width, height])"
     )
     assert len(sizes) > 60

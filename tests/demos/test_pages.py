@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page, expect
 
-from chr_notes.demos import DriftDemo, GimbalLockDemo, TiltDemo
+from chr_notes.demos import ConverterDemo, DriftDemo, GimbalLockDemo, TiltDemo
 from chr_notes.demos.base import Demo
 
 from .parts import (
@@ -113,7 +113,7 @@ def test_nothing_is_cut_off_at_any_width(visit: Visit, page_of: PageOf) -> None:
     highest = [
         each(**{name: each.class_traits()[name].max for name in each.controls}) for each in DEMOS
     ]
-    page = visit(page_of(*extremes, *highest))
+    page = visit(page_of(*extremes, *highest, ConverterDemo()))
     page.evaluate("window.requestAnimationFrame = () => 1")  # what is drawn changes no layout
     for width in (*range(320, 400, 10), *range(640, 730, 2), *range(985, 1000), 1200, 1920):
         page.set_viewport_size({"width": width, "height": 900})
