@@ -104,7 +104,7 @@ def _is_from(built: Path, made_by: str) -> bool:
 def _write_generated() -> None:
     # Imported here, so that a missing package is reported in our words and not as an ImportError.
     from chr_notes.book import pages  # noqa: PLC0415
-    from chr_notes.demos.base import BUILT, styles  # noqa: PLC0415
+    from chr_notes.demos.base import page_script, styles  # noqa: PLC0415
 
     static = GENERATED / "static"
     shutil.rmtree(static, ignore_errors=True)  # each script in it would go into every page
@@ -113,7 +113,7 @@ def _write_generated() -> None:
     sheets = [(SOURCES / name).read_text(encoding="utf-8") for name in ("pages.css", "icons.css")]
     _write(static / "pages.css", "".join([styles(), *sheets]))
     shutil.copy2(SOURCES / "copy_formulas.js", static)
-    _write(static / "pages.js", (BUILT / "pages.js").read_text(encoding="utf-8"))
+    _write(static / "pages.js", page_script())
 
 
 def _write(path: Path, text: str) -> None:

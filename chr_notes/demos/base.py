@@ -1,8 +1,8 @@
 """What the demos have in common on the Python side.
 
 A demo is one anywidget: live with a kernel, and without one a ``div`` that the script of the
-book's pages mounts with the stored state. Both run the same JavaScript module, and a reader who
-has neither gets its numbers as text.
+book's pages mounts with the stored state. Both run the same script, and a reader who has neither
+gets a picture and its numbers as text.
 """
 
 import html
@@ -21,16 +21,38 @@ except ModuleNotFoundError as error:
     MSG = 'demos need anywidget; run: python -m pip install "chr-notes[notebooks]"'
     raise ModuleNotFoundError(MSG, name="anywidget") from error
 
-__all__ = ["BUILT", "SOURCES", "Control", "Demo", "entry", "formatted", "rounded", "styles"]
+__all__ = [
+    "BUILT",
+    "BUNDLE",
+    "SOURCES",
+    "Control",
+    "Demo",
+    "entry",
+    "formatted",
+    "page_script",
+    "rounded",
+    "styles",
+]
 
 SOURCES = Path(__file__).parent
 BUILT = SOURCES / "built"
+BUNDLE = "chrDemos"
+"""What the built script calls all that it has."""
 _BEYOND = 1e12  # above this a double near a pole says no more than "without bound"
 
 
 def styles() -> str:
     """Return the style sheet of the demos, with the colours of the project in it."""
     return palette.css() + (SOURCES / "demos.css").read_text(encoding="utf-8")
+
+
+def _script(ending: str) -> str:
+    return (BUILT / "demos.js").read_text(encoding="utf-8") + ending + "\n"
+
+
+def page_script() -> str:
+    """Return the script that mounts the demos of a page."""
+    return _script(f"{BUNDLE}.mountAll();")
 
 
 def formatted(value: float) -> str:
@@ -85,8 +107,7 @@ class Demo(anywidget.AnyWidget):
 
     @traitlets.default("_esm")
     def _read_module(self) -> str:
-        path = BUILT / f"{self.element.replace('-', '_')}.mjs"
-        return path.read_text(encoding="utf-8")
+        return _script(f'export default {BUNDLE}.widgetOf("{self.element}");')
 
     @traitlets.default("_css")
     def _make_styles(self) -> str:

@@ -1,7 +1,7 @@
 """Bundle and minify the demos: ``python -m chr_notes.demos.build [--check]``.
 
-One ES module a widget for anywidget, one classic script for the pages of the book, which also
-works from ``file://``, and a still picture of each state that a page opens with. The output is
+One script, for the pages of the book, which also works from ``file://``, and for the widgets in a
+notebook (see base.py), and a still picture of each state that a page opens with. The output is
 committed, so that neither installing nor building the book needs Node; only a change of the
 JavaScript does. ``--check`` bundles into a temporary folder and compares whole folders with what
 is committed.
@@ -31,7 +31,7 @@ from chr_notes.demos import (
     magnetometer,
     validation,
 )
-from chr_notes.demos.base import BUILT, SOURCES
+from chr_notes.demos.base import BUILT, BUNDLE, SOURCES
 from chr_notes.demos.converter import CONVENTIONS
 from chr_notes.demos.filter import RUN
 from chr_notes.demos.noise import MODULUS, MULTIPLIER
@@ -42,18 +42,6 @@ from chr_notes.printed.table_1 import ROWS
 ESBUILD = "esbuild@0.28.2"
 """The exact bundler: the same version writes the same bytes."""
 
-WIDGETS = (
-    "converter",
-    "drift",
-    "filter",
-    "frames",
-    "gimbal_lock",
-    "magnetometer",
-    "quaternion",
-    "tilt",
-    "validation",
-)
-PAGES = "pages"
 STILLS = (
     ConverterDemo(),
     FilterDemo(),
@@ -96,7 +84,7 @@ _BANNER = f"""\
 
 
 def bundle(folder: Path) -> None:
-    """Write all bundles into `folder`.
+    """Write the script and the stills into `folder`.
 
     Raises
     ------
@@ -111,10 +99,8 @@ def bundle(folder: Path) -> None:
     common += ["--log-level=warning", f"--banner:js={_BANNER}"]
     common += [f"--define:{name}={json.dumps(value)}" for name, value in CONSTANTS.items()]
     write_stills(folder, common)
-    jobs = [["--format=esm", f"--outfile={folder / name}.mjs", f"{name}.js"] for name in WIDGETS]
-    jobs += [["--format=iife", f"--outfile={folder / PAGES}.js", f"{PAGES}.js"]]
-    for job in jobs:
-        _output([*common, *job], job[-1])
+    out = [f"--global-name={BUNDLE}", f"--outfile={folder / 'demos.js'}"]
+    _output([*common, "--format=iife", *out, "bundle.js"], "bundle.js")
 
 
 def write_stills(folder: Path, common: list[str]) -> None:
@@ -166,13 +152,13 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--check", action="store_true", help="compare instead of writing")
     if parser.parse_args(arguments).check:
         found = check()
-        sys.stdout.write("\n".join(found or ["the bundles are up to date"]) + "\n")
+        sys.stdout.write("\n".join(found or ["script and stills are up to date"]) + "\n")
         return 1 if found else 0
     with tempfile.TemporaryDirectory() as temporary:
         bundle(Path(temporary))
         shutil.rmtree(BUILT, ignore_errors=True)
         shutil.copytree(temporary, BUILT)
-    sys.stdout.write(f"wrote {len(WIDGETS) + 1} bundles and {len(STILLS)} stills to {BUILT}\n")
+    sys.stdout.write(f"wrote the script and {len(STILLS)} stills to {BUILT}\n")
     return 0
 
 

@@ -11,7 +11,6 @@ import { turnByHand, turned } from "./looking.js";
 import { nearestRotation } from "./nearest.js";
 import { node, slider } from "./parts.js";
 import { keepKeys, painting } from "./stage.js";
-import { widget } from "./widget.js";
 import { LANGUAGES, exactly, meanings } from "./writing.js";
 
 const ANNOUNCE_AFTER = 600; // milliseconds without a change
@@ -294,5 +293,3 @@ const definition = {
 };
 
 export const mount = Object.assign(mountConverter, { definition, start });
-
-export default widget(mount);

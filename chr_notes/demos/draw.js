@@ -105,7 +105,7 @@ export function loft(outlines, fill) {
  * A ring of rectangular section round the origin, in the plane of the unit vectors `u` and `v`.
  * `mark(i)` says which of `count` segments carry the colour `marked` on their flat faces.
  */
-export function ring({ u, v, inner, outer, depth, fill, marked, mark, count = 72 }) {
+export function ring({ u, v, inner, outer, depth, fill, marked, mark, count = 48 }) {
   const axis = cross(u, v);
   const at = (i, radius, height) => {
     const angle = (2 * Math.PI * i) / count;
@@ -162,10 +162,15 @@ export function partition(polygons) {
   const front = [];
   const behind = [];
   for (const polygon of rest) {
-    const heights = polygon.points.map((point) => dot(cut.normal, point) - cut.offset);
-    const above = heights.some((height) => height > NEAR_PLANE);
-    const below = heights.some((height) => height < -NEAR_PLANE);
+    let [lowest, highest] = [0, 0];
+    for (const point of polygon.points) {
+      const height = dot(cut.normal, point) - cut.offset;
+      lowest = Math.min(lowest, height);
+      highest = Math.max(highest, height);
+    }
+    const [above, below] = [highest > NEAR_PLANE, lowest < -NEAR_PLANE];
     if (above && below) {
+      const heights = polygon.points.map((point) => dot(cut.normal, point) - cut.offset);
       front.push({ ...polygon, points: clipped(polygon.points, heights, 1) });
       behind.push({ ...polygon, points: clipped(polygon.points, heights, -1) });
     } else (above ? front : below ? behind : within).push(polygon);
@@ -192,12 +197,28 @@ export function fromBehind(tree, eye, visit) {
   fromBehind(seenFromFront ? tree.front : tree.behind, eye, visit);
 }
 
+/**
+ * The polygons in sets to be painted one after the other, where all stand in shells round the
+ * origin: `radii` are those of the spheres between the shells, from the outermost one. What is on
+ * the far side of a sphere is behind all that is in it, and what is on the near side before it.
+ */
+function inShells(polygons, radii, eye) {
+  const sets = Array.from({ length: 2 * radii.length + 1 }, () => []);
+  for (const polygon of polygons) {
+    const centre = scaled(polygon.points.reduce(sum), 1 / polygon.points.length);
+    const shell = radii.findIndex((radius) => Math.hypot(...centre) > radius);
+    const nearer = dot(centre, minus(eye, centre)) > 0;
+    sets[shell < 0 ? radii.length : nearer ? sets.length - 1 - shell : shell].push(polygon);
+  }
+  return sets;
+}
+
 /** Paint polygons, hidden parts removed and flat shaded, on a 2-d canvas context. */
-export function paint(context, polygons, { eye, project, light }) {
+export function paint(context, polygons, { eye, project, light }, radii = []) {
   const visible = polygons
     .map(flat)
     .filter(({ plane: { normal, offset }, open }) => open || dot(normal, eye) > offset);
-  fromBehind(partition(visible), eye, ({ points, fill, unlit, plane: { normal } }) => {
+  const visit = ({ points, fill, unlit, plane: { normal } }) => {
     const brightness = unlit ? 1 : 0.62 + 0.4 * Math.max(0, dot(normal, light));
     context.beginPath();
     points.forEach((point) => context.lineTo(...project(point)));
@@ -207,7 +228,8 @@ export function paint(context, polygons, { eye, project, light }) {
     context.lineWidth = 0.6;
     context.fill();
     context.stroke();
-  });
+  };
+  for (const each of inShells(visible, radii, eye)) fromBehind(partition(each), eye, visit);
 }
 
 /**

@@ -7,7 +7,6 @@ import { line, logarithmic, mark, words } from "./chart.js";
 import { mountOf } from "./controls.js";
 import { label } from "./draw.js";
 import { formatted } from "./parts.js";
-import { widget } from "./widget.js";
 
 /* global NOTES_GRAVITY, TABLE_1: build.py puts them in, m/s² and { degrees: cells as printed } */
 
@@ -186,5 +185,3 @@ const definition = {
 };
 
 export const mount = mountOf(definition);
-
-export default widget(mount);

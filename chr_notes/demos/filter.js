@@ -6,7 +6,6 @@ import { mountOf } from "./controls.js";
 import { label } from "./draw.js";
 import { DURATION, GAINS, SPACING, errors, rms } from "./filter_run.js";
 import { formatted, rounded } from "./parts.js";
-import { widget } from "./widget.js";
 
 /* global FILTER_RUN: build.py puts it in, from filter.py */
 
@@ -174,5 +173,3 @@ const definition = {
 };
 
 export const mount = mountOf(definition);
-
-export default widget(mount);

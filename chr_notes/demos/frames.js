@@ -8,7 +8,6 @@ import { mountOf } from "./controls.js";
 import { cross, scaled, times, toChild, toParent } from "./draw.js";
 import { flown, looking, pointer } from "./globe.js";
 import { entry, rounded } from "./parts.js";
-import { widget } from "./widget.js";
 
 const DEGREE = Math.PI / 180;
 const FRAMES = ["inertial", "vehicle-1", "vehicle-2", "body"];
@@ -160,5 +159,3 @@ const definition = {
 };
 
 export const mount = mountOf(definition);
-
-export default widget(mount);

@@ -16,7 +16,6 @@ import {
   sum, toParent,
 } from "./draw.js";
 import { entry, formatted, rounded } from "./parts.js";
-import { widget } from "./widget.js";
 
 const DEGREE = Math.PI / 180;
 // Seen from beside the plane of the yaw and the roll axis, so that the angle between the two is seen.
@@ -34,6 +33,9 @@ const RINGS = {
   y: { u: NORTH, v: EAST, inner: 0.81, outer: 0.89, depth: 0.05 },
   x: { u: DOWN, v: NORTH, inner: 0.67, outer: 0.75, depth: 0.05 },
 };
+
+// Spheres between the stand and the arrows, the three rings with their pins, and the aircraft.
+const SHELLS = [1.04, 0.9, 0.76, 0.54];
 
 /** Attitudes, as matrices from the inertial frame, of what each axis turns. */
 function frames({ yaw, pitch, roll }) {
@@ -172,7 +174,7 @@ function draw(context, size, state, colours, { heading, elevation }) {
   const [yAxis, xAxis] = [toParent(frame.y, EAST), toParent(frame.x, NORTH)];
 
   compass(context, view, colours);
-  paint(context, [...solids(frame, colour), ...arrows(frame, colour, eye, locked)], view);
+  paint(context, [...solids(frame, colour), ...arrows(frame, colour, eye, locked)], view, SHELLS);
 
   letters(context, view, colours, size.width);
   const words = (text, point, name, offset) =>
@@ -221,7 +223,7 @@ function arrows(frame, colour, eye, locked) {
     ...turn(level, right, scaled(DOWN, -YAW_ARROW), colour("z"), eye),
     ...dashes(yAxis, 1.03, 1.34, 2, colour("y"), eye),
     ...turn(down, level, scaled(yAxis, PITCH_ARROW), colour("y"), eye),
-    ...dashes(xAxis, 0.89, 1.26, 1, colour("x"), eye),
+    ...[[0.89, 0.95], [0.95, 1.04], [1.04, 1.26]].flatMap(([from, to]) => dashes(xAxis, from, to, 1, colour("x"), eye)),
     ...turn(pitchedRight, pitchedDown, scaled(xAxis, ROLL_ARROW), colour("x"), eye),
     ...(locked ? lost : []),
   ];
@@ -263,5 +265,3 @@ const definition = {
 };
 
 export const mount = mountOf(definition);
-
-export default widget(mount);

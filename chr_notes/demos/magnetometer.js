@@ -10,7 +10,6 @@ import { arcOf, globe, looking, path } from "./globe.js";
 import { keeping } from "./keeping.js";
 import { STRENGTH, cloud, fit, gap, headingErrors, ironOf } from "./magnetometer_cloud.js";
 import { rounded } from "./parts.js";
-import { widget } from "./widget.js";
 
 const largest = (errors, when) => Math.max(...errors.map((each) => Math.abs(each[when])));
 
@@ -157,5 +156,3 @@ const definition = {
 };
 
 export const mount = mountOf(definition);
-
-export default widget(mount);

@@ -34,7 +34,7 @@ function mountOne(element, address) {
   return meant;
 }
 
-function mountAll() {
+function mountNow() {
   const address = addressed();
   for (const element of document.querySelectorAll("[data-demo]"))
     try {
@@ -48,5 +48,8 @@ function mountAll() {
     }
 }
 
-if (document.readyState === "loading") document.addEventListener("DOMContentLoaded", mountAll);
-else mountAll();
+/** Mount them, once the page is there. */
+export function mountAll() {
+  if (document.readyState === "loading") document.addEventListener("DOMContentLoaded", mountNow);
+  else mountNow();
+}

@@ -13,7 +13,6 @@ import { mountOf } from "./controls.js";
 import { scaled } from "./draw.js";
 import { direction, flown, globe, looking, path, pointer } from "./globe.js";
 import { entry, rounded } from "./parts.js";
-import { widget } from "./widget.js";
 
 const DEGREE = Math.PI / 180;
 const NOSE = [0, 1, 0, 0]; // the vector that is turned, as a quaternion: it points north
@@ -181,5 +180,3 @@ const definition = {
 };
 
 export const mount = mountOf(definition);
-
-export default widget(mount);

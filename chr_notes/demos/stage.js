@@ -1,9 +1,16 @@
 /** Where a demo draws: a canvas that is painted when it must be, and when somebody can see it. */
 import { sight } from "./looking.js";
 
+/** The colours by name, each looked up once. */
 function coloursOf(element) {
-  const style = getComputedStyle(element);
-  return (name) => style.getPropertyValue(`--chr-${name}`).trim();
+  const [style, known] = [getComputedStyle(element), {}];
+  return (name) => (known[name] ??= style.getPropertyValue(`--chr-${name}`).trim());
+}
+
+/** Make a canvas so large; to set its size, even to what it is, would make a new one of it. */
+function fit(canvas, width, height) {
+  if (canvas.width !== width) canvas.width = width;
+  if (canvas.height !== height) canvas.height = height;
 }
 
 /** Redraw when the size or the theme of the page changes. */
@@ -33,10 +40,10 @@ export function painting(root, canvas, draw, { seen = () => {}, signal }) {
     const ratio = devicePixelRatio || 1;
     const { width, height } = canvas.getBoundingClientRect();
     if (width === 0) return;
-    canvas.width = Math.round(width * ratio);
-    canvas.height = Math.round(height * ratio);
+    fit(canvas, Math.round(width * ratio), Math.round(height * ratio));
     const context = canvas.getContext("2d");
-    context.scale(ratio, ratio);
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    context.clearRect(0, 0, width, height);
     draw(context, { width, height }, coloursOf(root));
   }
 

@@ -8,7 +8,6 @@ import { matrixFromEuler } from "../generated/javascript/attitude.mjs";
 import { rounded } from "./parts.js";
 import { attitude, estimates, reading, unaccelerated } from "./tilt_estimates.js";
 import { draw, LEGEND } from "./tilt_picture.js";
-import { widget } from "./widget.js";
 
 const RIGHT = 0.005; // degrees, less than what is shown
 const ANGLES = ["roll", "pitch"];
@@ -125,5 +124,3 @@ const definition = {
 };
 
 export const mount = mountOf(definition);
-
-export default widget(mount);

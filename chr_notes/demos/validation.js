@@ -9,7 +9,6 @@ import { globe, looking, pointer, direction } from "./globe.js";
 import { keeping } from "./keeping.js";
 import { rounded } from "./parts.js";
 import { axisOf, belowOf, factor, factorAbout, fieldOf, samples, tiltError } from "./validation_factor.js";
-import { widget } from "./widget.js";
 
 const three = (value) => String(Number(value.toFixed(3)));
 
@@ -167,5 +166,3 @@ const definition = {
 };
 
 export const mount = mountOf(definition);
-
-export default widget(mount);

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from chr_notes.demos.base import BUILT, Demo, styles
+from chr_notes.demos.base import Demo, page_script, styles
 
 MakePage = Callable[..., str]
 
@@ -15,13 +15,12 @@ def page_of(tmp_path: Path) -> MakePage:
     """Write a page with these demos, and return its address."""
 
     def write(*demos: Demo, theme: str = "light") -> str:
-        script = (BUILT / "pages.js").read_text(encoding="utf-8")
         body = "\n".join(demo.to_html() for demo in demos)
         path = tmp_path / "page.html"
         path.write_text(
             f'<!doctype html><html lang="en" data-theme="{theme}"><meta charset="utf-8">'
             f'<meta name="viewport" content="width=device-width"><title>Demos</title>'
-            f"<style>{styles()}</style><body>{body}<script>{script}</script></body></html>",
+            f"<style>{styles()}</style><body>{body}<script>{page_script()}</script></body></html>",
             encoding="utf-8",
         )
         return path.as_uri()

@@ -2,7 +2,7 @@
 
 from playwright.sync_api import Page, expect
 
-from chr_notes.demos.base import BUILT, Demo
+from chr_notes.demos.base import Demo
 
 from .parts import PageOf, Visit, each_kind, hold, let_pass, slider, state_of
 
@@ -26,8 +26,7 @@ RENDER = """async ([source, values]) => {
 def rendered(visit: Visit, page_of: PageOf, demo: type[Demo]) -> Page:
     page = visit(page_of())
     hold(page)
-    module = BUILT / f"{demo.element.replace('-', '_')}.mjs"
-    page.evaluate(RENDER, [module.read_text(encoding="utf-8"), demo().state()])
+    page.evaluate(RENDER, [demo().get_state()["_esm"], demo().state()])
     return page
 
 
