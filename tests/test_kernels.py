@@ -169,6 +169,23 @@ def test_a_result_in_new_memory_is_that_of_its_rows() -> None:
     assert np.isnan(large).sum() == 4 * len(odd)
 
 
+@pytest.mark.kernels
+@pytest.mark.parametrize("count", [1, 7, 1000])
+def test_rows_that_are_parts_of_longer_ones_are_taken_as_they_are(count: int) -> None:
+    wide = np.random.default_rng(0).normal(size=(count, 9))
+    q, one = wide[:, 2:6], np.broadcast_to(wide[0, 5:8], (count, 3))
+    product = _kernels.kernel("rotate_to_inertial")
+    assert product is not None
+    assert_array_equal(product(q, one, None), product(q.copy(), one.copy(), None))
+    # A result is no part of a longer row, and lies apart from what it is made of.
+    assert product(q, one, wide[:, :3]) is None or count == 1
+    assert product(q, one, wide.reshape(-1)[: 3 * count].reshape(count, 3)) is None
+    # What goes backwards, or by half a number, is left.
+    assert product(q[::-1], one, None) is None or count == 1
+    bytewise = np.ndarray((count, 4), np.float64, bytes(36 * count), strides=(36, 8))
+    assert product(bytewise, one, None) is None or count == 1
+
+
 def test_without_kernels_the_generated_function_takes_the_numbers(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from chr_notes._arrays import Floats
-from chr_notes._recordings import run
+from chr_notes._recordings import parts, run
 from chr_notes._samples import (
     WILD_RATE,
     complete,
@@ -222,24 +222,24 @@ def _run(
     rates, forces, *field = (array for _, array in read)
     dt = _steps(dt, count, settings.longest_step)
     warn_of_rates(rates, dt, settings.longest_step, inner=1)
-    given = [
-        rates - bias_of(settings.bias, rates, forces, dt, settings.longest_step),
-        forces,
-        *field,
-    ]
     begin, tilt = first_tilt(forces)
-    first = [
-        value for array in given for value in (array[begin] if count else np.zeros(3)).tolist()
-    ]
-    state = settings.begin(tilt, first, heading=bool(field))
-    shown = finish(np.array([state]))
-    before = np.full((min(begin + 1, count), shown.shape[1]), np.nan)
-    before[begin:] = shown
-    rest = slice(len(before), None)
+    ahead = min(begin + 1, count)
+    rest = slice(ahead, None)
+    at_rest = bias_of(settings.bias, rates, forces, dt, settings.longest_step, ahead)
+    turning = (
+        rates[rest][part] - each for part, each in zip(parts(count - ahead), at_rest, strict=False)
+    )
+    readings = (rates, forces, *field)
+    first = np.concatenate([array[begin] if count else np.zeros(3) for array in readings])
+    state = settings.begin(tilt, first.tolist(), heading=bool(field))
     step, constants = settings.step(heading=bool(field))
-    inputs = [*(array[rest] for array in given), dt[rest] if dt.ndim else dt]
-    out = run(step, state, *inputs, *map(np.array, constants), finish=finish)
-    found = np.concatenate([before, out])
+    later = (array[rest] for array in (forces, *field))
+    each_dt = dt[rest] if dt.ndim else dt
+    shown = finish(np.array([state]))
+    start = np.full((ahead, shown.shape[1]), np.nan)
+    start[begin:] = shown
+    limits = [np.array(constant) for constant in constants]
+    found = run(step, state, turning, *later, each_dt, *limits, finish=finish, before=start)
     found[~complete(rates, WILD_RATE), :3] = np.nan
     return found
 

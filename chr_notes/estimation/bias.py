@@ -2,13 +2,14 @@
 
 import warnings
 from collections.abc import Iterator
+from itertools import repeat
 from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from chr_notes._arrays import Floats
-from chr_notes._recordings import run
+from chr_notes._recordings import states
 from chr_notes._samples import per_axis
 from chr_notes.generated.scalar.estimation import bias_at_rest
 from chr_notes.sensors.still import STILL_LIMIT, static_interval, without_glitches
@@ -42,32 +43,45 @@ def check_bias(bias: Bias) -> str | Floats:
     return -given
 
 
-def bias_of(bias: Bias, rates: Floats, forces: Floats, dt: Floats, longest_step: float) -> Floats:
-    """Find what the gyros read at rest: shape (3,), or (N, 3) where it is learnt on the way."""
+def bias_of(  # noqa: PLR0913, PLR0917 (a recording, and from where)
+    bias: Bias, rates: Floats, forces: Floats, dt: Floats, longest_step: float, begin: int = 0
+) -> Iterator[Floats]:
+    """Find what the gyros read at rest, from sample `begin` on: for each part of the recording.
+
+    Returns
+    -------
+    iterator of ndarray
+        Of shape (3,) without end, or where it is learnt on the way of shape (rows of the part, 3).
+    """
     checked = check_bias(bias)
     if not isinstance(checked, str):
-        return checked
+        return repeat(checked)
     if checked == "stillest":
-        return _stillest(rates, dt)
-    if not len(rates):
-        return np.zeros((0, 3))
-    limits = map(np.array, (REST, longest_step))
-    return run(
-        bias_at_rest,
-        np.zeros(10),
-        *(rates, forces, dt, *limits),
-        finish=lambda states: states[:, 7:],
-    )
+        return repeat(_stillest(rates, dt))
+    return _learnt(rates, forces, dt, longest_step, begin)
+
+
+def _learnt(
+    rates: Floats, forces: Floats, dt: Floats, longest_step: float, begin: int
+) -> Iterator[Floats]:
+    limits = [np.array(limit) for limit in (REST, longest_step)]
+    state: Floats = np.zeros(10)
+    for part in (slice(begin), slice(begin, None)):
+        given = (rates[part], forces[part], dt[part] if dt.ndim else dt, *limits)
+        for found in states(bias_at_rest, state, *given):
+            state = found[-1]
+            if part.start is not None:
+                yield found[:, 7:]
 
 
 def _stillest(rates: Floats, dt: Floats) -> Floats:
     """Mean over the stillest two seconds, or over all if there is less."""
     usual = float(np.median(dt)) if dt.size else 0.0
     length = round(min(REST / usual, len(rates))) if usual > 0 else len(rates)
-    found = [each for part in _still_parts(rates, length) if (each := _steady(part, length))]
-    if not found:
+    found = _steady(_still_parts(rates, length), length)
+    if found is None:
         return _none("no stretch as long without a gap in the rates")
-    variance, mean = min(found, key=lambda part: part[0].sum())
+    variance, mean = found
     spread = float(np.sqrt(variance.max()))
     if spread > STILL_LIMIT:
         return _none(f"the stillest has a standard deviation of {spread:.2g} rad/s: no rest")
@@ -81,7 +95,7 @@ def _stillest(rates: Floats, dt: Floats) -> Floats:
 
 
 def _steady(part: Floats, length: int) -> tuple[Floats, Floats] | None:
-    """Find variance and mean in the stillest stretch of a part, apart from glitches."""
+    """Find variance and mean in the stillest stretch, apart from glitches."""
     try:
         still = static_interval(part, length)
     except ValueError:  # none without NaN
@@ -91,15 +105,15 @@ def _steady(part: Floats, length: int) -> tuple[Floats, Floats] | None:
     return np.asarray(kept.var(axis=0)), np.asarray(kept.mean(axis=0))
 
 
-def _still_parts(rates: Floats, length: int) -> Iterator[Floats]:
-    """Cut out where to look: about the blocks of half the length that vary least.
+def _still_parts(rates: Floats, length: int) -> Floats:
+    """Cut out where to look, with NaN between: about the blocks of half the length that vary least.
 
     To look everywhere takes longer than the filter.
     """
     half = length // 2
     count = len(rates) // half if half else 0
     if not count:
-        return
+        return rates
     blocks = rates[: count * half].reshape(count, half, 3)
     together, every = max(1, _ROWS // half), max(1, half // _ENOUGH)
     with np.errstate(over="ignore", invalid="ignore"):
@@ -115,9 +129,10 @@ def _still_parts(rates: Floats, length: int) -> Iterator[Floats]:
     for shift in range(3):
         near[chosen + shift] = True
     edges = np.flatnonzero(np.diff(near[1:-1], prepend=False, append=False)) * half
-    for start, stop in edges.reshape(-1, 2):
-        end = len(rates) if stop >= count * half else stop
-        yield rates[start:end]
+    ends = [len(rates) if stop >= count * half else stop for stop in edges[1::2]]
+    gap = np.full((1, 3), np.nan)
+    found = [(rates[start:end], gap) for start, end in zip(edges[::2], ends, strict=True)]
+    return np.concatenate([part for each in found for part in each])
 
 
 def _variances(blocks: Floats) -> Floats:

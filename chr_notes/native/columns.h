@@ -22,7 +22,8 @@ enum { BLOCK = 16, TOGETHER = 8, MANY = 1 << 20, MOST_ARRAYS = 12 };
 #endif
 
 /*
- * in: the arrays; step: how many numbers lie between two rows of each, 0 where one row is for all;
+ * in: the arrays; step: how many numbers it is from one row of each to the next, 0 where one row is
+ * for all;
  * odd: set to 1 for rows that are left to the general way, zero before. Returns whether any is.
  */
 typedef int64_t Run(ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
@@ -72,21 +73,30 @@ INLINE void tile(double *to, ptrdiff_t across, const double *from, ptrdiff_t dow
 #define FETCH(address)
 #endif
 
-INLINE void load(double (*columns)[BLOCK], int width, const double *first, ptrdiff_t count)
+/* A row that is one for all fills the block; so does the first one where a block is not full. */
+INLINE void load(double (*columns)[BLOCK], int width, const double *in, ptrdiff_t step,
+    ptrdiff_t start, ptrdiff_t count, ptrdiff_t padded)
 {
-    const ptrdiff_t rows = width < TILE ? 0 : count / TILE * TILE;
+    const double *const first = in + start * step;
+    const ptrdiff_t close = step == width ? count : 0;
+    const ptrdiff_t tiles = width < TILE ? 0 : close / TILE * TILE;
     const int tiled = width / TILE * TILE;
     for (int number = 0; number < BLOCK * width; number += 8)
         FETCH(first + 8 * BLOCK * width + number);
-    for (ptrdiff_t row = 0; row < rows; row += TILE)
+    for (ptrdiff_t row = 0; row < tiles; row += TILE)
         for (int element = 0; element < tiled; element += TILE)
             tile(columns[element] + row, BLOCK, first + row * width + element, width);
     for (int element = tiled; element < width; element++)
-        for (ptrdiff_t row = 0; row < rows; row++)
+        for (ptrdiff_t row = 0; row < tiles; row++)
             columns[element][row] = first[row * width + element];
-    for (ptrdiff_t row = rows; row < count; row++)
+    for (ptrdiff_t row = tiles; row < close; row++)
         for (int element = 0; element < width; element++)
             columns[element][row] = first[row * width + element];
+    for (ptrdiff_t row = close; row < count; row++)
+        for (int element = 0; element < width; element++)
+            columns[element][row] = first[row * step + element];
+    for (int element = 0; element < width; element++)
+        for (ptrdiff_t row = count; row < padded; row++) columns[element][row] = in[element];
 }
 
 INLINE void store(double *first, double (*columns)[BLOCK], int width, ptrdiff_t count)
@@ -106,10 +116,7 @@ INLINE void store(double *first, double (*columns)[BLOCK], int width, ptrdiff_t 
 }
 
 #define LOAD(columns, array, width) \
-    if (step[array]) load(columns, width, in[array] + start * (width), count); \
-    for (int element = 0; element < (width); element++) \
-        for (ptrdiff_t row = step[array] ? count : 0; row < padded; row++) \
-            (columns)[element][row] = in[array][element];
+    load(columns, width, in[array], step[array], start, count, padded);
 
 /* A result that no cache holds goes to memory without being read from there before. */
 #if defined(__SSE2__)

@@ -4,8 +4,8 @@
  * A function of arrays takes them, and None or an array for the result. It returns
  * - the result,
  * - or the result and the rows that are left to the general way, a byte each,
- * - or None where an argument is neither a NumPy array of float64 in C order nor a float in place
- *   of numbers, or its shape does not fit without a copy; then nothing is done.
+ * - or None where an argument is neither a NumPy array of float64 in C order, or rows of one, nor a
+ *   float in place of numbers, or its shape does not fit without a copy; then nothing is done.
  *
  * completed(function of arrays, rest) is a function that returns the result alone: rest(what the
  * first one returned, its arguments) gives it where that was anything else.
@@ -30,33 +30,47 @@ enum { LONG = 10000, MOST_ELEMENTS = 24, MOST_AXES = 32, FEW = 256 };
 /* Numbers that fill 32 MB, and rows that leave a cache room. */
 enum { NEW_MEMORY = 1 << 22, FEW_ROWS = 1 << 14 };
 
-/* An argument: where its rows begin, and the axes over which they stand. */
+/* An argument: its rows, how far it is from one to the next, and the axes over which they stand. */
 typedef struct {
     const double *first;
+    const double *end;
     const npy_intp *shape;
     int axes;
     npy_intp rows;
-    npy_intp bytes;
+    npy_intp step;
 } Rows;
 
 /* Last axes of an array by the number of its elements. */
 static int last_axes(int elements) { return elements == 9 ? 2 : elements > 0; }
+
+/* Whether an array is one axis of rows, each of them a part of a longer one, or all the same. */
+static int is_of_parts(PyArrayObject *array, int last, npy_intp width)
+{
+    const npy_intp *const strides = PyArray_STRIDES(array), number = sizeof(double);
+    return PyArray_ISBEHAVED_RO(array) && PyArray_NDIM(array) == 1 + last
+        && (strides[0] == 0 || strides[0] >= width * number) && strides[0] % number == 0
+        && (!last || strides[last] == number) && (last < 2 || strides[1] == 3 * number);
+}
 
 /* Look at an array; 0 where it is not as the kernels need it. */
 static int look(PyObject *value, int elements, Rows *rows)
 {
     PyArrayObject *const array = (PyArrayObject *)value;
     const int last = last_axes(elements);
-    if (!PyArray_CheckExact(value) || PyArray_TYPE(array) != NPY_DOUBLE
-        || !PyArray_ISCARRAY_RO(array))
-        return 0;
+    const npy_intp width = elements ? elements : 1;
+    if (!PyArray_CheckExact(value) || PyArray_TYPE(array) != NPY_DOUBLE) return 0;
+    rows->step = width;
+    if (!PyArray_ISCARRAY_RO(array)) {
+        if (!is_of_parts(array, last, width)) return 0;
+        rows->step = PyArray_STRIDES(array)[0] / (npy_intp)sizeof(double);
+    }
     rows->first = PyArray_DATA(array);
     rows->shape = PyArray_DIMS(array);
     rows->axes = PyArray_NDIM(array) - last;
     rows->rows = 1;
     if (rows->axes < 0 || rows->axes > MOST_AXES) return 0;
     for (int axis = 0; axis < rows->axes; axis++) rows->rows *= rows->shape[axis];
-    rows->bytes = rows->rows * (elements ? elements : 1) * (npy_intp)sizeof(double);
+    rows->end = rows->first + (rows->rows ? (rows->rows - 1) * rows->step + width : 0);
     if (last == 1) return rows->shape[rows->axes] == elements;
     return !last || (rows->shape[rows->axes] == 3 && rows->shape[rows->axes + 1] == 3);
 }
@@ -71,8 +85,7 @@ static int same_axes(const Rows *one, const Rows *other)
 
 static int overlap(const Rows *one, const Rows *other)
 {
-    const char *const first = (const char *)one->first, *const second = (const char *)other->first;
-    return first < second + other->bytes && second < first + one->bytes;
+    return one->first < other->end && other->first < one->end;
 }
 
 static PyObject *new_result(const Kernel *kernel, const Rows *model)
@@ -153,14 +166,14 @@ static PyObject *call(PyObject *self, PyObject *const *given, Py_ssize_t count)
     for (int array = 0; array < kernel->arrays; array++) {
         const int elements = kernel->shape[array];
         Rows *const own = arrays + array;
-        if (elements == 0 && PyFloat_CheckExact(given[array])) {
+        if (elements == 0 && PyFloat_Check(given[array])) {
             numbers[array] = PyFloat_AsDouble(given[array]);
-            *own = (Rows){.first = numbers + array, .rows = 1};
+            *own = (Rows){.first = numbers + array, .end = numbers + array + 1, .rows = 1};
         } else if (!look(given[array], elements, own)) {
             Py_RETURN_NONE;
         }
         in[array] = own->first;
-        step[array] = own->rows == 1 ? 0 : elements ? elements : 1;
+        step[array] = own->rows == 1 ? 0 : own->step;
         /* The result has the axes of the array with the most rows, and a row for all has fewer. */
         if (own->rows != 1 && model->rows != 1) {
             if (!same_axes(own, model)) Py_RETURN_NONE;
@@ -177,7 +190,7 @@ static PyObject *call(PyObject *self, PyObject *const *given, Py_ssize_t count)
         if (!result) return NULL;
     } else {
         if (!look(result, kernel->result, &target) || !same_axes(&target, model)
-            || !PyArray_ISWRITEABLE((PyArrayObject *)result))
+            || !PyArray_ISCARRAY((PyArrayObject *)result))
             Py_RETURN_NONE;
         for (int array = 0; array < kernel->arrays; array++)
             if (overlap(&target, arrays + array)) Py_RETURN_NONE;
