@@ -2,8 +2,9 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from itertools import combinations
 
-from sympy import Basic, Eq, ImmutableMatrix, pi
+from sympy import Basic, Eq, ImmutableMatrix, pi, preorder_traversal
 from sympy.logic.boolalg import Boolean
 
 from chr_notes.derivations.steps import Step
@@ -52,7 +53,7 @@ class Case:
         The document's symbols as derived quantities; the document's own reading if left out.
     given
         Everything is judged within it, the witness included: what the document's reading says that
-        it presumes, which `complete` adds, and single values that a general statement leaves out.
+        it presumes. `complete` adds it.
     condition
         For a statement that holds only under it.
     edits
@@ -159,11 +160,27 @@ def complete(
         if case.definition and not any(_uses(other, case) for other in cases):
             msg = f"{case.id}: brought as a definition, yet no statement is read by it"
             raise CannotJudgeError(msg)
+        if not case.readings and any(_is_contested(case, other) for other in cases):
+            msg = (
+                f"{case.id}: expected readings, for the document contradicts itself in what it "
+                "names; got none"
+            )
+            raise CannotJudgeError(msg)
         other = next((each for each in cases if _means_otherwise(each, case)), None)
         if other is not None:
             msg = f"{case.id}: brought as a definition, yet {other.id} reads its name otherwise"
             raise CannotJudgeError(msg)
     return tuple(cases)
+
+
+def _is_contested(case: Case, other: Case) -> bool:
+    """Whether a statement has what a statement with several readings is about."""
+    statement = case.printed.statement
+    for one, two in combinations(other.readings, 2):
+        names, kinds = one.read.contested(two.read)
+        if statement.has(*kinds) or not names.isdisjoint(preorder_traversal(statement)):
+            return True
+    return False
 
 
 def _means_otherwise(case: Case, definition: Case) -> bool:

@@ -3,7 +3,7 @@
 Each check raises a `CannotJudgeError` that says what is wrong with the case.
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 from sympy import (
     And,
@@ -15,10 +15,8 @@ from sympy import (
     MatrixBase,
     MatrixSymbol,
     Ne,
-    S,
     Subs,
     Symbol,
-    zoo,
 )
 from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
@@ -26,9 +24,9 @@ from sympy.core.relational import Relational
 from chr_notes.ledger.case import CannotJudgeError, Case
 from chr_notes.ledger.condition import Condition
 from chr_notes.ledger.edits import in_order
-from chr_notes.ledger.evaluation import evaluate, parts, sides, work_out
+from chr_notes.ledger.evaluation import evaluate, parts
 from chr_notes.ledger.identities import difference, is_zero
-from chr_notes.ledger.proof import excludes, fails, proves
+from chr_notes.ledger.proof import proves
 from chr_notes.ledger.roots import ROOTS
 from chr_notes.ledger.search import is_met_somewhere
 from chr_notes.printed import BY_ID, DOCUMENTS
@@ -235,34 +233,3 @@ def _components(relation: Relational, case: Case) -> tuple[Basic, ...]:
     scalars = not (left.is_Matrix or right.is_Matrix)
     same = scalars or getattr(left, "shape", ()) == getattr(right, "shape", ())
     return difference(left, right) if same else ()
-
-
-def check_witness(case: Case) -> None:
-    """Refuse a witness at which the statement does not fail, or only has no value.
-
-    Its values are those of free quantities: another value for a name that is derived would make
-    anything fail.
-    """
-    statement, read, point = case.printed.statement, case.reading, case.witness
-    read_otherwise = [name for name in point if work_out(name, read, {}) != name]
-    if read_otherwise:
-        msg = f"{case.id}: the witness changes {read_otherwise[0]}, which is derived"
-        raise CannotJudgeError(msg)
-    if any(excludes(given, point) for given in case.given):
-        msg = f"{case.id}: the witness {point} lies outside what is given"
-        raise CannotJudgeError(msg)
-    if not fails(statement, read, point):
-        msg = f"{case.id}: the witness {point} does not show that it fails as printed"
-        raise CannotJudgeError(msg)
-    failing = [part for part in parts(statement) if fails(part, read, point)]
-    if all(
-        _has_no_value(part, case, point) and not _has_no_value(part, case, {}) for part in failing
-    ):
-        msg = f"{case.id}: at the witness {point} it has no value; choose one where it is wrong"
-        raise CannotJudgeError(msg)
-
-
-def _has_no_value(part: Basic, case: Case, point: Mapping[Basic, Basic]) -> bool:
-    if isinstance(part, Approximately):
-        return False
-    return any(side.has(S.NaN, zoo) for side in sides(part, case.reading, point))

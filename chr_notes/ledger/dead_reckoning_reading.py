@@ -4,7 +4,9 @@ from sympy import (
     Expr,
     ImmutableMatrix,
     MatrixSymbol,
+    Ne,
     Symbol,
+    cos,
     exp,
     expand,
     symbols,
@@ -14,6 +16,7 @@ from chr_notes.derivations import dead_reckoning as derived
 from chr_notes.derivations.estimation import euler_step, weight
 from chr_notes.derivations.euler import Z, rotation
 from chr_notes.ledger import table_1
+from chr_notes.ledger.condition import Condition, Presumed
 from chr_notes.ledger.reading import reading
 from chr_notes.printed import dead_reckoning as printed
 from chr_notes.printed import dead_reckoning_claims as claims
@@ -22,6 +25,7 @@ from chr_notes.symbols import g, m
 # The gravity that is added, which may not be the local one; the accelerometer's own error.
 ADDED_G = Symbol(r"\hat{g}", positive=True)
 OWN_ERROR = ImmutableMatrix(symbols("varepsilon_x:z", real=True))
+TILTED = Condition(Ne(cos(derived.tilt_error), 1))
 # What steps speak of: the forces on the body, all and that of gravity; how fast velocity and
 # position change; both exactly one period later; the position after n steps.
 FORCES, WEIGHT = (MatrixSymbol(rf"\mathbf{{F}}{of}", 3, 1) for of in ("", "_g"))
@@ -98,5 +102,10 @@ READ = reading(
         claims.BY_YAW: error_by_yaw,
         SUMMED_POSITION: derived.position_by_steps,
         **table_1.MEANING,
-    }
+    },
+    presumed=(
+        Presumed(TILTED, "one of tilt at rest", "dead_reckoning.4.i"),
+        Presumed(Condition(Ne(cos(derived.yaw_error), 1)), "one of yaw", "dead_reckoning.4.i"),
+        Presumed(Condition(Ne(derived.ACCELERATION[0], 0)), "gathers speed", "dead_reckoning.4.i"),
+    ),
 )

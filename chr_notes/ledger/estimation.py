@@ -5,7 +5,6 @@ from sympy import (
     ImmutableMatrix,
     MatAdd,
     MatMul,
-    Ne,
     Rational,
     ZeroMatrix,
     atan2,
@@ -210,7 +209,6 @@ SETTLED = (
     ),
     Case(
         "estimation.3.a",
-        given=(Condition(Ne(BIAS, 0)),),
         steps=(
             Step(
                 "Each period adds the bias b times T to the angle, and a fresh error of the noise, "

@@ -8,6 +8,7 @@ from sympy import (
     FiniteSet,
     ImmutableMatrix,
     MatrixSymbol,
+    Ne,
     Set,
     Symbol,
     pi,
@@ -91,6 +92,7 @@ READ = reading(
         },
     },
     presumed=(
+        Presumed(Condition(Ne(BIAS, 0)), "by its bias", "estimation.3.a"),
         Presumed(
             Condition(Eq(FORCE, NOTHING)),
             "add up to nothing",

@@ -1,15 +1,19 @@
 """How the Euler-angle note is read: what its symbols mean."""
 
 from sympy import (
+    And,
     Basic,
     Eq,
     FiniteSet,
     ImmutableMatrix,
     Interval,
     MatrixSymbol,
+    Ne,
     Set,
     Symbol,
+    cos,
     pi,
+    sin,
     symbols,
 )
 
@@ -95,5 +99,12 @@ _MEANING: dict[Basic, Meaning] = {
 }
 READ = reading(
     _MEANING,
-    presumed=(Presumed(Condition(Eq(theta, pi / 2)), "At a pitch of 90 degrees", "euler.6.c"),),
+    presumed=(
+        Presumed(Condition(Eq(theta, pi / 2)), "At a pitch of 90 degrees", "euler.6.c"),
+        Presumed(Condition(Ne(cos(psi), 1)), "After some yaw", "euler.4.a"),
+        Presumed(Condition(Ne(cos(phi), 1)), "in general", "euler.7.b"),
+        Presumed(
+            Condition(And(Ne(sin(phi), 0), Ne(cos(phi), 0))), "in general diverge", "euler.7.c"
+        ),
+    ),
 )

@@ -28,7 +28,6 @@ from chr_notes.ledger.checks import (
     check_reported,
     check_root,
     check_says_something,
-    check_witness,
 )
 from chr_notes.ledger.condition import Condition
 from chr_notes.ledger.corrections import check_correction
@@ -36,11 +35,16 @@ from chr_notes.ledger.domain import undefined_where
 from chr_notes.ledger.edits import in_order, marked
 from chr_notes.ledger.entry import Entry, Verdict
 from chr_notes.ledger.evaluation import evaluate, parts, work_out
-from chr_notes.ledger.generality import check_given, check_sufficient
+from chr_notes.ledger.generality import (
+    check_condition,
+    check_given,
+    check_reading,
+    check_sufficient,
+)
 from chr_notes.ledger.identities import OnSphere, reduced
 from chr_notes.ledger.proof import Finding, examine, excludes, fails, proves
 from chr_notes.ledger.search import is_exact
-from chr_notes.ledger.witness import number, witness
+from chr_notes.ledger.witness import check_witness, number, witness
 from chr_notes.ledger.words import misfits
 from chr_notes.printed.statement import Approximately
 from chr_notes.typeset import latex
@@ -127,7 +131,9 @@ def _verdict(case: Case) -> Judged:
         return Judged("definition", "the name has no meaning before; it is read by this later")
     check_says_something(case)
     check_given(case)
+    check_reading(case)
     check_conditions(case)
+    check_condition(case)
     if case.condition is None and case.right is None:
         findings = _prove(case, case.printed.statement, "not proved as printed", *case.given)
         return Judged("proved", f"derived independently: {_how(findings)}")
@@ -242,6 +248,9 @@ def _step(case: Case, place: int) -> tuple[str, str]:
 
 def _reading(case: Case, each: Reading) -> tuple[str, bool]:
     """Say whether a statement holds under one reading of a document that contradicts itself."""
+    if any(proves(each.convention, o.read) != (o is each) for o in case.readings):
+        msg = f"{case.id}: expected {each.convention} under its own reading alone"
+        raise CannotJudgeError(msg)
     statement = case.printed.statement
     conditions = (case.condition,) if case.condition is not None else ()
     holds = proves(statement, each.read, *case.given, *conditions)

@@ -242,6 +242,7 @@ SETTLED = (
         remark="The sentence says body to inertial, and that is where the products and the printed "
         "matrix lead. The formulas before and after it say the opposite. " + ALSO,
     ),
+    Case("quaternions.3.c", readings=READINGS),
     Case(
         "quaternions.2.b",
         READ_ROTATION,

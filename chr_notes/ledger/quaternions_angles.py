@@ -81,7 +81,7 @@ SETTLED = (
         ),
         remark=ATAN + ALSO,
     ),
-    Case("quaternions.4.a", READ_AT_ITS_WORD),
+    Case("quaternions.4.a", READ_AT_ITS_WORD, readings=READINGS),
     Case(
         "quaternions.4.c",
         READ_ORDERS.also(SOMEWHERE),

@@ -98,9 +98,30 @@ class Read:
         """Whether this is a reading with no more than names added to it."""
         return self is other or (self.base is not None and self.base.extends(other))
 
+    @property
+    def added(self) -> frozenset[Basic]:
+        """The names that are read besides those of the document's own reading."""
+        return frozenset() if self.base is None else self.base.added | self.meaning.keys()
+
     def __contains__(self, name: Basic) -> bool:
         """Whether a name has a meaning."""
         return name in self.meaning or (self.base is not None and name in self.base)
+
+    def contested(self, other: "Read") -> tuple[frozenset[Basic], frozenset[type[Basic]]]:
+        """Find the names, and the kinds of notation, that another reading takes otherwise."""
+        one, two = self.meanings(), other.meanings()
+        return (
+            frozenset(name for name in one.keys() & two.keys() if one[name] != two[name]),
+            frozenset(
+                kind
+                for kind in self.notation.keys() & other.notation.keys()
+                if self.notation[kind] != other.notation[kind]
+            ),
+        )
+
+    def meanings(self) -> dict[Basic, Meaning]:
+        """List all names with what they are read as."""
+        return {**(self.base.meanings() if self.base is not None else {}), **self.meaning}
 
     def defines(self, name: Basic, by: str) -> bool:
         """Whether a name has no other meaning than the one that a printed definition gives."""

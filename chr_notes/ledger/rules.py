@@ -179,7 +179,7 @@ def _fraction(relations: Relations) -> tuple[By, ...] | None:
 def _between(relations: Relations) -> tuple[By, ...] | None:
     """Go from a a share s/(1 + s) of the way to b for a < x < b."""
     below, above, reached_below, reached_above = _bounds_or_none(relations)
-    if below is None or above is None:
+    if below is None or above is None or (above - below).is_nonpositive:
         return None
     x, s = relations[0].lhs, _positive(or_zero=reached_below)
     inside = _solved(x, below + (above - below) * s / (1 + s))

@@ -1,12 +1,15 @@
 """What the paper on validating Euler angles presumes: an undisturbed field, ranges, exact tilt."""
 
-from sympy import Add, Eq, ImmutableMatrix, symbols
+from sympy import Add, Eq, ImmutableMatrix, Ne, symbols
 
 from chr_notes.derivations import validation as derived
 from chr_notes.ledger import ranges
 from chr_notes.ledger.condition import Condition, Presumed
 from chr_notes.printed import validation as printed
-from chr_notes.symbols import phi, theta
+from chr_notes.symbols import AngularRate, phi, theta
+
+# The gyro's bias while at rest.
+BIAS = AngularRate("b", real=True)
 
 # The normalised field where the magnetometer is, iron and the magnetometer's own errors included,
 # in the inertial frame. The paper's M_i is the field as it was when all angles were zero.
@@ -40,6 +43,7 @@ PRESUMED = (
     ),
     Presumed(ranges.from_0_to_1(printed.ALPHA), "Complementary", "validation.10"),
     Presumed(ranges.between_0_and_1(printed.ALPHA), "converges", "validation.c"),
+    Presumed(Condition(Ne(BIAS, 0)), "by the bias of the gyro", "validation.m"),
     # Its y component is zero.
     Presumed(Condition(Eq(derived.declination, 0)), "points south", "validation.e"),
 )

@@ -37,7 +37,7 @@ from chr_notes.ledger.case import Reading
 from chr_notes.ledger.edits import in_order
 from chr_notes.ledger.identities import reduced
 from chr_notes.ledger.reading import Meaning, Read, defined, elements, reading
-from chr_notes.ledger.validation_presumed import PRESUMED, SEEN, UNDISTURBED
+from chr_notes.ledger.validation_presumed import BIAS, PRESUMED, SEEN, UNDISTURBED
 from chr_notes.printed import BY_ID
 from chr_notes.printed import validation as printed
 from chr_notes.printed import validation_claims as claims
@@ -45,7 +45,6 @@ from chr_notes.symbols import (
     BODY_RATES,
     EULER_RATES,
     MAGNETOMETER,
-    AngularRate,
     T,
     g,
     phi,
@@ -54,8 +53,7 @@ from chr_notes.symbols import (
 )
 
 VECTOR = ImmutableMatrix(symbols("v_x v_y v_z", real=True))
-# The gyro's bias while at rest; the altitude.
-BIAS = AngularRate("b", real=True)
+# The altitude.
 ALTITUDE = Symbol("h", positive=True)
 
 # What steps speak of: the matrix of the labels without yaw; any vector that has no part to the

@@ -1,4 +1,4 @@
-"""The numbers of a witness, typeset: what the printed and what the right form give there."""
+"""The witness that something fails: its check, and its numbers, typeset."""
 
 from collections.abc import Mapping
 from itertools import repeat
@@ -7,6 +7,8 @@ from sympy import (
     And,
     Basic,
     Eq,
+    Expr,
+    Float,
     MatrixBase,
     MatrixExpr,
     N,
@@ -16,19 +18,79 @@ from sympy import (
     deg,
     log,
     sympify,
+    zoo,
 )
 
-from chr_notes.ledger.case import Case
+from chr_notes.ledger.case import CannotJudgeError, Case
 from chr_notes.ledger.entry import Witness
-from chr_notes.ledger.evaluation import parts, sides
-from chr_notes.ledger.identities import equal
-from chr_notes.ledger.proof import fails
+from chr_notes.ledger.evaluation import parts, sides, work_out
+from chr_notes.ledger.identities import equal, shape_of
+from chr_notes.ledger.proof import excludes, fails
 from chr_notes.printed.statement import Approximately
 from chr_notes.symbols import Angle, AngularRate
 from chr_notes.typeset import latex
 
 GIVEN_IN_DEGREES = {Angle: r"^\circ", AngularRate: r"^\circ/\mathrm{s}"}
 MANY = 3
+
+
+def check_witness(case: Case) -> None:
+    """Refuse a witness at which the statement does not fail, or only has no value.
+
+    Its values are those of free quantities: another value for a name that is derived would make
+    anything fail.
+    """
+    statement, read, point = case.printed.statement, case.reading, case.witness
+    read_otherwise = [
+        name for name in point if isinstance(name, Basic) and work_out(name, read, {}) != name
+    ]
+    if read_otherwise:
+        msg = f"{case.id}: the witness changes {read_otherwise[0]}, which is derived"
+        raise CannotJudgeError(msg)
+    odd = [
+        name
+        for name, value in point.items()
+        if not (isinstance(name, Basic) and _is_exact(value, shape_of(name)))
+    ]
+    if odd:
+        got = f"{odd[0]} at the witness, got {point[odd[0]]!r}"
+        msg = f"{case.id}: expected exact numbers of the right shape for {got}"
+        raise CannotJudgeError(msg)
+    if any(excludes(given, point) for given in case.given):
+        msg = f"{case.id}: the witness {point} lies outside what is given"
+        raise CannotJudgeError(msg)
+    if not fails(statement, read, point):
+        msg = f"{case.id}: the witness {point} does not show that it fails as printed"
+        raise CannotJudgeError(msg)
+    failing = [part for part in parts(statement) if fails(part, read, point)]
+    values = [side for part in failing for side in _sides(part, case, point)]
+    if point and any(value.free_symbols for value in values):
+        names = sorted(set().union(*(value.free_symbols for value in values)), key=str)
+        msg = f"{case.id}: expected a value for {names[0]} at the witness, got none"
+        raise CannotJudgeError(msg)
+    if all(
+        _has_no_value(part, case, point) and not _has_no_value(part, case, {}) for part in failing
+    ):
+        msg = f"{case.id}: at the witness {point} it has no value; choose one where it is wrong"
+        raise CannotJudgeError(msg)
+
+
+def _is_exact(value: object, shape: tuple[Basic, ...]) -> bool:
+    """Whether a value is a number without rounding, or a matrix of such of the right shape."""
+    if isinstance(value, MatrixBase):
+        return value.shape == shape and all(_is_exact(each, ()) for each in value)
+    if isinstance(value, bool) or not isinstance(value, int | Expr) or shape:
+        return False
+    number = sympify(value)
+    return bool(number.is_number and number.is_finite and not number.has(Float))
+
+
+def _has_no_value(part: Basic, case: Case, point: Mapping[Basic, Basic]) -> bool:
+    return any(side.has(S.NaN, zoo) for side in _sides(part, case, point))
+
+
+def _sides(part: Basic, case: Case, point: Mapping[Basic, Basic]) -> tuple[Basic, ...]:
+    return () if isinstance(part, Approximately) else sides(part, case.reading, point)
 
 
 def witness(case: Case) -> Witness:

@@ -116,7 +116,7 @@ with as_printed():
             "euler.4.a",
             "claim",
             "section 4, paragraph 1",
-            "Pitch does not turn about the inertial y-axis.",
+            "After some yaw, pitch does not turn about the inertial y-axis.",
             Ne(PITCH_AXIS, E_Y),
         ),
         Printed(
@@ -271,8 +271,8 @@ with as_printed():
             "euler.7.b",
             "claim",
             "section 7, paragraph 5",
-            "The gyros do not report the derivatives of the Euler angles: the matrix that makes "
-            "one of the other is not the identity.",
+            "The gyros do not report the derivatives of the Euler angles: in general the matrix "
+            "that makes one of the other is not the identity.",
             Ne(D, Identity(3)),
         ),
         Printed(
@@ -280,7 +280,7 @@ with as_printed():
             "claim",
             "section 7, paragraph 8",
             "The last row of D divides by cos(pitch) in two places; towards ±90 degrees its "
-            "elements diverge.",
+            "elements in general diverge.",
             InOrder(
                 Eq(Limit(abs(D[2, 1]), theta, pi / 2, "+-"), oo),
                 Eq(Limit(abs(D[2, 2]), theta, pi / 2, "+-"), oo),

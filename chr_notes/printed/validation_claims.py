@@ -208,7 +208,7 @@ with as_printed():
             "validation.m",
             "claim",
             "after equation 9, paragraph 2",
-            "Euler rates, integrated over time, drift.",
+            "Euler rates, integrated over time, drift by the bias of the gyro.",
             Eq(Limit(Abs(DRIFT), n, oo), oo),
         ),
         Printed(

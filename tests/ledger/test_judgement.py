@@ -119,7 +119,9 @@ def test_an_equality_is_not_proved_as_an_inequality(say: Say) -> None:
 
 
 def test_an_exact_condition_is_told_from_a_sufficient_one(say: Say) -> None:
-    exact = say(Eq(y, x**2 + z), condition=Condition(Eq(z, 0)), witness={x: 2, z: 1}, **ROOTED)
+    biased = reading({y: x**2 + z})
+    at_rest: Bring = {"condition": Condition(Eq(z, 0)), "witness": {x: 2, z: 1}, "read": biased}
+    exact = say(Eq(y, x**2), **at_rest, **ROOTED)
     assert (exact.verdict, exact.exact) == ("qualified", True)
     positive = Eq(Abs(z), z, evaluate=False)
     only_if = say(positive, condition=Condition(Gt(z, 1)), witness={z: -1}, **ROOTED)
@@ -128,7 +130,10 @@ def test_an_exact_condition_is_told_from_a_sufficient_one(say: Say) -> None:
 
 
 def test_single_values_of_several_are_no_condition(say: Say) -> None:
+    twice: Bring = {"condition": Condition(Eq(z, 0)), "witness": {x: 2, z: 3}}
     with pytest.raises(CannotJudgeError, match="single values"):
+        say(Eq(y, x), read=reading({y: x + z * (z - 1)}), **twice, **ROOTED)
+    with pytest.raises(CannotJudgeError, match="the document writes x, for any value"):
         say(FALSE, condition=Condition(Eq(x, 0)), witness={x: 2}, **ROOTED)
     some = reading({y: sin(theta)})
     level: Bring = {"condition": Condition(Eq(theta, 0)), "witness": {theta: 1}, "read": some}
@@ -146,10 +151,12 @@ def test_what_is_given_is_said_by_the_document(say: Say) -> None:
         read = Read(READ.meaning, READ.notation, presumed=(Presumed(positive, said, "tried.1.1"),))
         with pytest.raises(CannotJudgeError, match="does not say"):
             say(true, read=read)
-    # A general statement leaves out single values by itself.
+    # Single values are left out by words as well.
     quotient = Eq(y * (x - 1) / (x - 1), x**2, evaluate=False)
     needed = Step("So.", Ne(x - 1, 0, evaluate=False))
-    assert say(quotient, unsaid=(unequal,), steps=(needed,)).verdict == "proved"
+    assert say(quotient, given=(unequal,), steps=(needed,)).verdict == "proved"
+    with pytest.raises(CannotJudgeError, match="does not say that it presumes"):
+        say(quotient, unsaid=(unequal,), steps=(needed,))
 
 
 def test_an_attitude_is_fixed_by_the_words_of_the_statement_alone(say: Say) -> None:
@@ -173,13 +180,14 @@ def test_the_condition_shown_is_the_one_that_is_proved(say: Say) -> None:
 
 
 def test_a_witness_must_lie_outside_and_fail(say: Say) -> None:
+    biased: Bring = {"read": reading({y: x + z}), "condition": Condition(Eq(z, 0))}
     with pytest.raises(CannotJudgeError, match="does not show that it fails"):
-        say(FALSE, condition=Condition(Eq(x, 0)), witness={x: 1}, **ROOTED)
+        say(FALSE, witness={x: 1, z: 0}, **biased, **ROOTED)
     with pytest.raises(CannotJudgeError, match="meets the condition"):
         say(FALSE, condition=Condition(Lt(x, 5)), witness={x: 2}, **ROOTED)
     given = (Condition(Lt(x, 1)),)
     with pytest.raises(CannotJudgeError, match="outside what is given"):
-        say(FALSE, given=given, condition=Condition(Eq(x, 0)), witness={x: 2}, **ROOTED)
+        say(FALSE, given=given, witness={x: 2, z: 1}, **biased, **ROOTED)
 
 
 def test_a_correction_keeps_what_it_does_not_correct(say: Say) -> None:
@@ -363,8 +371,13 @@ def test_steps_are_proved_and_show_something(say: Say) -> None:
 
 
 def test_of_several_readings_one_must_make_it_true(say: Say) -> None:
-    readings = (Reading(Eq(x, 1), READ, {x: 2}), Reading(Eq(x, 2), reading({y: x**3}), {x: 2}))
-    assert say(Eq(y, x * x), readings=readings).readings == (("x = 1", True), ("x = 2", False))
+    square, cube = Eq(y, x**2), Eq(y, x**3)
+    readings = (Reading(square, READ, {x: 2}), Reading(cube, reading({y: x**3}), {x: 2}))
+    found = (("y = x^{2}", True), ("y = x^{3}", False))
+    assert say(Eq(y, x * x), readings=readings).readings == found
+    swapped = (replace(readings[0], convention=cube), replace(readings[1], convention=square))
+    with pytest.raises(CannotJudgeError, match="under its own reading alone"):
+        say(Eq(y, x * x), readings=swapped)
     wrong: Bring = {"edits": (Edit(x, x**2),), "witness": {x: 2}, **ROOTED}
     with pytest.raises(CannotJudgeError, match="under none of its readings"):
         say(FALSE, readings=readings, **wrong)

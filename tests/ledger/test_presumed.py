@@ -3,18 +3,35 @@
 from dataclasses import replace
 
 import pytest
-from sympy import Abs, And, Eq, Ge, Le
+from sympy import (
+    Abs,
+    And,
+    Eq,
+    Ge,
+    Identity,
+    ImmutableMatrix,
+    Integer,
+    Le,
+    Ne,
+    Rational,
+    ZeroMatrix,
+)
 from sympy.logic.boolalg import Boolean
 
+from chr_notes.derivations.calibration import HARD_IRON
 from chr_notes.ledger.case import CannotJudgeError, complete
 from chr_notes.ledger.cases import CASES
 from chr_notes.ledger.checks import check_conditions, check_definition
 from chr_notes.ledger.condition import Condition, Presumed
-from chr_notes.ledger.generality import check_given
-from chr_notes.ledger.reading import defined
+from chr_notes.ledger.estimation_reading import FORCE
+from chr_notes.ledger.generality import check_condition, check_given, check_reading
+from chr_notes.ledger.judgement import judge
+from chr_notes.ledger.reading import Read, defined
 from chr_notes.ledger.sensors_reading import READ, TEMPERATURES
-from chr_notes.printed import BY_ID, DOCUMENTS
-from chr_notes.symbols import QUATERNION, b, c, d, phi, psi, q, r, theta
+from chr_notes.printed import BY_ID, DOCUMENTS, estimation, sensors, validation
+from chr_notes.symbols import QUATERNION, a, b, c, d, phi, psi, q, r, theta
+
+from .planting import planted
 
 PRESUMED = {row: None for case in CASES.values() for row in case.reading.presumed}
 
@@ -56,13 +73,81 @@ def test_what_makes_a_wrong_line_right_is_not_given(name: str, holds: Boolean) -
 )
 def test_one_attitude_is_no_condition(name: str, holds: Boolean) -> None:
     with pytest.raises(CannotJudgeError, match="is one attitude"):
-        check_given(replace(CASES[name], edits=(), condition=Condition(holds)))
+        check_condition(replace(CASES[name], edits=(), condition=Condition(holds)))
 
 
 def test_bounds_leave_something_between_them() -> None:
     pinched = And(*(part for n in QUATERNION[1:] for part in (Ge(n, 0), Le(n, 0))))
+    with pytest.raises(ValueError, match="no rule for the condition"):
+        Condition(pinched)
+    never = And(Ge(b, 2), Le(b * b, 1))
     with pytest.raises(CannotJudgeError, match="no point was found"):
-        check_conditions(replace(CASES["quaternions.3.1"], condition=Condition(pinched)))
+        check_conditions(replace(CASES["quaternions.3.1"], condition=Condition(never)))
+
+
+@pytest.mark.parametrize(
+    ("name", "holds"),
+    [
+        ("estimation.4.3", Eq(estimation.L, 0)),
+        ("estimation.4.3", Eq(2 * estimation.L - 2, 0)),
+        ("estimation.4.3", Eq(estimation.PITCH_ACCEL, estimation.PITCH_PLUS)),
+        ("validation.11", Eq(validation.ALPHA, 1)),
+        ("sensors.2.5", Eq(sensors.BETA_A, ZeroMatrix(3, 1))),
+        ("sensors.4.3", Eq(sensors.M_A, Identity(3))),
+        ("sensors.4.c", Eq(ImmutableMatrix(HARD_IRON), ImmutableMatrix.zeros(3, 1))),
+        ("estimation.2.1", Eq(ImmutableMatrix(FORCE), ImmutableMatrix([0, 0, 9]))),
+    ],
+)
+def test_where_a_term_vanishes_is_no_condition(name: str, holds: Boolean) -> None:
+    case = replace(CASES[name], edits=(), condition=Condition(holds))
+    with pytest.raises(CannotJudgeError, match="on what the document leaves out, got"):
+        check_condition(case)
+
+
+def test_a_lost_gain_is_no_matter_of_a_gain_of_nothing() -> None:
+    lost = Eq(estimation.PITCH, estimation.PITCH_PLUS)
+    gain = Condition(Eq(estimation.L, 0))
+    brought = {"condition": gain, "root": "seam", "weight": "small print"}
+    point = {estimation.PITCH_PLUS: 1, estimation.PITCH_ACCEL: 2, estimation.L: Rational(1, 2)}
+    with planted("estimation.4.3", lost) as cases:
+        case = replace(cases["estimation.4.3"], steps=(), witness=point, **brought)
+        with pytest.raises(CannotJudgeError, match="the document writes L, for any value"):
+            judge(case)
+
+
+def test_what_the_document_presumes_elsewhere_may_be_a_condition() -> None:
+    check_condition(CASES["quaternions.3.a"])
+    case = replace(CASES["quaternions.3.a"], condition=Condition(Eq(a, 2)))
+    with pytest.raises(CannotJudgeError, match=r"is one attitude"):
+        check_condition(case)
+
+
+@pytest.mark.parametrize("name", ["estimation.4.3", "sensors.4.c", "quaternions.4.2"])
+def test_an_equation_is_not_read_at_one_value(name: str) -> None:
+    case = CASES[name]
+    free = {"estimation.4.3": estimation.L, "sensors.4.c": HARD_IRON[0], "quaternions.4.2": a}[name]
+    check_reading(case)
+    with pytest.raises(CannotJudgeError, match="for any value, read as"):
+        check_reading(replace(case, read=case.reading.also({free: Integer(0)})))
+
+
+NE = [
+    name
+    for name, case in CASES.items()
+    if case.condition is not None and any(isinstance(e, Ne) for e in case.condition.relations)
+]
+
+
+@pytest.mark.parametrize("name", NE)
+def test_single_values_are_left_out_by_the_words_of_the_statement_alone(name: str) -> None:
+    case = CASES[name]
+    moved = replace(case, given=(*case.given, case.condition), condition=None, witness={})
+    with pytest.raises(CannotJudgeError, match="does not say that it presumes"):
+        judge(moved)
+    said = Presumed(case.condition, "a gyro", "estimation.3.a", (name,))
+    elsewhere = Read(case.reading.meaning, case.reading.notation, presumed=(said,))
+    with pytest.raises(CannotJudgeError, match="its own words do not say"):
+        check_given(replace(moved, given=(case.condition,), read=elsewhere))
 
 
 def test_an_equation_that_is_wrong_is_no_definition_of_what_it_is_made_of() -> None:
