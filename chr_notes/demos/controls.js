@@ -6,7 +6,7 @@
  *   hint      what to try first
  *   aspect    height of the picture by its width
  *   legend    [{ colour, dash, width, symbol, text }]: the lines that need explaining
- *   controls  one slider each, see `slider` in parts.js
+ *   controls  one slider and field each, see `slider` in parts.js; or `choices`, see typed.js
  *   outputs   one readout each, see `readout` in parts.js
  *   python    the name of its class, for "Copy as Python"
  *   start     the state, { control name: number }, where none is given
@@ -23,6 +23,7 @@ import { turnByHand, turned } from "./looking.js";
 import { legend, node, readout, reserved, slider } from "./parts.js";
 import { keepKeys, painting } from "./stage.js";
 import { glide, player } from "./story.js";
+import { choice, typed } from "./typed.js";
 
 const ANNOUNCE_AFTER = 600; // milliseconds without a change
 const RESET = 0.45; // seconds from a state back to the start
@@ -144,8 +145,8 @@ export const mountOf = (definition) => {
 
 /** What of a state from outside is a number of a control, within its slider's range. */
 function within(controls, given) {
-  const inRange = controls.flatMap(({ name, min, max, toValue = Number }) => {
-    const value = given[name] === "" ? NaN : Number(given[name]); // Number("") is 0
+  const inRange = controls.flatMap(({ name, choices, min = 0, max = choices?.length - 1, toValue = Number }) => {
+    const value = given[name] === "" || (choices && given[name] % 1) ? NaN : Number(given[name]); // Number("") is 0
     return value >= toValue(min) && value <= toValue(max) ? [[name, value]] : [];
   });
   return Object.fromEntries(inRange);
@@ -158,7 +159,7 @@ function build(definition, touched) {
   });
   const live = node("p", { class: "chr-live", "aria-live": "polite" });
   const said = node("p", { class: "chr-said" });
-  const sliders = definition.controls.map((control) => slider(control, touched));
+  const sliders = definition.controls.map((control) => (control.choices ? choice(control, touched) : both(control, touched, live)));
   const outputs = definition.outputs.map((output) => readout(output, definition.readouts));
   const play = node("button", { type: "button", name: "play" });
   const reset = node("button", { type: "button", name: "reset" }, "Reset");
@@ -194,11 +195,20 @@ function build(definition, touched) {
   return { root, canvas, live, said, sliders, outputs, play, reset, buttons };
 }
 
+/** A slider, and a field beside it. */
+function both(control, touched, live) {
+  const part = slider(control, touched, typed(control, touched, (words) => {
+    part.tell(words);
+    live.textContent = `${control.label}: ${words}`;
+  }));
+  return part;
+}
+
 /** States on the way from one to another, in equal steps of the sliders' positions. */
 const betweenOf = (controls) => (from, to, t) =>
   Object.fromEntries(
-    controls.map(({ name, toPosition = Number, toValue = Number }) => {
+    controls.map(({ name, choices, toPosition = Number, toValue = Number }) => {
       const [start, end] = [toPosition(from[name]), toPosition(to[name])];
-      return [name, start === end ? to[name] : toValue(start + t * (end - start))];
+      return [name, choices || start === end ? to[name] : toValue(start + t * (end - start))];
     }),
   );

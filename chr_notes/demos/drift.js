@@ -161,7 +161,7 @@ const definition = {
   start: still,
   controls: [
     { name: "angle_error", label: "Error of the angle", symbol: ["ε"], min: 0, max: 5, step: 0.1, unit: { short: "°", long: "degrees" } },
-    { name: "time", label: "Time", symbol: ["t"], min: 0, max: STEPS, step: 1, words: duration, ...SECONDS },
+    { name: "time", label: "Time", symbol: ["t"], min: 0, max: STEPS, step: 1, unit: { short: " s", long: "seconds" }, words: duration, ...SECONDS },
   ],
   outputs: [
     { name: "meaning", label: "What it means", wide: true, longestAt: [{ angle_error: 4.6, time: 2597 }] },

@@ -129,10 +129,7 @@ const definition = {
       name: "frame", label: "Frame", symbol: [], min: 0, max: 3, step: 0.05,
       words: (frame) => ({ short: nameOf(frame), long: `frame ${nameOf(frame)}` }),
     },
-    {
-      name: "axis", label: "Row", symbol: [], min: 0, max: 2, step: 1,
-      toValue: Math.round, words: (axis) => ({ short: AXES[axis], long: `axis ${AXES[axis]}` }),
-    },
+    { name: "axis", label: "Row", choices: AXES },
     { name: "yaw", label: "Yaw", symbol: ["ψ"], axis: "z", min: -180, max: 180, step: 1, unit: DEGREES },
     { name: "pitch", label: "Pitch", symbol: ["θ"], axis: "y", min: -90, max: 90, step: 1, unit: DEGREES },
     { name: "roll", label: "Roll", symbol: ["φ"], axis: "x", min: -180, max: 180, step: 1, unit: DEGREES },

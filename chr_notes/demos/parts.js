@@ -31,9 +31,10 @@ export const symbolOf = ([letter = "", subscript = ""]) =>
  *
  * Where equal steps of the slider are not equal steps of the value, `toPosition(value)` and
  * `toValue(position)` go between the two, min, max and step are positions, and `words(value)`
- * stands for the number and its unit.
+ * stands for the number and its unit. With `typed`, a field for the number, only words that say
+ * something else stand in the caption, and what `tell(words)` says until the next change.
  */
-export function slider(control, touched) {
+export function slider(control, touched, typed) {
   const { name, label, symbol, axis, min, max, step } = control;
   const { unit, toPosition = Number, toValue = Number } = control;
   const words = control.words ?? ((value) => ({
@@ -48,9 +49,12 @@ export function slider(control, touched) {
   const along = (position) => (100 * (position - min)) / (max - min);
   const zero = along(Math.max(0, min));
   input.addEventListener("input", () => touched({ [name]: toValue(input.valueAsNumber) }));
+  const label_ = node("label", { class: "chr-slider", "data-axis": axis }, caption, input);
   return {
-    element: node("label", { class: "chr-slider", "data-axis": axis }, caption, input),
+    element: typed ? node("div", { class: "chr-control" }, label_, typed.element) : label_,
+    tell: (text) => (value.textContent = text),
     show(state) {
+      typed?.show(state);
       const { short, long } = words(state[name]);
       const position = toPosition(state[name]);
       input.value = position;
@@ -58,7 +62,7 @@ export function slider(control, touched) {
       input.style.setProperty("--from", `${Math.min(zero, along(position))}%`);
       input.style.setProperty("--to", `${Math.max(zero, along(position))}%`);
       input.setAttribute("aria-valuetext", long);
-      value.textContent = short;
+      value.textContent = typed?.text() === short ? "" : short;
     },
   };
 }

@@ -37,7 +37,13 @@ def output(page: Page | Locator, name: str) -> Locator:
 
 
 def slider(page: Page | Locator, name: str) -> Locator:
-    return page.locator(f'input[type="range"][name="{name}"]')
+    """What moves a value: a slider, or a choice."""
+    return page.locator(f':is(input[type="range"], select)[name="{name}"]')
+
+
+def field(page: Page, name: str) -> Locator:
+    """The number beside a slider."""
+    return page.locator(".chr-control", has=slider(page, name)).locator('input[type="number"]')
 
 
 def state_of(page: Page) -> dict[str, float]:
@@ -80,7 +86,7 @@ def picture(page: Page | Locator) -> int:
 
 SET_AND_READ = """(states) => states.map((state) => {
   for (const [name, value] of Object.entries(state)) {
-    const input = document.querySelector(`input[name="${name}"]`);
+    const input = document.querySelector(`:is(input, select)[name="${name}"]`);
     input.value = value;
     input.dispatchEvent(new Event("input"));
   }

@@ -17,6 +17,7 @@ from .parts import (
     PageOf,
     Visit,
     each_demo,
+    field,
     output,
     picture,
     slider,
@@ -47,6 +48,7 @@ def test_everyone_can_use_it(visit: Visit, page_of: PageOf, demo: type[Demo]) ->
     the_picture_follows_the_theme(page)
     only_keys_for_the_page_reach_the_page(page, demo)
     the_keyboard_moves_each_slider_and_the_picture(page, demo)
+    a_number_can_be_typed(page, demo)
     the_demo_fits_the_page(page, demo)
 
 
@@ -57,7 +59,9 @@ def tab_reaches_each_control_and_shows_where_it_is(
     page.mouse.click(2, 2)  # where Tab begins
     picture_first = [None] * page.locator("canvas.chr-turns").count()
     reached = []
-    for _ in range(len([*picture_first, *demo.controls, *BUTTONS])):
+    beside = {name: [] if demo.class_traits()[name].whole else [""] for name in demo.controls}
+    stops = [each for name in demo.controls for each in (name, *beside[name])]
+    for _ in range(len([*picture_first, *stops, *BUTTONS])):
         page.keyboard.press("Tab")
         name, style, width, colour = page.evaluate(
             "() => { const each = document.activeElement, style = getComputedStyle(each);"
@@ -67,7 +71,7 @@ def tab_reaches_each_control_and_shows_where_it_is(
         reached.append(name)
         assert (style, width) == ("solid", "3px")
         assert contrast(channels(colour), of_palette("raised", theme)) >= 3
-    assert reached == [*picture_first, *demo.controls, *BUTTONS]
+    assert reached == [*picture_first, *stops, *BUTTONS]
 
 
 def the_keyboard_moves_each_slider_and_the_picture(page: Page, demo: type[Demo]) -> None:
@@ -86,6 +90,31 @@ def the_keyboard_moves_each_slider_and_the_picture(page: Page, demo: type[Demo])
         assert state_of(page)[name] == limits.min
         page.keyboard.press("End")
         assert state_of(page)[name] == limits.max
+        slider(page, name).evaluate(SET, demo().state()[name])
+
+
+def a_number_can_be_typed(page: Page, demo: type[Demo]) -> None:
+    for name in demo.controls:
+        limits = demo.class_traits()[name]
+        if limits.whole:
+            continue
+        words = page.locator(".chr-control", has=slider(page, name)).locator(".chr-value")
+        inside = round(0.5 * (limits.min + limits.max) + 0.001, 3)
+        field(page, name).fill(str(inside))
+        assert state_of(page)[name] == inside
+        for typed, said, taken in (
+            (str(2 * limits.max + 1), "at most ", limits.max),
+            (str(limits.min - 1), "at least ", limits.min),
+            ("", "a number from ", limits.min),
+        ):
+            field(page, name).fill(typed)
+            page.keyboard.press("Enter")
+            assert state_of(page)[name] == taken
+            expect(words).to_contain_text(said)
+            expect(page.locator("[aria-live=polite]")).to_contain_text(said)
+            assert float(field(page, name).input_value()) == taken
+        page.keyboard.press("ArrowUp")
+        assert state_of(page)[name] > limits.min
         slider(page, name).evaluate(SET, demo().state()[name])
 
 
@@ -133,7 +162,9 @@ def everything_has_a_name(page: Page) -> None:
         " ?? each.textContent)"
     )
     assert all(str(name).strip() != "" for name in names)
-    values = page.locator("input").evaluate_all("(all) => all.map((each) => each.ariaValueText)")
+    values = page.locator("[type=range]").evaluate_all(
+        "(all) => all.map((each) => each.ariaValueText)"
+    )
     for value in values:
         assert any(unit in value for unit in UNITS), value
     for name in ("Play", "Reset"):
