@@ -1,9 +1,43 @@
-"""Kernels for arrays: left out, without an error, where there is no compiler."""
+"""What pyproject.toml cannot say: kernels for arrays, and the sources of the book in the package.
+
+The kernels are left out, without an error, where there is no compiler.
+"""
+
+import json
+import shutil
+from pathlib import Path
 
 import numpy as np
 from setuptools import Extension, setup
+from setuptools.command.build_py import build_py
+
+HERE = Path(__file__).resolve().parent
+
+
+class WithBook(build_py):
+    """Build the package with the sources of the book, and notebooks without their outputs."""
+
+    def run(self) -> None:
+        """Build it."""
+        super().run()
+        if self.editable_mode:
+            return
+        packed = Path(self.build_lib) / "chr_notes" / "book" / "packed"
+        shutil.rmtree(packed, ignore_errors=True)
+        left_out = shutil.ignore_patterns("_build", "_generated", "images")
+        shutil.copytree(HERE / "book", packed / "book", ignore=left_out)
+        (packed / "notebooks").mkdir()
+        for path in sorted((HERE / "notebooks").glob("*.ipynb")):
+            notebook = json.loads(path.read_text(encoding="utf-8"))
+            for cell in notebook["cells"]:
+                if cell["cell_type"] == "code":
+                    cell.update(outputs=[], execution_count=None)
+            text = json.dumps(notebook, indent=1, ensure_ascii=False) + "\n"
+            (packed / "notebooks" / path.name).write_text(text, encoding="utf-8")
+
 
 setup(
+    cmdclass={"build_py": WithBook},
     ext_modules=[
         Extension(
             "chr_notes._compiled",
@@ -30,5 +64,5 @@ setup(
             optional=True,
             py_limited_api=True,
         )
-    ]
+    ],
 )

@@ -1,4 +1,4 @@
-"""The command line: build the book, print the ledger, export the generated code."""
+"""The command line: build the book, copy notebooks, print the ledger, export generated code."""
 
 import argparse
 import io
@@ -6,7 +6,7 @@ import os
 import shutil
 import signal
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 
 from chr_notes import __version__
@@ -44,12 +44,18 @@ def _book(options: argparse.Namespace) -> int:
     # Ended from outside, it ends what it began, as when it is interrupted.
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
-        build(open_browser=options.open)
+        build(folder=options.folder, open_browser=options.open)
     except (RuntimeError, OSError) as error:
         # It says what is missing or wrong; where in the program does not help.
         print(f"book: {error}", file=sys.stderr)
         return 1
     return 0
+
+
+def _notebooks(options: argparse.Namespace) -> int:
+    from chr_notes.book.sources import copy_notebooks  # noqa: PLC0415
+
+    return _say_written("notebooks", lambda: copy_notebooks(options.folder))
 
 
 def _ledger(options: argparse.Namespace) -> int:
@@ -66,18 +72,23 @@ def _ledger(options: argparse.Namespace) -> int:
 def _export(options: argparse.Namespace) -> int:
     from chr_notes.export import export  # noqa: PLC0415
 
+    return _say_written("export", lambda: export(options.language, options.folder))
+
+
+def _say_written(command: str, write: Callable[[], Iterable[Path]]) -> int:
+    """Write files and print where they are."""
     try:
-        written = export(options.language, options.folder)
-    except OSError as error:
+        written = write()
+    except (OSError, RuntimeError) as error:
         # Where it is to go is the user's choice, so it is no fault of the program's.
-        print(f"export: {error}", file=sys.stderr)
+        print(f"{command}: {error}", file=sys.stderr)
         return 2
     for path in written:
         print(path)
     return 0
 
 
-COMMANDS = {"book": _book, "ledger": _ledger, "export": _export}
+COMMANDS = {"book": _book, "notebooks": _notebooks, "ledger": _ledger, "export": _export}
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -97,11 +108,21 @@ def _parser() -> argparse.ArgumentParser:
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
 
     book = command(
-        "book", "build the book into book/_build/html",
-        "Needs the sources of the book, a clone of the project, and\n"
-        'python -m pip install -e ".[book]". Takes about a minute.',
+        "book", "build the book, in a clone into book/_build/html",
+        'Needs the extra "book": python -m pip install -e ".[book]" in a clone,\n'
+        '"chr-notes[book]" elsewhere. Takes about a minute; elsewhere two more, to run\n'
+        "the notebooks.",
     )  # fmt: skip
     book.add_argument("--open", action="store_true", help="open it in the browser when built")
+    told = "without a clone: where its sources and the book go; %(default)s if not given"
+    book.add_argument("folder", type=Path, nargs="?", default=Path("chr-notes-book"), help=told)
+
+    notebooks = command(
+        "notebooks", "copy the notebooks of the chapters, to run and change them",
+        "chr-notes notebooks my_notebooks && jupyter lab my_notebooks\n\n"
+        'To run them takes the extra "notebooks". What is there already it leaves alone.',
+    )  # fmt: skip
+    notebooks.add_argument("folder", type=Path, help="copied to; made if it is not there")
 
     ledger = command(
         "ledger", "print every statement that the documents print, with its verdict",

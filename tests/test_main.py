@@ -19,7 +19,7 @@ def test_it_says_its_version(capsys: pytest.CaptureFixture[str]) -> None:
     assert capsys.readouterr().out == f"chr-notes {__version__}\n"
 
 
-@pytest.mark.parametrize("name", ["book", "ledger", "export"])
+@pytest.mark.parametrize("name", sorted(command.COMMANDS))
 def test_help_tells_what_each_argument_does(name: str, capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit) as ended:
         command.main([name, "--help"])

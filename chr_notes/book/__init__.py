@@ -10,29 +10,37 @@ import webbrowser
 from importlib import metadata
 from pathlib import Path
 
+from chr_notes.book import sources
+
 __all__ = ["build"]
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = sources.CLONE
 SOURCES = ROOT / "book"
-GENERATED = SOURCES / "_generated"
 
 _JUPYTER_BOOK = "from jupyter_book.cli.main import main; main()"
 _NEEDED = ("jupyter_book", "anywidget", "math_core", "fontTools", "brotli", "ziamath")
+_INSTALL = 'python -m pip install -e ".[book]", or "chr-notes[book]" without a clone'
 _MAKERS = ("jupyter-book", "myst-nb", "sphinx", "sphinx-book-theme")
 
 
-def build(*, open_browser: bool = False, output: Path = SOURCES) -> Path:
+def build(
+    *, folder: Path = Path("chr-notes-book"), output: Path | None = None, open_browser: bool = False
+) -> Path:
     """Build the book and say where it is.
 
-    It is built aside and put in place when it is whole, so that one from before stays if anything
-    goes wrong. Of one that the same program built, only the pages change whose sources did.
+    In a clone of the project it is the clone's. Elsewhere a folder gets the sources that an
+    installed package brings, and its notebooks are run there first. The book is built aside and put
+    in place when it is whole, so that one from before stays if anything goes wrong. Of one that the
+    same program built, only the pages change whose sources did.
 
     Parameters
     ----------
+    folder
+        What gets the sources where there is no clone.
+    output
+        Folder that gets a ``_build/html``, ``book`` beside the notebooks if it is None.
     open_browser
         Whether to show the first page in the reader's browser.
-    output
-        Folder that gets a ``_build/html``.
 
     Returns
     -------
@@ -42,27 +50,29 @@ def build(*, open_browser: bool = False, output: Path = SOURCES) -> Path:
     Raises
     ------
     RuntimeError
-        If the sources of the book or a package of the extra ``book`` are missing, or if Jupyter
-        Book finds anything wrong, warnings included.
+        If the sources of the book or a package of the extra ``book`` are missing, if a notebook
+        does not run, or if Jupyter Book finds anything wrong, warnings included.
     OSError
         If a file cannot be written.
     """
     _require()
+    root = sources.find(folder)
     _say("Writing the pages that come from data …")
-    _write_generated()
+    _write_generated(root / "book")
+    output = output or root / "book"
     output.mkdir(parents=True, exist_ok=True)
     built = output / "_build"
-    with tempfile.TemporaryDirectory(dir=output, prefix=".build-") as folder:
-        aside = Path(folder) / "_build"
-        made_by = _made_by()
+    with tempfile.TemporaryDirectory(dir=output, prefix=".build-") as beside:
+        aside = Path(beside) / "_build"
+        made_by = _made_by(root / "book")
         whole = not _is_from(built, made_by)
         if not whole:
             shutil.copytree(built, aside)
         _say("Building the pages …" if whole else "Building the pages that changed …")
-        _run_jupyter_book(aside.parent, whole=whole)
+        _run_jupyter_book(root, aside.parent, whole=whole)
         _write(aside / "made_by", made_by)
         if built.exists():
-            built.rename(Path(folder) / "before")
+            built.rename(Path(beside) / "before")
         aside.rename(built)
     first = built / "html" / "index.html"
     _say(f"The book is in {first}")
@@ -72,26 +82,20 @@ def build(*, open_browser: bool = False, output: Path = SOURCES) -> Path:
 
 
 def _require() -> None:
-    if not (SOURCES / "_config.yml").is_file():
-        msg = (
-            f"expected the sources of the book in {SOURCES}, found none: they are not part of an "
-            'installed package; clone the project and run python -m pip install -e ".[book]" there'
-        )
-        raise RuntimeError(msg)
     missing = [name for name in _NEEDED if importlib.util.find_spec(name) is None]
     if missing:
-        msg = f'the book needs {", ".join(missing)}; run: python -m pip install -e ".[book]"'
+        msg = f"the book needs {', '.join(missing)}; run: {_INSTALL}"
         raise RuntimeError(msg)
 
 
-def _made_by() -> str:
+def _made_by(book: Path) -> str:
     """Stamp of what makes pages of their sources; where it differs, no page stays as it is."""
-    package = ROOT / "chr_notes"
+    package = Path(__file__).resolve().parents[1]
     files = [path for path in package.rglob("*") if path.is_file() and path.suffix != ".pyc"]
-    files += [SOURCES / name for name in ("_config.yml", "_toc.yml", "pages.css", "icons.css")]
+    files += [book / name for name in ("_config.yml", "_toc.yml", "pages.css", "icons.css")]
     digest = hashlib.sha256()
     for path in sorted(files):
-        digest.update(str(path.relative_to(ROOT)).encode() + path.read_bytes())
+        digest.update(path.name.encode() + path.read_bytes())
     digest.update(" ".join(f"{name} {metadata.version(name)}" for name in _MAKERS).encode())
     return digest.hexdigest()
 
@@ -101,18 +105,19 @@ def _is_from(built: Path, made_by: str) -> bool:
     return stamp.is_file() and stamp.read_text(encoding="utf-8") == made_by
 
 
-def _write_generated() -> None:
+def _write_generated(book: Path) -> None:
     # Imported here, so that a missing package is reported in our words and not as an ImportError.
     from chr_notes.book import pages  # noqa: PLC0415
     from chr_notes.demos.base import page_script, styles  # noqa: PLC0415
 
-    static = GENERATED / "static"
+    generated = book / "_generated"
+    static = generated / "static"
     shutil.rmtree(static, ignore_errors=True)  # each script in it would go into every page
     for name, text in pages.generated().items():
-        _write(GENERATED / name, text)
-    sheets = [(SOURCES / name).read_text(encoding="utf-8") for name in ("pages.css", "icons.css")]
+        _write(generated / name, text)
+    sheets = [(book / name).read_text(encoding="utf-8") for name in ("pages.css", "icons.css")]
     _write(static / "pages.css", "".join([styles(), *sheets]))
-    shutil.copy2(SOURCES / "copy_formulas.js", static)
+    shutil.copy2(book / "copy_formulas.js", static)
     _write(static / "pages.js", page_script())
 
 
@@ -123,13 +128,14 @@ def _write(path: Path, text: str) -> None:
         path.write_text(text, encoding="utf-8")
 
 
-def _run_jupyter_book(output: Path, *, whole: bool) -> None:
+def _run_jupyter_book(root: Path, output: Path, *, whole: bool) -> None:
     command = [
         sys.executable, "-c", _JUPYTER_BOOK, "build", ".",
-        "--config", str(SOURCES / "_config.yml"), "--toc", str(SOURCES / "_toc.yml"),
-        "--path-output", str(output), "-W", "-n", "--keep-going", *(["--all"] if whole else []),
+        "--config", "book/_config.yml", "--toc", "book/_toc.yml",
+        "--path-output", str(output.resolve()), "-W", "-n", "--keep-going",
+        *(["--all"] if whole else []),
     ]  # fmt: skip
-    done = subprocess.run(command, cwd=ROOT, check=False)  # noqa: S603 - a fixed command
+    done = subprocess.run(command, cwd=root, check=False)  # noqa: S603 - a fixed command
     if done.returncode != 0:
         msg = "Jupyter Book found errors or warnings, in its output above; no page was changed"
         raise RuntimeError(msg)

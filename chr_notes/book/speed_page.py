@@ -6,18 +6,18 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from itertools import cycle
 from math import inf
-from pathlib import Path
 from typing import Any, Final
 
 from matplotlib import pyplot as plt
 from matplotlib.ticker import LogLocator, NullLocator
 
+from chr_notes.book import sources
 from chr_notes.palette import PALETTE
 from chr_notes.plots.figure import line_style, show
 
 __all__ = ["generated"]
 
-SPEED: Final = Path(__file__).resolve().parents[2] / "book" / "speed.json"
+SPEED: Final = sources.ORIGIN / "book" / "speed.json"
 OURS: Final = "chr_notes"
 ONE_AT_A_TIME: Final = ", one at a time"
 SCALAR: Final = OURS + ONE_AT_A_TIME

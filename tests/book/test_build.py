@@ -10,7 +10,7 @@ import pytest
 
 import chr_notes.book
 from chr_notes.__main__ import main
-from chr_notes.book import build, pages
+from chr_notes.book import build, pages, sources
 from chr_notes.conventions import CONVENTIONS
 from chr_notes.ledger import entries
 from chr_notes.palette import PALETTE, css
@@ -27,16 +27,10 @@ def test_missing_package_names_the_command_that_brings_it(monkeypatch: pytest.Mo
         build()
 
 
-def test_missing_sources_are_explained(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.setattr(chr_notes.book, "SOURCES", tmp_path)
-    with pytest.raises(RuntimeError, match="not part of an installed package"):
-        build()
-
-
-def test_the_command_says_it_in_a_line(
+def test_the_command_says_what_is_missing_in_a_line(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr(chr_notes.book, "SOURCES", tmp_path)
+    monkeypatch.setattr(sources, "ORIGIN", tmp_path)
     assert main(["book"]) == 1
     said = capsys.readouterr()
     assert said.out == ""
@@ -49,7 +43,7 @@ def runs(monkeypatch: pytest.MonkeyPatch) -> list[bool]:
     """Put a page of one word in place of the book's, and note whether each run is a whole one."""
     whole_ones = []
 
-    def run(output: Path, *, whole: bool) -> None:
+    def run(_: Path, output: Path, *, whole: bool) -> None:
         whole_ones.append(whole)
         page = output / "_build" / "html" / "index.html"
         assert page.exists() == (not whole)
@@ -60,7 +54,7 @@ def runs(monkeypatch: pytest.MonkeyPatch) -> list[bool]:
             raise RuntimeError(msg)
 
     monkeypatch.setattr(chr_notes.book, "_run_jupyter_book", run)
-    monkeypatch.setattr(chr_notes.book, "_write_generated", lambda: None)
+    monkeypatch.setattr(chr_notes.book, "_write_generated", lambda _: None)
     return whole_ones
 
 

@@ -1,0 +1,130 @@
+"""The sources of the book, its notebooks among them: those of a clone, or an installed package's.
+
+A package carries the notebooks without their outputs, which are ten times as large; whoever builds
+the book from it runs them first.
+"""
+
+import shutil
+import sys
+from pathlib import Path
+
+CLONE = Path(__file__).resolve().parents[2]
+PACKED = Path(__file__).with_name("packed")
+ORIGIN = CLONE if (CLONE / "book" / "_config.yml").is_file() else PACKED
+
+_WIDGET_VIEW = "application/vnd.jupyter.widget-view+json"
+_METADATA = {
+    "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
+    "language_info": {"name": "python"},
+}
+
+
+def find(folder: Path) -> Path:
+    """Say where the sources are: in the clone, else in a folder that gets the package's.
+
+    Parameters
+    ----------
+    folder
+        Filled if there is no clone. What it has already stays as it is, and a notebook with outputs
+        is not run again.
+
+    Returns
+    -------
+    pathlib.Path
+        It has the folders ``book`` and ``notebooks``.
+
+    Raises
+    ------
+    RuntimeError
+        If there are no sources at all, or a notebook does not run.
+    """
+    _require_sources()
+    if ORIGIN == CLONE:
+        return CLONE
+    for path in sorted(PACKED.rglob("*")):
+        target = folder / path.relative_to(PACKED)
+        if path.is_file() and not target.exists():
+            target.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(path, target)
+    for path in sorted((folder / "notebooks").glob("*.ipynb")):
+        _run_once(path)
+    return folder
+
+
+def copy_notebooks(folder: Path) -> list[Path]:
+    """Copy the notebooks of the chapters, as they are: a clone's with their outputs.
+
+    Parameters
+    ----------
+    folder
+        Made if it is not there.
+
+    Returns
+    -------
+    list of pathlib.Path
+        The copies.
+
+    Raises
+    ------
+    FileExistsError
+        If one of them is there already; then none is written.
+    RuntimeError
+        If an installed package has none.
+    """
+    _require_sources()
+    origin = sorted((ORIGIN / "notebooks").glob("*.ipynb"))
+    pairs = [(path, folder / path.name) for path in origin]
+    for _, target in pairs:
+        if target.exists():
+            msg = f"{target} is there already, and may be your work; choose another folder"
+            raise FileExistsError(msg)
+    folder.mkdir(parents=True, exist_ok=True)
+    return [Path(shutil.copyfile(path, target)) for path, target in pairs]
+
+
+def run(path: Path) -> None:
+    """Execute a notebook in its own folder and write it back, without what differs by the run."""
+    # Here, so that copies can be made without them.
+    import nbformat  # noqa: PLC0415
+    from nbclient import NotebookClient  # noqa: PLC0415
+
+    notebook = nbformat.read(path, as_version=4)
+    NotebookClient(
+        notebook,
+        timeout=900,
+        record_timing=False,
+        coalesce_streams=True,  # else a busy machine tears what is printed apart
+        resources={"metadata": {"path": path.parent}},
+    ).execute()
+    notebook.metadata = _METADATA
+    for cell in notebook.cells:
+        cell.metadata.pop("execution", None)
+        for output in cell.get("outputs", []):
+            output.pop("transient", None)
+            output.get("data", {}).pop(_WIDGET_VIEW, None)
+    nbformat.write(notebook, path)
+
+
+def _run_once(path: Path) -> None:
+    import nbformat  # noqa: PLC0415
+    from nbclient.exceptions import CellExecutionError  # noqa: PLC0415
+
+    cells = nbformat.read(path, as_version=4).cells
+    if not any(cell.cell_type == "code" and cell.execution_count is None for cell in cells):
+        return
+    sys.stdout.write(f"Running {path.name} …\n")
+    sys.stdout.flush()
+    try:
+        run(path)
+    except CellExecutionError as error:
+        msg = f"{path} does not run to its end: {error.ename}: {error.evalue}"
+        raise RuntimeError(msg) from error
+
+
+def _require_sources() -> None:
+    if not (ORIGIN / "book" / "_config.yml").is_file():
+        msg = (
+            f"expected the sources of the book in {CLONE} or in {PACKED}, found none in either: "
+            "install chr-notes again, or clone the project"
+        )
+        raise RuntimeError(msg)
