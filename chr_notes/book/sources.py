@@ -94,6 +94,7 @@ def run(path: Path) -> None:
         timeout=900,
         record_timing=False,
         coalesce_streams=True,  # else a busy machine tears what is printed apart
+        extra_arguments=["--IPKernelApp.log_level=40"],  # it warns of connections of this machine
         resources={"metadata": {"path": path.parent}},
     ).execute()
     notebook.metadata = _METADATA
