@@ -47,7 +47,7 @@ def generated() -> dict[str, str]:
         "ledger.md": "\n".join(_overview(ledger)),
         "errata.md": "\n".join(errata(ledger)),
         "verdicts.md": verdicts(ledger),
-        "gimbal_lock.md": GimbalLockDemo(yaw=30.0, pitch=75.0, roll=20.0).to_html() + "\n",
+        "gimbal_lock.md": GimbalLockDemo(yaw=30.0, pitch=60.0, roll=20.0).to_html() + "\n",
         "converter.md": ConverterDemo().to_html() + "\n",
     }
     for document in DOCUMENTS:

@@ -7,7 +7,7 @@ import {
   eulerRatesDeterminant,
   eulerRatesMatrix,
   matrixFromEuler,
-  quaternionFromEuler,
+  quaternionRates,
 } from "../generated/javascript/attitude.mjs";
 import { aircraft } from "./aircraft.js";
 import { mountOf } from "./controls.js";
@@ -15,6 +15,7 @@ import {
   arrowhead, camera, cross, label, loft, mixed, paint, parsed, placed, ring, scaled, strip,
   sum, toParent,
 } from "./draw.js";
+import { attitude, drawFlight, drawRates, parts } from "./gimbal_views.js";
 import { entry, formatted, rounded } from "./parts.js";
 
 const DEGREE = Math.PI / 180;
@@ -38,8 +39,8 @@ const RINGS = {
 const SHELLS = [1.04, 0.9, 0.76, 0.54];
 
 /** Attitudes, as matrices from the inertial frame, of what each axis turns. */
-function frames({ yaw, pitch, roll }) {
-  const [phi, theta, psi] = [roll * DEGREE, pitch * DEGREE, yaw * DEGREE];
+function frames(state) {
+  const [phi, theta, psi] = attitude(state).euler;
   return {
     z: matrixFromEuler(0, 0, psi),
     y: matrixFromEuler(0, theta, psi),
@@ -62,21 +63,36 @@ function rings(state) {
     return `Gimbal lock. Yaw and roll turn the aircraft about the same axis, in opposite senses: raise both by the same amount and it stays where it is. ${LOST}`;
   if (locked)
     return `Gimbal lock. Yaw and roll turn the aircraft about the same axis, in the same sense: raise one, lower the other by as much, and it stays where it is. ${LOST}`;
-  const d = eulerRatesMatrix(state.roll * DEGREE, state.pitch * DEGREE);
+  const [roll, pitch] = attitude(state).euler;
+  const d = eulerRatesMatrix(roll, pitch);
   const fastest = formatted(Math.hypot(d[6], d[7], d[8]));
   const short = formatted(Math.min(apart, 180 - apart));
   return `The roll axis is ${short}° from the line of the yaw axis. To follow the aircraft, the yaw ring turns at up to ${fastest} × its speed.`;
 }
 
+/** How fast the angles follow the aircraft that pitches up, and what that has to do with D. */
+function rates(state) {
+  const { q, euler: [roll, pitch] } = attitude(state);
+  const { locked } = axesOf(state);
+  const [forRoll, forPitch, forYaw] = parts(roll, pitch).map(formatted);
+  if (state.view === 1) {
+    const same = `The four numbers of the quaternion go on smoothly: taken together, at ${formatted(Math.hypot(...quaternionRates(...q, 0, 1, 0)))} × its speed, as everywhere.`;
+    if (locked) return `The nose is on the vertical, where roll and yaw jump. ${same}`;
+    return `Here, for each degree that the aircraft pitches up, roll changes by ${forRoll}°, pitch by ${forPitch}°, yaw by ${forYaw}°. ${same}`;
+  }
+  if (locked) return "The three axes lie in one plane. Parts along them make no turn out of that plane, however large they are.";
+  return `The aircraft turns about its own y-axis. Split along the three axes, a speed of 1 is roll ${forRoll}, pitch ${forPitch} and yaw ${forYaw}. The box of their unit vectors has a volume of ${formatted(1 / eulerRatesDeterminant(pitch))}; the determinant of D is 1 over it.`;
+}
+
 function readouts(state) {
-  const angles = [state.roll * DEGREE, state.pitch * DEGREE, state.yaw * DEGREE];
-  const matrix = matrixFromEuler(...angles).map(entry);
+  const { q, euler } = attitude(state);
+  const matrix = matrixFromEuler(...euler).map(entry);
   return {
-    determinant: formatted(eulerRatesDeterminant(state.pitch * DEGREE)),
-    condition: formatted(eulerRatesCondition(state.pitch * DEGREE)),
-    rings: rings(state),
+    determinant: formatted(eulerRatesDeterminant(euler[1])),
+    condition: formatted(eulerRatesCondition(euler[1])),
+    rings: state.view === 0 ? rings(state) : rates(state),
     matrix: [0, 3, 6].map((start) => matrix.slice(start, start + 3).join(" ")).join("\n"),
-    quaternion: quaternionFromEuler(...angles).map(entry).join("\n"),
+    quaternion: q.map(entry).join("\n"),
   };
 }
 
@@ -87,8 +103,11 @@ function summary(state) {
 
 /** The picture in words. */
 function describe(state) {
-  const angles = ["yaw", "pitch", "roll"].map((name) => `${name} ${rounded(state[name])}°`).join(", ");
-  const nose = state.pitch === 0 ? "level" : state.pitch > 0 ? "up" : "down";
+  const { euler } = attitude(state);
+  const angles = ["yaw", "pitch", "roll"].map((name, i) => `${name} ${rounded(euler[2 - i] / DEGREE)}°`).join(", ");
+  if (state.view === 1) return `An aircraft that pitches up and has flown ${rounded(state.flown)}° of a loop: ${angles}. Below, its three angles and the four numbers of its quaternion as curves over the loop. ${rates(state)}`;
+  if (state.view === 2) return `The axes of yaw, pitch and roll with the box of their unit vectors, an aircraft, ${angles}, and its turn as three arrows along the axes, head to tail. Below, their lengths by pitch. ${rates(state)}`;
+  const nose = euler[1] === 0 ? "level" : euler[1] > 0 ? "up" : "down";
   const { apart, locked } = axesOf(state);
   const axes = locked
     ? "The yaw axis and the roll axis are one line, and a dashed line shows the axis about which no ring can turn"
@@ -164,7 +183,9 @@ function letters(context, { project }, colours, width) {
   );
 }
 
-function draw(context, size, state, colours, { heading, elevation }) {
+const draw = (...given) => [drawRings, drawFlight, drawRates][given[2].view](...given);
+
+function drawRings(context, size, state, colours, { heading, elevation }) {
   const seen = matrixFromEuler(0, elevation * DEGREE, heading * DEGREE);
   const view = camera(seen, 6, size, { wide: 3.3, high: 3.8, shift: -0.14 });
   const { eye, project } = view;
@@ -229,34 +250,38 @@ function arrows(frame, colour, eye, locked) {
   ];
 }
 
-const LOCK = { yaw: 0, pitch: 90, roll: 0 };
+const start = { view: 0, yaw: 0, pitch: 0, roll: 0, flown: 0 };
 
 const definition = {
   title: "Gimbal lock",
   python: "GimbalLockDemo",
   viewpoint: ({ yaw }) => ({ heading: yaw + BESIDE, elevation: ABOVE }),
-  hint: "Bring pitch to 90°, then move yaw and roll, one after the other. What does each do to the aircraft?",
+  hint: "Bring pitch to 90°, then move yaw and roll, one after the other. What does each do to the aircraft? Then fly it over the top.",
   aspect: 1.08,
-  start: { yaw: 0, pitch: 0, roll: 0 },
+  start,
   controls: [
+    { name: "view", label: "Show", choices: ["the rings", "a flight over the top", "the rates"] },
     { name: "yaw", label: "Yaw", symbol: ["ψ"], axis: "z", min: -180, max: 180 },
     { name: "pitch", label: "Pitch", symbol: ["θ"], axis: "y", min: -90, max: 90 },
     { name: "roll", label: "Roll", symbol: ["φ"], axis: "x", min: -180, max: 180 },
+    { name: "flown", label: "Then pitched up by", symbol: [], min: 0, max: 360 },
   ].map((control) => ({ ...control, step: 1, unit: { short: "°", long: "degrees" } })),
   outputs: [
-    { name: "rings", label: "The rings", wide: true, longestAt: [LOCK] },
+    { name: "rings", label: "What it means", wide: true, longestAt: [{ ...start, pitch: 90 }, { ...start, view: 2, pitch: -61, roll: -172 }, { ...start, view: 1, pitch: -61, roll: -172 }] },
     { name: "determinant", label: "Determinant of D" },
     { name: "condition", label: "Condition number" },
     { name: "matrix", label: "Matrix R", grid: true },
     { name: "quaternion", label: "Quaternion", grid: true },
   ],
   story: [
-    { state: { yaw: 0, pitch: 0, roll: 0 }, says: "Three rings, three axes at right angles. Each ring turns the aircraft in a way that no other can." },
-    { state: { yaw: 40, pitch: 0, roll: 0 }, says: "Yaw carries the whole arrangement round." },
-    { state: { yaw: 40, pitch: 60, roll: 0 }, says: "Pitch tilts the roll axis towards the yaw axis. At 60° the yaw ring must already turn at up to twice the aircraft's speed." },
-    { state: { yaw: 40, pitch: 90, roll: 0 }, says: "At 90° the roll axis lies along the yaw axis." },
-    { state: { yaw: -20, pitch: 90, roll: -60 }, seconds: 3.5, says: "Yaw and roll turn together by the same amount, and the aircraft stays where it is: one turn is lost." },
-    { state: { yaw: -20, pitch: 60, roll: -60 }, says: "Away from 90° all three turns are back." },
+    { state: start, says: "Three rings, three axes at right angles. Each ring turns the aircraft in a way that no other can." },
+    { state: { ...start, yaw: 40, pitch: 60 }, says: "Pitch tilts the roll axis towards the yaw axis. At 60° the yaw ring must already turn at up to twice the aircraft's speed." },
+    { state: { ...start, yaw: 40, pitch: 90 }, says: "At 90° the roll axis lies along the yaw axis." },
+    { state: { ...start, yaw: -20, pitch: 90, roll: -60 }, seconds: 3.5, says: "Yaw and roll turn together by the same amount, and the aircraft stays where it is: one turn is lost." },
+    { state: { ...start, view: 1, roll: 12, flown: 60 }, says: "An aircraft, a little banked, pulls up into a loop. Below, its angles and its quaternion." },
+    { state: { ...start, view: 1, roll: 12, flown: 130 }, seconds: 5, says: "Over the top yaw and roll swing round by almost half a turn. The quaternion does not notice." },
+    { state: { ...start, view: 2, roll: 55, pitch: 30 }, seconds: 0.1, says: "The axes of the three angles, and a turn of the aircraft split along them, head to tail." },
+    { state: { ...start, view: 2, roll: 55, pitch: 84 }, seconds: 4, says: "Near 90° the box of the axes is almost flat. The parts grow without bound and nearly cancel." },
   ],
   readouts,
   summary,

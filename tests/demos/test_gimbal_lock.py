@@ -10,7 +10,7 @@ from playwright.sync_api import expect
 
 import chr_notes
 from chr_notes.demos import GimbalLockDemo
-from chr_notes.demos.base import SOURCES, formatted
+from chr_notes.demos.base import SOURCES, formatted, rounded
 
 from .parts import SET_AND_READ, PageOf, Visit, drawn, output, picture, slider
 
@@ -74,6 +74,35 @@ def test_readouts_are_the_numbers_of_python(visit: Visit, page_of: PageOf) -> No
         assert texts["matrix"].count("\n") == 2
         quaternion = chr_notes.quaternion_from_euler(euler).round(3)
         assert entries(texts["quaternion"]) == quaternion.tolist()
+
+
+def test_flight_and_rates_are_the_numbers_of_python(visit: Visit, page_of: PageOf) -> None:
+    page = visit(page_of(GimbalLockDemo()))
+    random = np.random.default_rng(8)
+    low, high = [1, -180, -89, -180, 1], [2, 180, 89, 180, 360]
+    rows = random.integers(low, high, size=(40, 5), endpoint=True).tolist()
+    rows += [[1, 20, 0, 0, 90], [2, 20, 0, 0, 90], [2, 0, 60, 55, 0], [1, 0, 0, 0, 360]]
+    states = [dict(zip(GimbalLockDemo.controls, row, strict=True)) for row in rows]
+    for state, (now, texts) in zip(states, page.evaluate(SET_AND_READ, states), strict=True):
+        assert now == state
+        start = np.radians([state["roll"], state["pitch"], state["yaw"]])
+        flown = np.radians(state["flown"])
+        turn = [np.cos(flown / 2), 0, np.sin(flown / 2), 0]  # over half a turn its sign stays
+        q = chr_notes.quaternion_multiply(chr_notes.quaternion_from_euler(start), turn)
+        assert entries(texts["quaternion"]) == pytest.approx(q, abs=5.1e-4)
+        matrix = np.reshape(entries(texts["matrix"]), (3, 3))
+        np.testing.assert_allclose(matrix, chr_notes.matrix_from_quaternion(q), atol=5.1e-4)
+        numbers = entries(" ".join(re.findall(r"[−\d.]*\d", texts["rings"])))
+        euler = chr_notes.euler_from_quaternion(q, on_gimbal_lock="ignore")
+        if math.cos(euler[1]) < 1e-9:
+            assert numbers == ([0.5] if state["view"] == 1 else [])
+            continue
+        rates = chr_notes.euler_rates_matrix(euler)[:, 1]
+        further = [0.5] if state["view"] == 1 else [math.cos(euler[1]), 1]
+        before = [] if state["view"] == 1 else [1]
+        assert numbers == pytest.approx([*before, *rates, *further], rel=6e-4, abs=1e-12)
+        sentence = GimbalLockDemo(**state).fallback()
+        assert f"pitch {rounded(math.degrees(euler[1]))}°" in sentence
 
 
 @pytest.mark.parametrize(("pitch", "sense"), [(90, "opposite senses"), (-90, "same sense")])
@@ -151,7 +180,9 @@ def opening_states() -> list[dict[str, float]]:
         for call in re.findall(r'"GimbalLockDemo\((.*?)\)"', chapter.read_text(encoding="utf-8"))
     ]
     numbers = [dict(re.findall(r"(\w+)=([-\d.]+)", call)) for call in calls]
-    return [{"roll": 0.0, "yaw": 0.0} | {k: float(v) for k, v in n.items()} for n in numbers]
+    level = {"roll": 0.0, "pitch": 0.0, "yaw": 0.0, "view": 0.0}
+    states = [level | {k: float(v) for k, v in n.items()} for n in numbers]
+    return [state for state in states if state["view"] != 1]  # which draws no axes
 
 
 def test_the_angle_between_yaw_and_roll_is_seen_as_it_is_where_the_book_opens() -> None:
