@@ -1,10 +1,11 @@
-"""What the numeric functions share: checks of type and shape."""
+"""What the numeric functions share: checks of type and shape, of arguments and of results."""
 
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+Bools = NDArray[np.bool_]
 Floats = NDArray[np.float64]
 _DOUBLE = np.dtype(np.float64)
 
@@ -68,29 +69,77 @@ def _numbers(name: str, array: NDArray[Any]) -> Floats:
     return numbers
 
 
-def common_shape(*arguments: tuple[str, Floats, int]) -> tuple[int, ...]:
+def common_shape(
+    names: tuple[str, ...], arrays: list[Floats], axes: tuple[int, ...]
+) -> tuple[int, ...]:
     """Broadcast the leading axes of arguments.
 
     Parameters
     ----------
-    *arguments
-        Name and value of each, and how many of its last axes do not broadcast.
+    names, arrays
+        Of the arguments.
+    axes
+        How many of the last axes of each do not broadcast.
 
     Raises
     ------
     ValueError
         If the leading axes do not fit each other.
     """
-    leading = [array.shape[: array.ndim - axes] for _, array, axes in arguments]
-    first = leading[0]
-    if all(shape == first for shape in leading):
-        return first
+    leading = [a.shape[: a.ndim - last] for a, last in zip(arrays, axes, strict=True)]
+    if leading.count(leading[0]) == len(leading):
+        return leading[0]
     try:
         return np.broadcast_shapes(*leading)
     except ValueError:
         # Those that have leading axes, one of a name.
-        told = {name: array.shape for name, array, axes in arguments if array.ndim > axes}
-        names = " and ".join(told)
-        shapes = " and ".join(map(str, told.values()))
-        msg = f"expected {names} with leading axes that broadcast, got shapes {shapes}"
+        several = zip(names, arrays, leading, strict=True)
+        told = {name: str(array.shape) for name, array, axes_of_it in several if axes_of_it}
+        msg = (
+            f"expected {' and '.join(told)} with leading axes that broadcast, got shapes "
+            f"{' and '.join(told.values())}"
+        )
         raise ValueError(msg) from None
+
+
+def check_out(out: Floats, shape: tuple[int, ...]) -> None:
+    """Refuse what a result of that shape cannot go to.
+
+    Raises
+    ------
+    ValueError
+        If the shape differs, or the array may not be written to.
+    TypeError
+        If it is no array of float64.
+    """
+    if not isinstance(out, np.ndarray) or out.dtype != np.float64:
+        got = str(out.dtype) if isinstance(out, np.ndarray) else type(out).__name__
+        msg = f"out: expected an array of float64, got {got}"
+        raise TypeError(msg)
+    if out.shape != shape or not out.flags.writeable:
+        got = "one that may not be written to" if out.shape == shape else f"shape {out.shape}"
+        msg = f"out: expected an array of shape {shape}, got {got}"
+        raise ValueError(msg)
+
+
+def handed_out(parts: tuple[Floats, ...], out: tuple[Floats, ...] | None) -> tuple[Floats, ...]:
+    """Give each part of a result as an array of its own, or write it to one of `out`.
+
+    Raises
+    ------
+    TypeError
+        If `out` is no tuple of as many arrays of float64.
+    ValueError
+        As `check_out`.
+    """
+    if out is None:
+        return tuple(part.copy()[()] for part in parts)
+    if not isinstance(out, tuple) or len(out) != len(parts):
+        got = len(out) if isinstance(out, tuple) else type(out).__name__
+        msg = f"out: expected a tuple of {len(parts)} arrays, got {got}"
+        raise TypeError(msg)
+    for part, to in zip(parts, out, strict=True):
+        check_out(to, part.shape)
+    for part, to in zip(parts, out, strict=True):
+        np.copyto(to, part)
+    return out

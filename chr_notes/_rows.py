@@ -2,30 +2,25 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import reduce
-from math import isfinite, prod
+from math import prod
 from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from chr_notes._arrays import Floats, common_shape, floats
+from chr_notes._arrays import Bools, Floats, check_out, common_shape, floats
 from chr_notes._kernels import completed, kernel
-from chr_notes.generated.arrays.euler import rotation_defect
+from chr_notes._odd_rows import WrongRow, check_rotations, rows_with_nan, scaled
 from chr_notes.generated.arrays.shapes import SHAPES
 
-Bools = NDArray[np.bool_]
 Places = NDArray[np.intp]
 
-ROTATION_TOLERANCE = 1e-4
-"""How far `R Rᵀ` may be off the identity, as the root mean square over its elements.
-
-Matrices that are printed with four digits still pass.
-"""
 BLOCK = 8192
 """Rows that NumPy works on at a time: few enough to stay in cache."""
-# A squared length below this, and above its inverse, lost nothing, and neither does its square.
-_MOST = 2.0**380
+# A squared length between these lost nothing, and neither does its square.
+_MOST, _LEAST = 2.0**380, 2.0**-380
+_ALONE = 10_000
+_CLOSE = 1e-9  # hence R Rᵀ is within 3e-5
 
 
 @dataclass(frozen=True)
@@ -44,6 +39,8 @@ class Locked:
     places: Places
 
 
+Told = tuple[Bools | None, Floats | None]
+_NOWHERE = np.zeros((), dtype=np.bool_)
 NONE_LOCKED = Locked(0, np.empty(0, dtype=np.intp))
 
 
@@ -64,22 +61,29 @@ class Rows:
         "refused", or "nothing" comes out, NaN.
     degree
         Power of that length to which the result is proportional nevertheless.
+    names
+        Of the first arrays in errors, where they are not those of the general function.
+    checked
+        How many of the first arrays are parameters of float64 that were checked before.
     """
 
     compute: Callable[..., Floats]
     """Takes the arguments, in the order of the general function's, and an array or None."""
 
-    def __init__(
+    def __init__(  # noqa: PLR0913 (what the function needs)
         self,
-        general: Callable[..., Bools | None],
+        general: Callable[..., Told],
         *,
         rotation: bool = False,
         scaled: Literal["refused", "nothing"] | None = None,
         degree: int = 0,
+        names: tuple[str, ...] = (),
+        checked: int = 0,
     ) -> None:
         self.name, self._general = general.__name__, general
         arrays, self._result = SHAPES[self.name]
-        self._names, self._lasts = tuple(arrays), tuple(arrays.values())
+        self._lasts = tuple(arrays.values())
+        self._names, self._checked = (*names, *tuple(arrays)[len(names) :]), checked
         self._axes = tuple(map(len, self._lasts))
         self._rotation, self._scaled, self._degree = rotation, scaled, degree
         self.use(kernel(self.name))
@@ -94,13 +98,12 @@ class Rows:
         return self.compute(*given, out)
 
     def _rest(self, done: tuple[Floats, bytes] | None, *given: Any) -> Floats:  # noqa: ANN401 (arrays, and one for the result)
-        return self._finished(done, given[:-1], given[-1], self._names)[0]
+        return self._finished(done, given[:-1], given[-1])[0]
 
     def located(
         self,
         *given: ArrayLike,
         out: Floats | None = None,
-        names: tuple[str, ...] | None = None,
         every_place: bool = False,
     ) -> tuple[Floats, Locked]:
         """Compute, and tell where attitudes are at gimbal lock.
@@ -111,8 +114,6 @@ class Rows:
             The arguments.
         out
             For the result, if it is to go there.
-        names
-            Of the arguments for errors, where they are not those of the general function.
         every_place
             Keep the index of each attitude at gimbal lock, for which memory grows with their
             number, instead of the first one's.
@@ -134,44 +135,91 @@ class Rows:
         done = self._kernel(*given, out) if self._kernel is not None else None
         if done.__class__ is np.ndarray:
             return done, NONE_LOCKED
-        return self._finished(done, given, out, names or self._names, every_place=every_place)
+        return self._finished(done, given, out, every_place=every_place)
 
     def _finished(
         self,
         done: tuple[Floats, bytes] | None,
-        given: tuple[ArrayLike, ...],
+        given: tuple[Any, ...],
         out: Floats | None,
-        names: tuple[str, ...],
         *,
         every_place: bool = False,
     ) -> tuple[Floats, Locked]:
         """Check and compute what the kernel has left: some rows, or all."""
-        arrays = [floats(n, g, *last) for n, g, last in zip(names, given, self._lasts, strict=True)]
-        leading = common_shape(*zip(names, arrays, self._axes, strict=True))
-        shape = (*leading, *self._result)
+        arrays: list[Floats] = []
+        leading: tuple[int, ...] = ()
+        same = True
+        for place, last in enumerate(self._lasts):
+            array: Floats = given[place]
+            if place >= self._checked:
+                array = floats(self._names[place], array, *last)
+            arrays.append(array)
+            if own := array.shape[: array.ndim - len(last)]:
+                same, leading = same and (own == leading or not leading), own
+        if not same:
+            leading = common_shape(self._names, arrays, self._axes)
+        shape = leading + self._result
         if out is not None:
             check_out(out, shape)
-        rows = [_rows(a, leading, last) for a, last in zip(arrays, self._lasts, strict=True)]
-        now = self._kernel(*rows, None) if done is None and self._kernel is not None else done
-        locked = NONE_LOCKED
+        now: Floats | tuple[Floats, bytes] | None = done
+        if done is None and self._kernel is not None:
+            now = self._kernel(*self._as_rows(arrays, leading), None)
         if isinstance(now, np.ndarray):
-            result = now.reshape(shape)
+            result, locked = now.reshape(shape), NONE_LOCKED
         else:
-            result, left = now or (np.empty(shape), None)
-            result = result.reshape(shape)
-            locked = self._complete(result, left, rows, leading, names[0], every_place=every_place)
+            result, left = (
+                (np.empty(shape), None) if now is None else (now[0].reshape(shape), now[1])
+            )
+            with np.errstate(all="ignore"):
+                few = left is None and prod(leading) <= BLOCK
+                lock = self._at_once(arrays, result) if few else None
+                if lock is None:
+                    rows = self._as_rows(arrays, leading)
+                    locked = self._complete(result, left, rows, leading, every_place=every_place)
+                else:
+                    locked = _places(lock, every_place=every_place)
         if out is None or out is result:
             return result, locked
         np.copyto(out, result)
         return out, locked
 
-    def _complete(  # noqa: PLR0913 (what there is, and what to say of it)
+    def _as_rows(self, arrays: list[Floats], leading: tuple[int, ...]) -> list[Floats]:
+        return [_rows(a, leading, last) for a, last in zip(arrays, self._lasts, strict=True)]
+
+    def _at_once(self, parts: list[Floats], values: Floats) -> Bools | None:
+        """Compute rows of which none is odd.
+
+        Returns
+        -------
+        ndarray or None
+            Which are at gimbal lock; None if a row may have NaN, be zero, no rotation, or of a
+            length whose square is beyond the largest or smallest number.
+        """
+        whole = 0.0
+        for part in parts[self._checked :]:
+            flat = part.ravel()
+            # Of more numbers BLAS adds up with several threads, for which others have to wait.
+            whole += flat.dot(flat) if flat.size <= _ALONE else np.einsum("i,i", flat, flat)
+        most, least = _MOST, _LEAST
+        if self._rotation:
+            # The determinant is at most the root of the cube of a third of the sum of squares, and
+            # is so for rotations times a number alone. So if each is 1 or more, no sum is less than
+            # 3, and if all sums add up to that, all are rotations, by more than is asked.
+            count = parts[0].size // 9
+            most, least = 3 * count + _CLOSE, 1 - _CLOSE / (count or 1)
+        if not whole < most:  # nor is NaN
+            return None
+        locked, guard = self._general(*parts, values)
+        if guard is not None and not np.minimum.reduce(guard, axis=None, initial=1.0) > least:
+            return None
+        return _NOWHERE if locked is None else locked
+
+    def _complete(
         self,
         result: Floats,
         left: bytes | None,
         rows: list[Floats],
         leading: tuple[int, ...],
-        name: str,
         *,
         every_place: bool,
     ) -> Locked:
@@ -181,97 +229,47 @@ class Rows:
         odd = None if left is None else np.frombuffer(left, dtype=np.bool_)
         locked = 0
         places: list[Places] = []
-        whole = odd is None and count <= BLOCK
-        with np.errstate(all="ignore"):
-            for start in range(0, count, BLOCK):
-                block: slice | Places = slice(start, min(start + BLOCK, count))
-                if odd is not None:
-                    block = start + np.flatnonzero(odd[block])
-                    if not block.size:
-                        continue
-                parts = [array if whole or len(array) == 1 else array[block] for array in rows]
-                values = flat if whole else flat[block]  # a view, but where rows were picked
-                try:
-                    lock = self._block(parts, values)
-                except _WrongRow as wrong:
-                    several = len(rows[0]) > 1
-                    index = np.unravel_index(np.r_[block][wrong.row], leading) if several else ()
-                    msg = wrong.message.format(f"{name}: ", tuple(map(int, index)))
-                    raise ValueError(msg) from None
-                if odd is not None:
-                    flat[block] = values
-                if lock is not None and lock.any():
-                    if every_place or not places:
-                        places.append(np.r_[block][lock][: None if every_place else 1])
-                    locked += int(np.count_nonzero(lock))
+        for start in range(0, count, BLOCK):
+            block: slice | Places = slice(start, min(start + BLOCK, count))
+            if odd is not None:
+                block = start + np.flatnonzero(odd[block])
+                if not block.size:
+                    continue
+            parts = [array if len(array) == 1 else array[block] for array in rows]
+            values = flat[block]  # a view, but where rows were picked
+            try:
+                lock = self._at_once(parts, values)
+                lock = self._block(parts, values) if lock is None else lock
+            except WrongRow as wrong:
+                several = len(rows[0]) > 1
+                index = np.unravel_index(np.r_[block][wrong.row], leading) if several else ()
+                msg = wrong.message.format(f"{self._names[0]}: ", tuple(map(int, index)))
+                raise ValueError(msg) from None
+            if odd is not None:
+                flat[block] = values
+            if np.count_nonzero(lock):
+                here = _places(lock, every_place=every_place)
+                if every_place or not places:
+                    places.append(np.r_[block][here.places])
+                locked += here.count
         return Locked(locked, np.concatenate(places)) if places else NONE_LOCKED
 
-    def _block(self, parts: list[Floats], values: Floats) -> Bools | None:
-        ordinary = self._scaled is not None and _is_ordinary(parts[0])
-        missing = _missing(parts[1:] if ordinary else parts)
+    def _block(self, parts: list[Floats], values: Floats) -> Bools:
+        """Compute rows any of which may be odd."""
+        missing = rows_with_nan(parts)
         if self._rotation:
-            _check_rotations(parts[0], missing)
+            check_rotations(parts[0], missing)
         exponent = None
-        if self._scaled is not None and not ordinary:
-            parts[0], exponent = _scaled(parts[0], refused=self._scaled == "refused")
-        lock = self._general(*parts, values)
+        if self._scaled is not None:
+            parts[0], exponent, nothing = scaled(parts[0], refused=self._scaled == "refused")
+            missing = nothing if missing is None else missing | nothing
+        locked, _ = self._general(*parts, values)
         if exponent is not None and self._degree:
             exponent = self._degree * exponent
             np.ldexp(values, exponent.reshape(-1, *[1] * len(self._result)), out=values)
         if missing is not None:
             values[np.broadcast_to(missing, len(values))] = np.nan
-        return lock
-
-
-class _WrongRow(Exception):  # noqa: N818 (it becomes an error once its place is known)
-    """A row that is refused: its number in the block, and what to say."""
-
-    def __init__(self, row: int, message: str) -> None:
-        super().__init__(message)
-        self.row, self.message = row, message
-
-
-def check_out(out: Floats, shape: tuple[int, ...]) -> None:
-    """Refuse what a result of that shape cannot go to.
-
-    Raises
-    ------
-    ValueError
-        If the shape differs, or the array may not be written to.
-    TypeError
-        If it is no array of float64.
-    """
-    if not isinstance(out, np.ndarray) or out.dtype != np.float64:
-        got = str(out.dtype) if isinstance(out, np.ndarray) else type(out).__name__
-        msg = f"out: expected an array of float64, got {got}"
-        raise TypeError(msg)
-    if out.shape != shape or not out.flags.writeable:
-        got = "one that may not be written to" if out.shape == shape else f"shape {out.shape}"
-        msg = f"out: expected an array of shape {shape}, got {got}"
-        raise ValueError(msg)
-
-
-def handed_out(parts: tuple[Floats, ...], out: tuple[Floats, ...] | None) -> tuple[Floats, ...]:
-    """Give each part of a result as an array of its own, or write it to one of `out`.
-
-    Raises
-    ------
-    TypeError
-        If `out` is no tuple of as many arrays of float64.
-    ValueError
-        As `check_out`.
-    """
-    if out is None:
-        return tuple(part.copy()[()] for part in parts)
-    if not isinstance(out, tuple) or len(out) != len(parts):
-        got = len(out) if isinstance(out, tuple) else type(out).__name__
-        msg = f"out: expected a tuple of {len(parts)} arrays, got {got}"
-        raise TypeError(msg)
-    for part, to in zip(parts, out, strict=True):
-        check_out(to, part.shape)
-    for part, to in zip(parts, out, strict=True):
-        np.copyto(to, part)
-    return out
+        return _NOWHERE if locked is None else locked
 
 
 def _rows(array: Floats, leading: tuple[int, ...], last: tuple[int, ...]) -> Floats:
@@ -285,52 +283,11 @@ def _rows(array: Floats, leading: tuple[int, ...], last: tuple[int, ...]) -> Flo
     return array.reshape(-1, *last)
 
 
-def _missing(parts: list[Floats]) -> Bools | None:
-    """Say which rows have NaN: what comes of them is NaN as a whole. None where no row has."""
-    # A sum is NaN where a number is; nothing is lost if infinities make one too. (The product of
-    # a row with itself is faster for few, but BLAS calls other threads for many.)
-    if isfinite(sum([np.add.reduce(part, axis=None) for part in parts])):
-        return None
-    each = [np.isnan(part).reshape(len(part), -1).any(axis=1) for part in parts]
-    return np.asarray(reduce(np.logical_or, each))
-
-
-def _is_ordinary(rows: Floats) -> bool:
-    """Say whether no row has NaN, or a length whose square or its square loses anything."""
-    squares = np.einsum("ij,ij->i", rows, rows)
-    return bool(np.add.reduce(squares + 1 / squares) < _MOST)
-
-
-def _scaled(rows: Floats, *, refused: bool) -> tuple[Floats, NDArray[np.intc]]:
-    """Bring each row's largest element to between 1/2 and 1, exactly.
-
-    Returns
-    -------
-    rows
-        The scaled rows.
-    exponent
-        Power of two by which each was divided.
-    """
-    largest = reduce(np.maximum, np.abs(rows).T)
-    if refused and (largest == 0).any():
-        row = int(np.argmax(largest == 0))
-        raise _WrongRow(row, "{}expected no row of zeros, got one at index {}")
-    exponent = np.where(np.isfinite(largest), np.frexp(largest)[1], 0)
-    return np.ldexp(rows, -exponent[:, np.newaxis]), exponent
-
-
-def _check_rotations(matrix: Floats, missing: Bools | None) -> None:
-    """Refuse matrices that are not rotations; those with NaN are passed over."""
-    defects = np.empty((len(matrix), 2))
-    rotation_defect(matrix, defects)
-    off_by, determinant = defects.T
-    right = (off_by <= ROTATION_TOLERANCE) & (determinant >= 0)
-    wrong = np.flatnonzero(~(right if missing is None else right | missing))
-    if wrong.size:
-        first = int(wrong[0])
-        raise _WrongRow(
-            first,
-            f"{{}}expected rotations (R Rᵀ = I within {ROTATION_TOLERANCE:g}, determinant 1), got "
-            f"one at index {{}} with R Rᵀ off by {off_by[first]:.2g} and determinant "
-            f"{determinant[first]:.4g}",
-        )
+def _places(lock: Bools, *, every_place: bool) -> Locked:
+    """Say where attitudes are at gimbal lock."""
+    if lock is _NOWHERE:
+        return NONE_LOCKED
+    count = int(np.count_nonzero(lock))
+    return (
+        Locked(count, np.flatnonzero(lock)[: None if every_place else 1]) if count else NONE_LOCKED
+    )

@@ -1,7 +1,7 @@
 """Checks that functions of recordings share: samples along the first axis, one after another."""
 
 from math import isfinite
-from typing import TypeGuard, cast
+from typing import cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -10,7 +10,7 @@ from chr_notes._arrays import Floats, floats
 
 WILD_RATE = 1e12
 """No gyro reads as much, rad/s: such rates come from damaged logs, and leave angles no digits."""
-_DOUBLE = np.dtype(np.float64)
+_DOUBLE, _THREE = np.dtype(np.float64), (3,)
 
 
 def samples(name: str, value: ArrayLike) -> Floats:
@@ -67,19 +67,14 @@ def one_sample(name: str, value: ArrayLike) -> list[float]:
     ValueError
         If the shape is not (3,); it states the received shape.
     """
-    if _is_three(value):
-        numbers: list[float] = value.tolist()
+    if type(value) is np.ndarray and value.dtype is _DOUBLE and value.shape == _THREE:
+        numbers: list[float] = value.tolist()  # as is the rule on a stream, and quick to see
         return numbers
     array = floats(name, value, 3)
     if array.ndim != 1:
         msg = f"{name}: expected shape (3,), got {array.shape}"
         raise ValueError(msg)
     return list(array.tolist())
-
-
-def _is_three(value: object) -> TypeGuard[Floats]:
-    """Say whether this is a vector already, which on a stream is the rule and quick to see."""
-    return type(value) is np.ndarray and value.dtype is _DOUBLE and value.shape == (3,)
 
 
 def period(value: object) -> float:
@@ -101,13 +96,10 @@ def start(name: str, value: ArrayLike) -> list[float]:
     Raises
     ------
     ValueError
-        If there are not three, or one is not finite.
+        If the shape is not (3,), or a number is not finite.
     """
-    array = value if _is_three(value) else floats(name, value, 3)
-    numbers: list[float] = array.tolist()
-    if array.ndim == 1 and isfinite(sum(numbers)):
-        return numbers
-    if array.ndim != 1 or not all(map(isfinite, numbers)):
+    x, y, z = numbers = one_sample(name, value)
+    if not isfinite(x + y + z) and not all(map(isfinite, numbers)):
         msg = f"{name}: expected three finite numbers, got {numbers}"
         raise ValueError(msg)
     return numbers

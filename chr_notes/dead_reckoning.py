@@ -6,9 +6,9 @@ The inertial frame is north-east-down.
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from chr_notes._arrays import Floats, floats
+from chr_notes._arrays import Floats, floats, handed_out
 from chr_notes._recordings import run
-from chr_notes._rows import Rows, handed_out
+from chr_notes._rows import Rows
 from chr_notes._samples import complete, number, periods, same_length, samples, start
 from chr_notes._units import warn_of_force, warn_of_steps
 from chr_notes.conventions import NOTES_GRAVITY, STANDARD_GRAVITY

@@ -9,8 +9,11 @@ from chr_notes.generated.arrays import quaternions as generated
 from chr_notes.quaternions.algebra import quaternion_multiply
 from chr_notes.quaternions.conversions import axis_angle_from_quaternion, quaternion_from_axis_angle
 
-_quaternion_inverse = Rows(generated.quaternion_inverse, scaled="refused", degree=-1)
 _inclination_from_quaternion = Rows(generated.inclination_from_quaternion, scaled="refused")
+# Zero is refused under the argument's name.
+_inclination_between = Rows(generated.inclination_from_quaternion, scaled="refused", names=("p",))
+_inverse_of_p = Rows(generated.quaternion_inverse, scaled="refused", degree=-1, names=("p",))
+_inverse_of_q = Rows(generated.quaternion_inverse, scaled="refused", degree=-1)
 
 
 def inclination_from_quaternion(q: ArrayLike, *, out: Floats | None = None) -> Floats:
@@ -70,7 +73,7 @@ def angle_between_attitudes(p: ArrayLike, q: ArrayLike) -> Floats:
     >>> print(f"{np.degrees(chr_notes.angle_between_attitudes(p, q)):.1f}")
     20.0
     """
-    return axis_angle_from_quaternion(quaternion_multiply(_back("p", p), q))[1]
+    return axis_angle_from_quaternion(quaternion_multiply(_inverse_of_p(p), q))[1]
 
 
 def angle_between_verticals(p: ArrayLike, q: ArrayLike) -> Floats:
@@ -106,8 +109,8 @@ def angle_between_verticals(p: ArrayLike, q: ArrayLike) -> Floats:
     >>> print(f"{np.degrees(chr_notes.angle_between_attitudes(p, q)):.1f}")
     90.0
     """
-    difference = quaternion_multiply(p, _back("q", q))
-    return _inclination_from_quaternion.located(difference, names=("p",))[0]
+    difference = quaternion_multiply(p, _inverse_of_q(q))
+    return _inclination_between(difference)
 
 
 def slerp(p: ArrayLike, q: ArrayLike, share: ArrayLike) -> Floats:
@@ -148,7 +151,7 @@ def slerp(p: ArrayLike, q: ArrayLike, share: ArrayLike) -> Floats:
     if outside.any():
         msg = f"share: expected numbers from 0 to 1, got {shares[outside].flat[0]}"
         raise ValueError(msg)
-    axis, angle = axis_angle_from_quaternion(quaternion_multiply(_back("p", p), q))
+    axis, angle = axis_angle_from_quaternion(quaternion_multiply(_inverse_of_p(p), q))
     part = quaternion_from_axis_angle(axis, shares * angle)
     start = floats("p", p, 4)
     # In units of the largest element, whose square is a number.
@@ -204,8 +207,3 @@ def continuous_quaternions(q: ArrayLike) -> Floats:
     signs[1:] = np.where(turns_back, -1.0, 1.0).cumprod()
     result[known] = there * signs[:, np.newaxis]
     return result
-
-
-def _back(name: str, q: ArrayLike) -> Floats:
-    """Give the inverse; refuse zero under the argument's name."""
-    return _quaternion_inverse.located(q, names=(name,))[0]

@@ -104,7 +104,7 @@ STILL = at_rest(TIME)
 REFUSED = {
     "values that move at rest": (
         lambda: at_rest([0.0, 1.0], [[0, 0, 0], [1, 1, 1]]),
-        r"value: expected three finite numbers, got \[\[0\.0, 0\.0, 0\.0\]",
+        r"value: expected shape \(3,\), got \(2, 3\)",
     ),
     "a curve of other times": (
         lambda: trajectory(TIME, STILL, at_rest(TIME[1:])),

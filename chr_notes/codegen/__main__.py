@@ -27,8 +27,8 @@ def files() -> dict[str, str]:
     """
     programs = tuple(lower(target, by_library) for target in TARGETS)
     rows = [target for target in TARGETS if target.arrays and not target.over_samples]
-    columns = tuple(lower(target, for_columns) for target in rows)
-    checked = tuple(lower(target, for_kernels, checked=True) for target in rows)
+    columns = tuple(lower(target, for_columns, ("guard",)) for target in rows)
+    checked = tuple(lower(target, for_kernels, ("guard", "valid")) for target in rows)
     steps = tuple(program for program in programs if program.target.over_samples)
     compiled = kernels.source(
         checked, tuple(lower(_of_squares(step.target), by_library) for step in steps)

@@ -2,6 +2,8 @@
 
 import re
 
+from sympy import Symbol
+
 from chr_notes.codegen.expressions import NumPy
 from chr_notes.codegen.header import (
     FLAG,
@@ -13,14 +15,16 @@ from chr_notes.codegen.header import (
     returns,
 )
 from chr_notes.codegen.lowering import Program, expressions
+from chr_notes.codegen.together import together
 from chr_notes.derivations.computation import Choice, Let
 
 NUMPY = NumPy()
 _NAMES = (
     "abs",
     "arctan2",
-    "asarray",
     "cos",
+    "count_nonzero",
+    "einsum",
     "exp",
     "expm1",
     "floor",
@@ -49,6 +53,7 @@ def module(programs: tuple[Program, ...]) -> str:
         "from numpy.typing import NDArray",
         "",
         "Floats = NDArray[float64]",
+        "Told = tuple[NDArray[bool_] | None, Floats | None]",
     ]
     return head + "\n".join(imports) + f"\n\n\n{body}\n"
 
@@ -74,20 +79,23 @@ def table(programs: tuple[Program, ...]) -> str:
 def _function(program: Program) -> str:
     target = program.target
     arguments = [f"{name}: Floats" for name, _ in target.arrays]
-    result = "NDArray[bool_]" if program.flag is not None else "None"
-    lines = in_lines(f"def {target.name}(", [*arguments, "out: Floats"], f") -> {result}:")
+    lines = in_lines(f"def {target.name}(", [*arguments, "out: Floats"], ") -> Told:")
     lines += _docstring(program)
+    if whole := together(program):
+        *steps, last = whole
+        lines += [line for step in steps for line in _step(step, None)]
+        lines += in_brackets("    out[...] = ", NUMPY.written(last.value))
+        return "\n".join([*lines, "    return None, None"])
     used = {s.name for v in expressions(program.steps, program.results) for s in v.free_symbols}
     for name, elements in target.arrays:
         for place, element in enumerate(elements):
             if element.name in used and (element.name != name or len(elements) > 1):
                 lines.append(f"    {element.name} = {name}{_place(place, shape(elements))}")
     for step in program.steps:
-        lines += _step(step)
+        lines += _step(step, program.flag)
     for place, value in enumerate(program.results):
         lines += in_brackets(f"    out{_place(place, program.shape)} = ", NUMPY.written(value))
-    if program.flag is not None:
-        lines.append(f"    return asarray({program.flag.name})")
+    lines.append(f"    return {program.flag}, {program.guard}")
     return "\n".join(lines)
 
 
@@ -96,10 +104,20 @@ def _place(place: int, axes: tuple[int, ...]) -> str:
     return f"[{', '.join(['...', *map(str, places)])}]"
 
 
-def _step(step: Let | Choice) -> list[str]:
+def _step(step: Let | Choice, flag: Symbol | None) -> list[str]:
     if isinstance(step, Let):
         return in_brackets(f"    {step.name} = ", NUMPY.written(step.value))
     lines = []
+    if flag is not None and step.branches[0][0] == ~flag:
+        # What stands at gimbal lock is worked out only where an attitude is.
+        (_, usual), (_, instead) = step.branches
+        for name, value in zip(step.names, usual, strict=True):
+            lines += _step(Let(name, value), None)
+        lines.append(f"    if count_nonzero({flag}):")
+        for name, value in zip(step.names, instead, strict=True):
+            at_lock = f"where({flag}, {NUMPY.written(value)}, {name})"
+            lines += in_brackets(f"        {name} = ", at_lock)
+        return lines
     for name in step.names:
         lines += in_brackets(f"    {name} = ", NUMPY.conditional(step, name))
     return lines
@@ -113,8 +131,9 @@ def _docstring(program: Program) -> list[str]:
         what = elements[0].says if len(elements) == 1 else ", ".join(e.name for e in elements)
         lines.append(f"    {name}: {what}, shape (...{axes})")
     lines.append(f"    out: for the result, shape (...{''.join(f', {n}' for n in program.shape)})")
-    if program.flag is not None:
-        lines += ["", f"    Returns {FLAG}."]
+    told = [FLAG] if program.flag is not None else []
+    told += [f"the {program.guard}".replace("_", " ")] if program.guard is not None else []
+    lines += ["", f"    Returns {', and '.join(told)}."] if told else []
     last = [line for line in (needs(program), *ledger(target)) if line]
     lines += ["", *(f"    {line}" for line in last)] if last else []
     return [*lines, '    """']

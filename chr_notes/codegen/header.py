@@ -32,9 +32,11 @@ def returns(program: Program) -> str:
 
 
 def needs(program: Program) -> str | None:
-    """Say which squared length must stay within range, where there is one."""
+    """Say which squared length must stay within range, or what the arguments have to be."""
     if program.guard is None:
         return None
+    if program.valid is not None:
+        return "Right for rotations alone."
     what = program.guard.name.replace("_", " ")
     return f"Right as long as the {what} neither overflows nor vanishes."
 

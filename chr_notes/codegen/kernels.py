@@ -109,10 +109,10 @@ def _handled(program: Program) -> list[str]:
     conditions += [
         f"(fabs({COLUMN.written(angle)}) < LARGEST_ANGLE)" for angle in sorted(angles, key=str)
     ]
-    if program.guard is not None:
-        conditions.append(f"IN_RANGE({program.guard})")
     if program.valid is not None:
         conditions.append(f"{program.valid}")
+    elif program.guard is not None:
+        conditions.append(f"IN_RANGE({program.guard})")
     if program.flag is not None:
         conditions.append(f"!{program.flag}")
     return conditions

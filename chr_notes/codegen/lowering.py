@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from sympy import Basic, Expr, MatrixBase, Symbol, cse, numbered_symbols
+from sympy import Basic, Expr, MatrixBase, Symbol, cse, false, numbered_symbols, true
 
 from chr_notes.codegen.names import name_of
 from chr_notes.codegen.rewriting import Rewriting
@@ -51,7 +51,7 @@ class Program:
     valid: Symbol | None
 
 
-def lower(target: Target, rewriting: Rewriting, *, checked: bool = False) -> Program:
+def lower(target: Target, rewriting: Rewriting, checks: tuple[str, ...] = ()) -> Program:
     """Lower a target to assignments.
 
     The arguments take their names, functions of an angle become locals that say what they are
@@ -63,8 +63,8 @@ def lower(target: Target, rewriting: Rewriting, *, checked: bool = False) -> Pro
         Row of the table of targets.
     rewriting
         How functions of an angle are computed.
-    checked
-        Whether guard and validity are computed too.
+    checks
+        Which of "guard" and "valid" are computed too.
     """
     formula = target.formula()
     computation = formula if isinstance(formula, Computation) else Computation((), formula)
@@ -77,12 +77,15 @@ def lower(target: Target, rewriting: Rewriting, *, checked: bool = False) -> Pro
     )
     steps = tuple(map_step(step, lambda value: value.xreplace(names)) for step in computation.steps)
     angles, replaced = rewriting(expressions(steps, results))
-    steps = tuple(map_step(step, lambda value: value.xreplace(replaced)) for step in steps)
+    steps = tuple(
+        decided
+        for step in steps
+        for decided in _decided(map_step(step, lambda value: value.xreplace(replaced)))
+    )
     results = tuple(result.xreplace(replaced) for result in results)
     known = set(names.values())
     steps, results = _schedule(known, angles, steps, results)
-    reports = {computation.flag}
-    reports |= {computation.guard, computation.valid} if checked else set()
+    reports = {computation.flag, *(getattr(computation, name) for name in checks)}
     steps = _needed(steps, results, reports - {None})
     size = computation.results.shape if is_matrix else ()
     return Program(
@@ -94,6 +97,17 @@ def lower(target: Target, rewriting: Rewriting, *, checked: bool = False) -> Pro
         guard=computation.guard,
         valid=computation.valid,
     )
+
+
+def _decided(step: Let | Choice) -> tuple[Let | Choice, ...]:
+    """Leave out the branches of a choice that are known not to be taken."""
+    if isinstance(step, Let):
+        return (step,)
+    branches = [branch for branch in step.branches if branch[0] != false]
+    first = next(place for place, (condition, _) in enumerate(branches) if condition == true)
+    if first:
+        return (Choice(step.names, tuple(branches[: first + 1])),)
+    return tuple(map(Let, step.names, branches[0][1]))
 
 
 def expressions(steps: Iterable[Let | Choice], results: Iterable[Expr]) -> tuple[Basic, ...]:

@@ -3,11 +3,12 @@
 from collections.abc import Callable
 from dataclasses import replace
 
-from sympy import Abs, Basic, Expr, Function, Pow, Symbol, Wild, atan2, cos, sin, sqrt, tan
+from sympy import Abs, Basic, Expr, Function, Pow, Symbol, Wild, atan2, cos, sin, sqrt, tan, true
 from sympy.codegen.cfunctions import hypot
 
 from chr_notes.codegen.names import name_of
 from chr_notes.derivations.computation import Choice, Computation, Let, map_step
+from chr_notes.derivations.forms.estimation import KNOWN
 
 Rewriting = Callable[[tuple[Basic, ...]], tuple[tuple[Let, ...], dict[Basic, Expr]]]
 
@@ -44,13 +45,14 @@ def for_columns(values: tuple[Basic, ...]) -> tuple[tuple[Let, ...], dict[Basic,
     """Do as `by_library`, with a quotient for the tangent and a root for `hypot`.
 
     Both take several times as long as what stands for them, and need no care here: a row whose
-    squares would overflow or vanish is scaled first, by the guard.
+    squares would overflow or vanish is scaled first, by the guard. So one of zeros is no matter.
     """
     tangents = {
         call: sin(call.args[0]) / cos(call.args[0]) for value in values for call in value.atoms(tan)
     }
     lets, replaced = by_library(tuple(value.xreplace(tangents) for value in values))
     replaced |= {call: value.xreplace(replaced) for call, value in tangents.items()}
+    replaced[KNOWN] = true
     for value in values:
         replaced |= {call: root_of_squares(*call.args) for call in value.atoms(hypot)}
     return lets, replaced

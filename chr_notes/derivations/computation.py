@@ -83,7 +83,8 @@ class Computation:
         to say so.
     guard
         Name of a squared length: where it is zero there is no result, and where it overflows or
-        vanishes by rounding the result is wrong, so that the arguments must be scaled.
+        vanishes by rounding the result is wrong, so that the arguments must be scaled. Or of the
+        determinant of what has to be a rotation.
     valid
         Name of the step that says whether the arguments are what the formula is made for.
     """

@@ -30,6 +30,7 @@ from chr_notes.generated.scalar import estimation as steps
 from chr_notes.generated.scalar.quaternions import euler_from_quaternion, quaternion_from_euler
 
 Method = Literal["quaternion", "euler"]
+_LEAST, _STEEP = -pi, -pi / 2
 
 
 @dataclass(frozen=True)
@@ -83,7 +84,7 @@ def _angles(quaternion: Sequence[float] | Floats) -> Floats:
 
 def is_in_range(roll: float, pitch: float, yaw: float) -> bool:
     """Say whether three angles are in the ranges that filters write them in."""
-    return -pi <= roll < pi and -pi <= yaw < pi and -pi / 2 <= pitch <= pi / 2
+    return _LEAST <= roll < pi and _LEAST <= yaw < pi and _STEEP <= pitch <= -_STEEP
 
 
 def angles_in_range(euler: Sequence[float] | Floats) -> Floats:

@@ -6,9 +6,9 @@ or a float64 where the result is one number. What comes out is a unit quaternion
 
 from numpy.typing import ArrayLike
 
-from chr_notes._arrays import Floats
+from chr_notes._arrays import Floats, handed_out
 from chr_notes._attitudes import OnGimbalLock, with_lock
-from chr_notes._rows import Rows, handed_out
+from chr_notes._rows import Rows
 from chr_notes.generated.arrays import quaternions as generated
 
 _matrix_from_quaternion = Rows(generated.matrix_from_quaternion, scaled="refused")

@@ -14,15 +14,15 @@ from chr_notes._arrays import Floats, floats
 from chr_notes._rows import Rows
 from chr_notes.generated.arrays import sensors as generated
 
-_sensor_measures = Rows(generated.sensor_measures)
-_sensor_corrected = Rows(generated.sensor_corrected)
-_gyro_measures = Rows(generated.gyro_measures)
-_gyro_corrected = Rows(generated.gyro_corrected)
-_iron_added = Rows(generated.iron_added)
-_iron_removed = Rows(generated.iron_removed)
-
 # Terms have a row for each temperature, so an error about their shape is one about its.
 _TERMS = ("misalignment", "temperature", "temperature")
+_sensor_measures = Rows(generated.sensor_measures, names=_TERMS, checked=3)
+_sensor_corrected = Rows(generated.sensor_corrected, names=_TERMS, checked=3)
+_gyro_measures = Rows(generated.gyro_measures, names=_TERMS, checked=4)
+_gyro_corrected = Rows(generated.gyro_corrected, names=_TERMS, checked=4)
+_iron_added = Rows(generated.iron_added, checked=2)
+_iron_removed = Rows(generated.iron_removed, checked=2)
+
 _SINGULAR = 1e-12  # smallest singular value over the largest
 
 
@@ -107,8 +107,7 @@ class ThreeAxisCalibration(_Checked):
             If a shape is wrong, the temperature is missing, or a sensitivity is zero at it.
         """
         sensitivity, bias = _at(self, temperature)
-        given = (self.misalignment, sensitivity, bias, actual)
-        return _sensor_measures.located(*given, out=out, names=(*_TERMS, "actual"))[0]
+        return _sensor_measures.compute(self.misalignment, sensitivity, bias, actual, out)
 
     def correct(
         self,
@@ -119,8 +118,7 @@ class ThreeAxisCalibration(_Checked):
     ) -> Floats:
         """Tell what is there from what the sensor reads; parameters and errors as in `measure`."""
         sensitivity, bias = _at(self, temperature)
-        given = (self._inverse, sensitivity, bias, measured)
-        return _sensor_corrected.located(*given, out=out, names=(*_TERMS, "measured"))[0]
+        return _sensor_corrected.compute(self._inverse, sensitivity, bias, measured, out)
 
 
 @dataclass(frozen=True, eq=False)
@@ -189,9 +187,8 @@ class RateGyroCalibration(_Checked):
             If a shape is wrong, the temperature is missing, or a sensitivity is zero at it.
         """
         sensitivity, bias = _at(self, temperature)
-        given = (self.misalignment, sensitivity, bias, self.g_sensitivity, accel, actual)
-        names = (*_TERMS, "g_sensitivity", "accel", "actual")
-        return _gyro_measures.located(*given, out=out, names=names)[0]
+        terms = self.misalignment, sensitivity, bias, self.g_sensitivity
+        return _gyro_measures.compute(*terms, accel, actual, out)
 
     def correct(
         self,
@@ -203,16 +200,8 @@ class RateGyroCalibration(_Checked):
     ) -> Floats:
         """Tell the body rates from what the gyro reads; parameters and errors as in `measure`."""
         sensitivity, bias = _at(self, temperature)
-        given = (
-            self._inverse,
-            sensitivity,
-            bias,
-            self.g_sensitivity,
-            accel,
-            measured,
-        )
-        names = (*_TERMS, "g_sensitivity", "accel", "measured")
-        return _gyro_corrected.located(*given, out=out, names=names)[0]
+        terms = self._inverse, sensitivity, bias, self.g_sensitivity
+        return _gyro_corrected.compute(*terms, accel, measured, out)
 
 
 @dataclass(frozen=True, eq=False)

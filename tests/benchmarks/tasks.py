@@ -27,6 +27,8 @@ from chr_notes.generated.scalar import quaternions as scalar
 from chr_notes.generated.scalar import sensors as scalar_sensors
 from chr_notes.generated.scalar import validation as scalar_validation
 
+from . import by_hand
+
 Floats = NDArray[np.float64]
 OURS, SCALAR = "chr_notes", "chr_notes, one at a time"
 MEMCPY = "memcpy of the result"
@@ -62,78 +64,6 @@ def data(rows: int) -> Data:
     return Data(*unit, angles, rng.normal(size=(rows, 3)))
 
 
-def euler_rates_with_sines(euler: Floats, rates: Floats) -> Floats:
-    """Work out the rates in plain NumPy, each sine and cosine once."""
-    roll, pitch = euler[:, 0], euler[:, 1]
-    p, q, r = rates.T
-    sine, cosine = np.sin(roll), np.cos(roll)
-    across = q * sine + r * cosine
-    return np.stack(
-        [p + across * np.tan(pitch), q * cosine - r * sine, across / np.cos(pitch)], axis=-1
-    )
-
-
-def matrices_with_sines(euler: Floats) -> Floats:
-    """Work out the matrices in plain NumPy, each sine and cosine once."""
-    sine_roll, sine_pitch, sine_yaw = np.sin(euler.T)
-    cosine_roll, cosine_pitch, cosine_yaw = np.cos(euler.T)
-    matrix = np.empty((len(euler), 3, 3))
-    matrix[:, 0, 0] = cosine_pitch * cosine_yaw
-    matrix[:, 0, 1] = cosine_pitch * sine_yaw
-    matrix[:, 0, 2] = -sine_pitch
-    matrix[:, 1, 0] = sine_roll * sine_pitch * cosine_yaw - cosine_roll * sine_yaw
-    matrix[:, 1, 1] = sine_roll * sine_pitch * sine_yaw + cosine_roll * cosine_yaw
-    matrix[:, 1, 2] = sine_roll * cosine_pitch
-    matrix[:, 2, 0] = cosine_roll * sine_pitch * cosine_yaw + sine_roll * sine_yaw
-    matrix[:, 2, 1] = cosine_roll * sine_pitch * sine_yaw - sine_roll * cosine_yaw
-    matrix[:, 2, 2] = cosine_roll * cosine_pitch
-    return matrix
-
-
-def wrapped_by_remainder(angle: Floats) -> Floats:
-    """Wrap angles in plain NumPy, in the shortest way, which loses digits of large ones."""
-    return np.asarray((angle + np.pi) % (2 * np.pi) - np.pi)
-
-
-def tilt_by_hand(accel: Floats) -> Floats:
-    """Work out roll and pitch in plain NumPy."""
-    x, y, z = accel.T
-    return np.stack([np.arctan2(-y, -z), np.arctan2(x, np.sqrt(y * y + z * z))], axis=-1)
-
-
-def heading_by_hand(mag: Floats, tilt: Floats) -> Floats:
-    """Work out yaw from magnetic north in plain NumPy."""
-    x, y, z = mag.T
-    roll, pitch = tilt.T
-    sine, cosine = np.sin(roll), np.cos(roll)
-    down = y * sine + z * cosine
-    return np.asarray(np.arctan2(z * sine - y * cosine, x * np.cos(pitch) + down * np.sin(pitch)))
-
-
-def at_rest_by_hand(euler: Floats) -> Floats:
-    """Work out what an accelerometer at rest reads in plain NumPy."""
-    roll, pitch = euler[:, 0], euler[:, 1]
-    across = -chr_notes.STANDARD_GRAVITY * np.cos(pitch)
-    down = chr_notes.STANDARD_GRAVITY * np.sin(pitch)
-    return np.stack([down, across * np.sin(roll), across * np.cos(roll)], axis=-1)
-
-
-MISALIGNMENT = np.array([[1.0, 0.02, 0.01], [-0.01, 1.0, 0.03], [0.02, -0.02, 1.0]])
-SENSITIVITY, BIAS = np.array([1.01, 0.98, 1.02]), np.array([0.1, -0.2, 0.05])
-CALIBRATION = chr_notes.ThreeAxisCalibration(MISALIGNMENT, SENSITIVITY, BIAS)
-REALIGNMENT = np.linalg.inv(MISALIGNMENT)
-
-
-def measured_by_hand(actual: Floats) -> Floats:
-    """Apply the model of a sensor in plain NumPy."""
-    return np.asarray((actual * SENSITIVITY - BIAS) @ MISALIGNMENT.T)
-
-
-def corrected_by_hand(measured: Floats) -> Floats:
-    """Undo it in plain NumPy, the inverse of the matrix being known."""
-    return np.asarray((measured @ REALIGNMENT.T + BIAS) / SENSITIVITY)
-
-
 def _symforce(row: Floats) -> Any:  # noqa: ANN401 (the library has no types)
     return sym.Rot3([*row[1:], row[0]])
 
@@ -157,14 +87,14 @@ MANY: dict[str, dict[str, Task]] = {
     "matrices from Euler angles": {
         OURS: lambda d: partial(chr_notes.matrix_from_euler, d.euler),
         "SciPy": lambda d: lambda: Rotation.from_euler("ZYX", d.euler[:, ::-1]).as_matrix(),
-        PLAIN_NUMPY: lambda d: partial(matrices_with_sines, d.euler),
+        PLAIN_NUMPY: lambda d: partial(by_hand.matrix_from_euler, d.euler),
         "pytransform3d": lambda d: partial(
             batch.active_matrices_from_intrinsic_euler_angles, 2, 1, 0, d.euler[:, ::-1]
         ),
     },
     "Euler rates from body rates": {
         OURS: lambda d: partial(chr_notes.euler_rates_from_body_rates, d.euler, d.vectors),
-        PLAIN_NUMPY: lambda d: partial(euler_rates_with_sines, d.euler, d.vectors),
+        PLAIN_NUMPY: lambda d: partial(by_hand.euler_rates_from_body_rates, d.euler, d.vectors),
     },
     "products of quaternions": {
         OURS: lambda d: partial(chr_notes.quaternion_multiply, d.p, d.q),
@@ -198,31 +128,31 @@ MANY: dict[str, dict[str, Task]] = {
 BY_HAND: dict[str, dict[str, Task]] = {
     "wrapped angles": {
         OURS: lambda d: partial(chr_notes.wrap_angle, 3 * d.euler[:, 0]),
-        PLAIN_NUMPY: lambda d: partial(wrapped_by_remainder, 3 * d.euler[:, 0]),
+        PLAIN_NUMPY: lambda d: partial(by_hand.wrap_angle, 3 * d.euler[:, 0]),
     },
     "tilt from accelerometers": {
         OURS: lambda d: partial(chr_notes.tilt_from_accelerometer, d.vectors),
-        PLAIN_NUMPY: lambda d: partial(tilt_by_hand, d.vectors),
+        PLAIN_NUMPY: lambda d: partial(by_hand.tilt_from_accelerometer, d.vectors),
     },
     "heading from magnetometers": {
         OURS: lambda d: partial(
             chr_notes.heading_from_magnetometer, d.vectors, np.ascontiguousarray(d.euler[:, :2])
         ),
         PLAIN_NUMPY: lambda d: partial(
-            heading_by_hand, d.vectors, np.ascontiguousarray(d.euler[:, :2])
+            by_hand.heading_from_magnetometer, d.vectors, np.ascontiguousarray(d.euler[:, :2])
         ),
     },
     "readings of accelerometers at rest": {
         OURS: lambda d: partial(chr_notes.accelerometer_at_rest, d.euler),
-        PLAIN_NUMPY: lambda d: partial(at_rest_by_hand, d.euler),
+        PLAIN_NUMPY: lambda d: partial(by_hand.accelerometer_at_rest, d.euler),
     },
     "readings by a calibration": {
-        OURS: lambda d: partial(CALIBRATION.measure, d.vectors),
-        PLAIN_NUMPY: lambda d: partial(measured_by_hand, d.vectors),
+        OURS: lambda d: partial(by_hand.CALIBRATION.measure, d.vectors),
+        PLAIN_NUMPY: lambda d: partial(by_hand.measured, d.vectors),
     },
     "readings corrected": {
-        OURS: lambda d: partial(CALIBRATION.correct, d.vectors),
-        PLAIN_NUMPY: lambda d: partial(corrected_by_hand, d.vectors),
+        OURS: lambda d: partial(by_hand.CALIBRATION.correct, d.vectors),
+        PLAIN_NUMPY: lambda d: partial(by_hand.corrected, d.vectors),
     },
 }
 MANY |= BY_HAND
@@ -262,7 +192,9 @@ ONE: dict[str, dict[str, Task]] = {
             *d.vectors[0].tolist(),
         ),
         OURS: lambda d: partial(chr_notes.euler_rates_from_body_rates, d.euler[0], d.vectors[0]),
-        PLAIN_NUMPY: lambda d: partial(euler_rates_with_sines, d.euler[:1], d.vectors[:1]),
+        PLAIN_NUMPY: lambda d: partial(
+            by_hand.euler_rates_from_body_rates, d.euler[:1], d.vectors[:1]
+        ),
     },
     "products of quaternions": {
         SCALAR: lambda d: partial(scalar.quaternion_multiply, *d.p[0].tolist(), *d.q[0].tolist()),
@@ -336,11 +268,15 @@ _SCALAR: dict[str, Task] = {
     ),
     "readings by a calibration": lambda d: partial(
         scalar_sensors.sensor_measures,
-        *np.r_[MISALIGNMENT.ravel(), SENSITIVITY, BIAS, d.vectors[0]].tolist(),
+        *np.r_[
+            by_hand.MISALIGNMENT.ravel(), by_hand.SENSITIVITY, by_hand.BIAS, d.vectors[0]
+        ].tolist(),
     ),
     "readings corrected": lambda d: partial(
         scalar_sensors.sensor_corrected,
-        *np.r_[REALIGNMENT.ravel(), SENSITIVITY, BIAS, d.vectors[0]].tolist(),
+        *np.r_[
+            by_hand.REALIGNMENT.ravel(), by_hand.SENSITIVITY, by_hand.BIAS, d.vectors[0]
+        ].tolist(),
     ),
 }
 ONE |= {task: {SCALAR: _SCALAR[task], **libraries} for task, libraries in BY_HAND.items()}

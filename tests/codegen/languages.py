@@ -73,7 +73,10 @@ def _arrays(name: str, vectors: list[Vector]) -> list[np.ndarray]:
 
 
 def numpy(vectors: list[Vector]) -> Results:
-    """Call the functions of arrays, each once with all its vectors as rows."""
+    """Call the functions of arrays, each once with all its vectors as rows.
+
+    Of a row that is to be scaled first, by the guard, nothing is returned.
+    """
     results = {}
     for name, program in programs().items():
         if name not in SHAPES or program.target.over_samples:
@@ -84,9 +87,12 @@ def numpy(vectors: list[Vector]) -> Results:
             import_module(f"chr_notes.generated.arrays.{program.target.topic}"), name
         )
         with np.errstate(all="ignore"):
-            flag = function(*given, out)
+            flag, guard = function(*given, out)
         rows = out.reshape(len(out), -1)
-        results[name] = (rows if flag is None else np.column_stack([rows, flag])).tolist()
+        rows = (rows if flag is None else np.column_stack([rows, flag])).tolist()
+        lengths = [1.0] * len(rows) if guard is None or program.valid is not None else guard
+        kept = zip(rows, lengths, strict=True)
+        results[name] = [row if 2.0**-380 < length < 2.0**380 else [] for row, length in kept]
     return _in_order(vectors, results)
 
 

@@ -98,13 +98,13 @@ def test_python(double: list[Vector]) -> None:
         assert any(math.isinf(a) or a == 0 for a in vector.arguments), vector
 
 
-def test_numpy(double: list[Vector]) -> None:
-    check(double, languages.numpy(double), DOUBLE.epsilon)
-
-
-@pytest.mark.kernels
-def test_kernels(double: list[Vector]) -> None:
-    results = languages.kernels(double)
+@pytest.mark.parametrize(
+    "language", [languages.numpy, pytest.param(languages.kernels, marks=pytest.mark.kernels)]
+)
+def test_functions_of_arrays(
+    double: list[Vector], language: Callable[[list[Vector]], languages.Results]
+) -> None:
+    results = language(double)
     check(double, results, DOUBLE.epsilon)
     by_name: dict[str, list[bool]] = {}
     for vector, got in zip(double, results, strict=True):

@@ -95,7 +95,8 @@ def _defect() -> tuple[tuple[Let, ...], Expr, Expr]:
     places = [(row, column) for row in range(3) for column in range(row + 1)]
     lets = [Let(Symbol(f"off_{i + 1}{j + 1}", real=True), off[i, j]) for i, j in places]
     squares = [(1 + (i != j)) * let.name**2 for (i, j), let in zip(places, lets, strict=True)]
-    first, second, third = (matrix.row(row) for row in range(3))
+    # By columns, because Euler angles are made of parts of the same products.
+    first, second, third = (matrix.col(column) for column in range(3))
     return tuple(lets), sum(squares) / 9, third.dot(first.cross(second))
 
 
@@ -112,7 +113,8 @@ def of_a_rotation(computation: Computation) -> Computation:
     lets, *values = _defect()
     close = And(square <= ROTATION_TOLERANCE**2, determinant >= 0)
     told = (*map(Let, (square, determinant), values), Let(ROTATION, close))
-    return replace(computation, steps=(*computation.steps, *lets, *told), valid=ROTATION)
+    steps = (*computation.steps, *lets, *told)
+    return replace(computation, steps=steps, guard=determinant, valid=ROTATION)
 
 
 @cache

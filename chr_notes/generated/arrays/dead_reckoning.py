@@ -7,9 +7,10 @@ from numpy import bool_, cos, float64, sin
 from numpy.typing import NDArray
 
 Floats = NDArray[float64]
+Told = tuple[NDArray[bool_] | None, Floats | None]
 
 
-def inertial_acceleration(accel: Floats, euler: Floats, gravity: Floats, out: Floats) -> None:
+def inertial_acceleration(accel: Floats, euler: Floats, gravity: Floats, out: Floats) -> Told:
     """Acceleration of the body in the inertial frame, m/s² (3).
 
     accel: accel_x, accel_y, accel_z, shape (..., 3)
@@ -47,11 +48,12 @@ def inertial_acceleration(accel: Floats, euler: Floats, gravity: Floats, out: Fl
     out[..., 2] = (
         -accel_x*sin_pitch + accel_y*cos_pitch*sin_roll + accel_z*cos_pitch*cos_roll + gravity
     )
+    return None, None
 
 
 def accelerometer_from_acceleration(
     acceleration: Floats, euler: Floats, gravity: Floats, out: Floats
-) -> None:
+) -> Told:
     """Reading of an accelerometer on a body that accelerates, m/s² (3).
 
     acceleration: accel_north, accel_east, accel_down, shape (..., 3)
@@ -95,9 +97,10 @@ def accelerometer_from_acceleration(
             accel_east_sin_yaw*cos_roll_sin_pitch + accel_north_cos_yaw*cos_roll_sin_pitch +
             accel_north_sin_yaw*sin_roll - cos_pitch_cos_roll*gravity
     )
+    return None, None
 
 
-def drift_from_tilt_error(angle_error: Floats, time: Floats, gravity: Floats, out: Floats) -> None:
+def drift_from_tilt_error(angle_error: Floats, time: Floats, gravity: Floats, out: Floats) -> Told:
     """Error of acceleration (m/s²), of velocity (m/s) and of position (m), along the ground (3).
 
     angle_error: angle between true and estimated vertical, radians, shape (...)
@@ -112,6 +115,7 @@ def drift_from_tilt_error(angle_error: Floats, time: Floats, gravity: Floats, ou
     out[..., 0] = gravity_sin_angle_error
     out[..., 1] = gravity_sin_angle_error*time
     out[..., 2] = 0.5*gravity_sin_angle_error*(time*time)
+    return None, None
 
 
 def position_errors(
@@ -125,7 +129,7 @@ def position_errors(
     time: Floats,
     gravity: Floats,
     out: Floats,
-) -> None:
+) -> Told:
     """Errors of position (m) by tilt, biases, motion, and variances (m²) by noise (6).
 
     angle_error: angle between true and estimated vertical, radians, shape (...)
@@ -148,3 +152,4 @@ def position_errors(
     out[..., 3] = acceleration*half_time_squared*scale_error
     out[..., 4] = 0.3333333333333333*common_2*(accel_noise*accel_noise)
     out[..., 5] = 0.05*(gravity*gravity)*(gyro_noise*gyro_noise)*(time*time*time*time*time)
+    return None, None

@@ -7,13 +7,16 @@ from numpy import arctan2, bool_, expm1, float64, log1p, nan, sqrt, where
 from numpy.typing import NDArray
 
 Floats = NDArray[float64]
+Told = tuple[NDArray[bool_] | None, Floats | None]
 
 
-def tilt_from_accelerometer(accel: Floats, out: Floats) -> None:
+def tilt_from_accelerometer(accel: Floats, out: Floats) -> Told:
     """Roll and pitch of a body at rest, radians (2).
 
     accel: accel_x, accel_y, accel_z, shape (..., 3)
     out: for the result, shape (..., 2)
+
+    Returns the length squared.
 
     Right as long as the length squared neither overflows nor vanishes.
     Ledger: estimation.2.5, estimation.2.6, validation.3, validation.4.
@@ -22,20 +25,20 @@ def tilt_from_accelerometer(accel: Floats, out: Floats) -> None:
     accel_y = accel[..., 1]
     accel_z = accel[..., 2]
     accel_y_squared_plus_accel_z_squared = accel_y*accel_y + accel_z*accel_z
-    size = abs(accel_x) + abs(accel_y) + abs(accel_z)
-    has_direction = (size <= 1.7976931348623157e+308) & (size > 0.0)
+    length_squared = accel_y_squared_plus_accel_z_squared + accel_x*accel_x
     across = sqrt(accel_y_squared_plus_accel_z_squared)
     roll_seen = arctan2(-accel_y, -accel_z)
     roll = (
-        where(~has_direction, nan, where(across <= 0.0, 0.0, where(roll_seen <= -3.141592653589793,
-            3.141592653589793, roll_seen)))
+        where(across <= 0.0, 0.0, where(roll_seen <= -3.141592653589793, 3.141592653589793,
+            roll_seen))
     )
-    pitch = where(has_direction, arctan2(accel_x, across), nan)
+    pitch = arctan2(accel_x, across)
     out[..., 0] = roll
     out[..., 1] = pitch
+    return None, length_squared
 
 
-def gain_from_time_constant(time_constant: Floats, dt: Floats, out: Floats) -> None:
+def gain_from_time_constant(time_constant: Floats, dt: Floats, out: Floats) -> Told:
     """Gain that has, at a period, the effect of a time constant.
 
     time_constant: mean age of what is averaged, s, shape (...)
@@ -44,9 +47,10 @@ def gain_from_time_constant(time_constant: Floats, dt: Floats, out: Floats) -> N
     """
     result = where(time_constant > 0.0, -expm1(-dt/time_constant), nan)
     out[...] = result
+    return None, None
 
 
-def time_constant_from_gain(gain: Floats, dt: Floats, out: Floats) -> None:
+def time_constant_from_gain(gain: Floats, dt: Floats, out: Floats) -> Told:
     """Time constant that has, at a period, the effect of a gain, s.
 
     gain: weight of the accelerometer, from 0 to 1, shape (...)
@@ -56,11 +60,12 @@ def time_constant_from_gain(gain: Floats, dt: Floats, out: Floats) -> None:
     logarithm_of_what_is_kept = where((gain > 0.0) & (gain < 1.0), log1p(-gain), nan)
     result = -dt/logarithm_of_what_is_kept
     out[...] = result
+    return None, None
 
 
 def averaging_bound(
     averaged: Floats, time_constant: Floats, speed: Floats, bias_bound: Floats, out: Floats
-) -> None:
+) -> Told:
     """Bound of the angle between true and estimated vertical, radians.
 
     averaged: time that the mean stands for, s, shape (...)
@@ -76,3 +81,4 @@ def averaging_bound(
     )
     bound = where(bound_told > 3.141592653589793, 3.141592653589793, bound_told)
     out[...] = bound
+    return None, None

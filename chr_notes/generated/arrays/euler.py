@@ -3,13 +3,14 @@ From the derivations behind the ledger entries euler.5.2, euler.5.3, euler.7.2, 
 euler.7.a, euler.7.d.
 """
 
-from numpy import arctan2, asarray, bool_, cos, float64, sin, sqrt, where
+from numpy import arctan2, bool_, cos, count_nonzero, float64, sin, sqrt, where
 from numpy.typing import NDArray
 
 Floats = NDArray[float64]
+Told = tuple[NDArray[bool_] | None, Floats | None]
 
 
-def matrix_from_euler(euler: Floats, out: Floats) -> None:
+def matrix_from_euler(euler: Floats, out: Floats) -> Told:
     """Matrix from the inertial to the body frame, row by row (3 by 3).
 
     euler: roll, pitch, yaw, shape (..., 3)
@@ -39,35 +40,44 @@ def matrix_from_euler(euler: Floats, out: Floats) -> None:
     out[..., 2, 0] = cos_roll_cos_yaw*sin_pitch + sin_roll_sin_yaw
     out[..., 2, 1] = cos_roll_sin_yaw*sin_pitch - cos_yaw_sin_roll
     out[..., 2, 2] = cos_pitch*cos_roll
+    return None, None
 
 
-def euler_from_matrix(matrix: Floats, out: Floats) -> NDArray[bool_]:
+def euler_from_matrix(matrix: Floats, out: Floats) -> Told:
     """Roll, pitch and yaw, radians (3).
 
     matrix: r11, r12, r13, r21, r22, r23, r31, r32, r33, shape (..., 3, 3)
     out: for the result, shape (..., 3)
 
-    Returns whether at gimbal lock, where roll, the angle of the last turn, is set to 0.
+    Returns whether at gimbal lock, where roll, the angle of the last turn, is set to 0, and the determinant.
+
+    Right for rotations alone.
     """
     r11 = matrix[..., 0, 0]
     r12 = matrix[..., 0, 1]
     r13 = matrix[..., 0, 2]
     r21 = matrix[..., 1, 0]
     r22 = matrix[..., 1, 1]
+    r23 = matrix[..., 1, 2]
     r31 = matrix[..., 2, 0]
     r32 = matrix[..., 2, 1]
+    r33 = matrix[..., 2, 2]
     r11_squared_plus_r12_squared = r11*r11 + r12*r12
     pitch = arctan2(-r13, sqrt(r11_squared_plus_r12_squared))
     locked = abs(pitch) > 1.5707963267948948
-    roll = where(~locked, arctan2(-r11*r32 + r12*r31, r11*r22 - r12*r21), 0.0)
-    yaw = where(~locked, arctan2(r12, r11), arctan2(-r21, r22))
+    roll = arctan2(-r11*r32 + r12*r31, r11*r22 - r12*r21)
+    yaw = arctan2(r12, r11)
+    if count_nonzero(locked):
+        roll = where(locked, 0.0, roll)
+        yaw = where(locked, arctan2(-r21, r22), yaw)
+    determinant = r13*(r21*r32 - r22*r31) + r23*(-r11*r32 + r12*r31) + r33*(r11*r22 - r12*r21)
     out[..., 0] = roll
     out[..., 1] = pitch
     out[..., 2] = yaw
-    return asarray(locked)
+    return locked, determinant
 
 
-def rotation_defect(matrix: Floats, out: Floats) -> None:
+def rotation_defect(matrix: Floats, out: Floats) -> Told:
     """How far a matrix is from a rotation: root mean square of R Rᵀ - 1, and the determinant (2).
 
     matrix: r11, r12, r13, r21, r22, r23, r31, r32, r33, shape (..., 3, 3)
@@ -93,10 +103,11 @@ def rotation_defect(matrix: Floats, out: Floats) -> None:
             0.1111111111111111*(off_22*off_22) + 0.2222222222222222*(off_31*off_31) +
             0.2222222222222222*(off_32*off_32) + 0.1111111111111111*(off_33*off_33))
     )
-    out[..., 1] = r31*(r12*r23 - r13*r22) + r32*(-r11*r23 + r13*r21) + r33*(r11*r22 - r12*r21)
+    out[..., 1] = r13*(r21*r32 - r22*r31) + r23*(-r11*r32 + r12*r31) + r33*(r11*r22 - r12*r21)
+    return None, None
 
 
-def euler_rates_matrix(euler: Floats, out: Floats) -> None:
+def euler_rates_matrix(euler: Floats, out: Floats) -> Told:
     """Matrix D from body rates to Euler rates, row by row (3 by 3).
 
     euler: roll, pitch, yaw, shape (..., 3)
@@ -122,9 +133,10 @@ def euler_rates_matrix(euler: Floats, out: Floats) -> None:
     out[..., 2, 0] = 0.0
     out[..., 2, 1] = sec_pitch_sin_roll
     out[..., 2, 2] = cos_roll_sec_pitch
+    return None, None
 
 
-def euler_rates_from_body_rates(euler: Floats, body_rates: Floats, out: Floats) -> None:
+def euler_rates_from_body_rates(euler: Floats, body_rates: Floats, out: Floats) -> Told:
     """Derivatives of roll, pitch and yaw, rad/s (3).
 
     euler: roll, pitch, yaw, shape (..., 3)
@@ -148,9 +160,10 @@ def euler_rates_from_body_rates(euler: Floats, body_rates: Floats, out: Floats) 
     out[..., 0] = p + rate_across_sec_pitch*sin_pitch
     out[..., 1] = cos_roll*q - r*sin_roll
     out[..., 2] = rate_across_sec_pitch
+    return None, None
 
 
-def body_rates_from_euler_rates(euler: Floats, euler_rates: Floats, out: Floats) -> None:
+def body_rates_from_euler_rates(euler: Floats, euler_rates: Floats, out: Floats) -> Told:
     """Body rates about x, y and z, rad/s (3).
 
     euler: roll, pitch, yaw, shape (..., 3)
@@ -172,9 +185,10 @@ def body_rates_from_euler_rates(euler: Floats, euler_rates: Floats, out: Floats)
     out[..., 0] = roll_rate - sin_pitch*yaw_rate
     out[..., 1] = cos_pitch_yaw_rate*sin_roll + cos_roll*pitch_rate
     out[..., 2] = cos_pitch_yaw_rate*cos_roll - pitch_rate*sin_roll
+    return None, None
 
 
-def wrap_angle(angle: Floats, out: Floats) -> None:
+def wrap_angle(angle: Floats, out: Floats) -> Told:
     """The angle less whole turns, from -pi up to but not including pi.
 
     angle: angle, radians, shape (...)
@@ -188,3 +202,4 @@ def wrap_angle(angle: Floats, out: Floats) -> None:
             3.141592653589793, -3.141592653589793, principal))
     )
     out[...] = wrapped
+    return None, None

@@ -4,17 +4,20 @@ quaternions.3.2, quaternions.3.3, quaternions.3.4, quaternions.3.a, quaternions.
 quaternions.4.1, quaternions.4.2, quaternions.4.3.
 """
 
-from numpy import arctan2, asarray, bool_, cos, float64, sin, sqrt, where
+from numpy import arctan2, bool_, cos, count_nonzero, float64, sin, sqrt, where
 from numpy.typing import NDArray
 
 Floats = NDArray[float64]
+Told = tuple[NDArray[bool_] | None, Floats | None]
 
 
-def matrix_from_quaternion(q: Floats, out: Floats) -> None:
+def matrix_from_quaternion(q: Floats, out: Floats) -> Told:
     """Matrix from the inertial to the body frame, row by row (3 by 3).
 
     q: a, b, c, d, shape (..., 4)
     out: for the result, shape (..., 3, 3)
+
+    Returns the norm squared.
 
     Right as long as the norm squared neither overflows nor vanishes.
     Ledger: quaternions.3.3.
@@ -51,14 +54,18 @@ def matrix_from_quaternion(q: Floats, out: Floats) -> None:
     out[..., 2, 0] = twice_scale*(a_c + b_d)
     out[..., 2, 1] = twice_scale*(-a_b + c_d)
     out[..., 2, 2] = scale*(-across_z + along_z)
+    return None, norm_squared
 
 
-def quaternion_from_matrix(matrix: Floats, out: Floats) -> None:
+def quaternion_from_matrix(matrix: Floats, out: Floats) -> Told:
     """Unit quaternion with a >= 0 (4).
 
     matrix: r11, r12, r13, r21, r22, r23, r31, r32, r33, shape (..., 3, 3)
     out: for the result, shape (..., 4)
 
+    Returns the determinant.
+
+    Right for rotations alone.
     Ledger: quaternions.3.3.
     """
     r11 = matrix[..., 0, 0]
@@ -88,14 +95,16 @@ def quaternion_from_matrix(matrix: Floats, out: Floats) -> None:
     )
     norm_squared = a*a + b*b + c*c + d*d
     sign = where(a >= 0.0, 1.0, -1.0)
+    determinant = r13*(r21*r32 - r22*r31) + r23*(-r11*r32 + r12*r31) + r33*(r11*r22 - r12*r21)
     common_0 = sign/sqrt(norm_squared)
     out[..., 0] = a*common_0
     out[..., 1] = b*common_0
     out[..., 2] = c*common_0
     out[..., 3] = common_0*d
+    return None, determinant
 
 
-def quaternion_from_euler(euler: Floats, out: Floats) -> None:
+def quaternion_from_euler(euler: Floats, out: Floats) -> Told:
     """Unit quaternion with a >= 0 (4).
 
     euler: roll, pitch, yaw, shape (..., 3)
@@ -125,15 +134,16 @@ def quaternion_from_euler(euler: Floats, out: Floats) -> None:
     out[..., 1] = b*sign
     out[..., 2] = c*sign
     out[..., 3] = d*sign
+    return None, None
 
 
-def euler_from_quaternion(q: Floats, out: Floats) -> NDArray[bool_]:
+def euler_from_quaternion(q: Floats, out: Floats) -> Told:
     """Roll, pitch and yaw, radians (3).
 
     q: a, b, c, d, shape (..., 4)
     out: for the result, shape (..., 3)
 
-    Returns whether at gimbal lock, where roll, the angle of the last turn, is set to 0.
+    Returns whether at gimbal lock, where roll, the angle of the last turn, is set to 0, and the sum of squares.
 
     Right as long as the sum of squares neither overflows nor vanishes.
     Ledger: quaternions.4.1, quaternions.4.2, quaternions.4.3.
@@ -153,25 +163,28 @@ def euler_from_quaternion(q: Floats, out: Floats) -> NDArray[bool_]:
     product_3 = a_minus_c*a_plus_c
     product_4 = b_plus_d*d_minus_b
     half_sine = a*c - b*d
+    sum_of_squares = above + below
     pitch = arctan2(2.0*half_sine, sqrt(above)*sqrt(below))
     locked = abs(pitch) > 1.5707963267948948
-    roll = where(~locked, arctan2(product_1 - product_2, product_3 + product_4), 0.0)
-    yaw = (
-        where(~locked, arctan2(product_1 + product_2, product_3 - product_4), arctan2(2.0*a*d -
-            2.0*b*c, a*a - (b*b) + c*c - (d*d)))
-    )
+    roll = arctan2(product_1 - product_2, product_3 + product_4)
+    yaw = arctan2(product_1 + product_2, product_3 - product_4)
+    if count_nonzero(locked):
+        roll = where(locked, 0.0, roll)
+        yaw = where(locked, arctan2(2.0*a*d - 2.0*b*c, a*a - (b*b) + c*c - (d*d)), yaw)
     out[..., 0] = roll
     out[..., 1] = pitch
     out[..., 2] = yaw
-    return asarray(locked)
+    return locked, sum_of_squares
 
 
-def quaternion_from_axis_angle(axis: Floats, angle: Floats, out: Floats) -> None:
+def quaternion_from_axis_angle(axis: Floats, angle: Floats, out: Floats) -> Told:
     """Unit quaternion with a >= 0 (4).
 
     axis: x, y, z, shape (..., 3)
     angle: angle of the turn about the axis, radians, shape (...)
     out: for the result, shape (..., 4)
+
+    Returns the length squared.
 
     Right as long as the length squared neither overflows nor vanishes.
     Ledger: quaternions.2.2.
@@ -188,13 +201,16 @@ def quaternion_from_axis_angle(axis: Floats, angle: Floats, out: Floats) -> None
     out[..., 1] = common_2*x
     out[..., 2] = common_2*y
     out[..., 3] = common_2*z
+    return None, length_squared
 
 
-def axis_angle_from_quaternion(q: Floats, out: Floats) -> None:
+def axis_angle_from_quaternion(q: Floats, out: Floats) -> Told:
     """Unit axis x, y, z and the angle in [0, pi] of the turn about it, radians (4).
 
     q: a, b, c, d, shape (..., 4)
     out: for the result, shape (..., 4)
+
+    Returns the norm squared.
 
     Right as long as the norm squared neither overflows nor vanishes.
     Ledger: quaternions.2.2.
@@ -203,6 +219,7 @@ def axis_angle_from_quaternion(q: Floats, out: Floats) -> None:
     b = q[..., 1]
     c = q[..., 2]
     d = q[..., 3]
+    norm_squared = a*a + b*b + c*c + d*d
     size = abs(b) + abs(c) + abs(d)
     part_b = where(size <= 0.0, 1.0, b/size)
     part_c = where(size <= 0.0, 0.0, c/size)
@@ -217,13 +234,16 @@ def axis_angle_from_quaternion(q: Floats, out: Floats) -> None:
     out[..., 1] = y
     out[..., 2] = z
     out[..., 3] = 2.0*arctan2(length, abs(a))
+    return None, norm_squared
 
 
-def inclination_from_quaternion(q: Floats, out: Floats) -> None:
+def inclination_from_quaternion(q: Floats, out: Floats) -> Told:
     """Angle in [0, pi] between the body's z-axis and the vertical, radians.
 
     q: a, b, c, d, shape (..., 4)
     out: for the result, shape (...)
+
+    Returns the norm squared.
 
     Right as long as the norm squared neither overflows nor vanishes.
     """
@@ -233,10 +253,12 @@ def inclination_from_quaternion(q: Floats, out: Floats) -> None:
     d = q[..., 3]
     across = sqrt(b*b + c*c)
     along = sqrt(a*a + d*d)
+    norm_squared = across*across + along*along
     out[...] = 2.0*arctan2(across, along)
+    return None, norm_squared
 
 
-def quaternion_multiply(p: Floats, q: Floats, out: Floats) -> None:
+def quaternion_multiply(p: Floats, q: Floats, out: Floats) -> Told:
     """Product of two quaternions (4).
 
     p: a1, b1, c1, d1, shape (..., 4)
@@ -257,9 +279,10 @@ def quaternion_multiply(p: Floats, q: Floats, out: Floats) -> None:
     out[..., 1] = a1*b2 + a2*b1 + c1*d2 - c2*d1
     out[..., 2] = a1*c2 + a2*c1 - b1*d2 + b2*d1
     out[..., 3] = a1*d2 + a2*d1 + b1*c2 - b2*c1
+    return None, None
 
 
-def quaternion_conjugate(q: Floats, out: Floats) -> None:
+def quaternion_conjugate(q: Floats, out: Floats) -> Told:
     """Conjugate of the quaternion (4).
 
     q: a, b, c, d, shape (..., 4)
@@ -275,13 +298,16 @@ def quaternion_conjugate(q: Floats, out: Floats) -> None:
     out[..., 1] = -b
     out[..., 2] = -c
     out[..., 3] = -d
+    return None, None
 
 
-def quaternion_inverse(q: Floats, out: Floats) -> None:
+def quaternion_inverse(q: Floats, out: Floats) -> Told:
     """Inverse of the quaternion (4).
 
     q: a, b, c, d, shape (..., 4)
     out: for the result, shape (..., 4)
+
+    Returns the norm squared.
 
     Right as long as the norm squared neither overflows nor vanishes.
     Ledger: quaternions.3.a.
@@ -296,14 +322,17 @@ def quaternion_inverse(q: Floats, out: Floats) -> None:
     out[..., 1] = -b*inverse_norm_squared
     out[..., 2] = -c*inverse_norm_squared
     out[..., 3] = -d*inverse_norm_squared
+    return None, norm_squared
 
 
-def rotate_to_inertial(q: Floats, v_body: Floats, out: Floats) -> None:
+def rotate_to_inertial(q: Floats, v_body: Floats, out: Floats) -> Told:
     """The vector in the inertial frame (3).
 
     q: a, b, c, d, shape (..., 4)
     v_body: x, y, z, shape (..., 3)
     out: for the result, shape (..., 3)
+
+    Returns the norm squared.
 
     Right as long as the norm squared neither overflows nor vanishes.
     Ledger: quaternions.3.1.
@@ -323,14 +352,17 @@ def rotate_to_inertial(q: Floats, v_body: Floats, out: Floats) -> None:
     out[..., 0] = factor*(a*across_x - across_y*d + across_z*c) + x
     out[..., 1] = factor*(a*across_y + across_x*d - across_z*b) + y
     out[..., 2] = factor*(a*across_z - across_x*c + across_y*b) + z
+    return None, norm_squared
 
 
-def rotate_to_body(q: Floats, v_inertial: Floats, out: Floats) -> None:
+def rotate_to_body(q: Floats, v_inertial: Floats, out: Floats) -> Told:
     """The vector in the body frame (3).
 
     q: a, b, c, d, shape (..., 4)
     v_inertial: x, y, z, shape (..., 3)
     out: for the result, shape (..., 3)
+
+    Returns the norm squared.
 
     Right as long as the norm squared neither overflows nor vanishes.
     Ledger: quaternions.3.1, quaternions.3.4.
@@ -350,3 +382,4 @@ def rotate_to_body(q: Floats, v_inertial: Floats, out: Floats) -> None:
     out[..., 0] = factor*(a*across_x + across_y*d - across_z*c) + x
     out[..., 1] = factor*(a*across_y - across_x*d + across_z*b) + y
     out[..., 2] = factor*(a*across_z + across_x*c - across_y*b) + z
+    return None, norm_squared

@@ -3,13 +3,14 @@ From the derivations behind the ledger entries estimation.2.4, sensors.2.2, sens
 sensors.2.4, sensors.2.5, sensors.2.c, sensors.2.e, sensors.3.2, sensors.4.1, sensors.4.2.
 """
 
-from numpy import bool_, cos, float64, sin, sqrt
+from numpy import bool_, cos, einsum, float64, sin, sqrt
 from numpy.typing import NDArray
 
 Floats = NDArray[float64]
+Told = tuple[NDArray[bool_] | None, Floats | None]
 
 
-def accelerometer_at_rest(euler: Floats, gravity: Floats, out: Floats) -> None:
+def accelerometer_at_rest(euler: Floats, gravity: Floats, out: Floats) -> Told:
     """Reading of an accelerometer at rest, m/s² (3).
 
     euler: roll, pitch, yaw, shape (..., 3)
@@ -28,11 +29,12 @@ def accelerometer_at_rest(euler: Floats, gravity: Floats, out: Floats) -> None:
     out[..., 0] = gravity*sin_pitch
     out[..., 1] = -cos_pitch_gravity*sin_roll
     out[..., 2] = -cos_pitch_gravity*cos_roll
+    return None, None
 
 
 def sensor_measures(
     misalignment: Floats, sensitivity: Floats, bias: Floats, actual: Floats, out: Floats
-) -> None:
+) -> Told:
     """Reading of a three-axis sensor, by its model (3).
 
     misalignment: m11, m12, m13, m21, m22, m23, m31, m32, m33, shape (..., 3, 3)
@@ -43,35 +45,14 @@ def sensor_measures(
 
     Ledger: sensors.2.3, sensors.2.4.
     """
-    m11 = misalignment[..., 0, 0]
-    m12 = misalignment[..., 0, 1]
-    m13 = misalignment[..., 0, 2]
-    m21 = misalignment[..., 1, 0]
-    m22 = misalignment[..., 1, 1]
-    m23 = misalignment[..., 1, 2]
-    m31 = misalignment[..., 2, 0]
-    m32 = misalignment[..., 2, 1]
-    m33 = misalignment[..., 2, 2]
-    sensitivity_x = sensitivity[..., 0]
-    sensitivity_y = sensitivity[..., 1]
-    sensitivity_z = sensitivity[..., 2]
-    bias_x = bias[..., 0]
-    bias_y = bias[..., 1]
-    bias_z = bias[..., 2]
-    x = actual[..., 0]
-    y = actual[..., 1]
-    z = actual[..., 2]
-    own_x = -bias_x + sensitivity_x*x
-    own_y = -bias_y + sensitivity_y*y
-    own_z = -bias_z + sensitivity_z*z
-    out[..., 0] = m11*own_x + m12*own_y + m13*own_z
-    out[..., 1] = m21*own_x + m22*own_y + m23*own_z
-    out[..., 2] = m31*own_x + m32*own_y + m33*own_z
+    own = actual*sensitivity - bias
+    out[...] = einsum("...ij,...j", misalignment, own)
+    return None, None
 
 
 def sensor_corrected(
     misalignment: Floats, sensitivity: Floats, bias: Floats, measured: Floats, out: Floats
-) -> None:
+) -> Told:
     """What is there, from the reading of a three-axis sensor (3).
 
     misalignment: n11, n12, n13, n21, n22, n23, n31, n32, n33, shape (..., 3, 3)
@@ -82,27 +63,8 @@ def sensor_corrected(
 
     Ledger: sensors.2.5, sensors.2.e, sensors.4.1.
     """
-    n11 = misalignment[..., 0, 0]
-    n12 = misalignment[..., 0, 1]
-    n13 = misalignment[..., 0, 2]
-    n21 = misalignment[..., 1, 0]
-    n22 = misalignment[..., 1, 1]
-    n23 = misalignment[..., 1, 2]
-    n31 = misalignment[..., 2, 0]
-    n32 = misalignment[..., 2, 1]
-    n33 = misalignment[..., 2, 2]
-    sensitivity_x = sensitivity[..., 0]
-    sensitivity_y = sensitivity[..., 1]
-    sensitivity_z = sensitivity[..., 2]
-    bias_x = bias[..., 0]
-    bias_y = bias[..., 1]
-    bias_z = bias[..., 2]
-    x = measured[..., 0]
-    y = measured[..., 1]
-    z = measured[..., 2]
-    out[..., 0] = (bias_x + n11*x + n12*y + n13*z)/sensitivity_x
-    out[..., 1] = (bias_y + n21*x + n22*y + n23*z)/sensitivity_y
-    out[..., 2] = (bias_z + n31*x + n32*y + n33*z)/sensitivity_z
+    out[...] = (bias + einsum("...ij,...j", misalignment, measured))/sensitivity
+    return None, None
 
 
 def gyro_measures(
@@ -113,7 +75,7 @@ def gyro_measures(
     accel: Floats,
     actual: Floats,
     out: Floats,
-) -> None:
+) -> Told:
     """Reading of a rate gyro on which acceleration acts, by its model (3).
 
     misalignment: m11, m12, m13, m21, m22, m23, m31, m32, m33, shape (..., 3, 3)
@@ -126,42 +88,9 @@ def gyro_measures(
 
     Ledger: sensors.3.2.
     """
-    m11 = misalignment[..., 0, 0]
-    m12 = misalignment[..., 0, 1]
-    m13 = misalignment[..., 0, 2]
-    m21 = misalignment[..., 1, 0]
-    m22 = misalignment[..., 1, 1]
-    m23 = misalignment[..., 1, 2]
-    m31 = misalignment[..., 2, 0]
-    m32 = misalignment[..., 2, 1]
-    m33 = misalignment[..., 2, 2]
-    sensitivity_x = sensitivity[..., 0]
-    sensitivity_y = sensitivity[..., 1]
-    sensitivity_z = sensitivity[..., 2]
-    bias_x = bias[..., 0]
-    bias_y = bias[..., 1]
-    bias_z = bias[..., 2]
-    c11 = g_sensitivity[..., 0, 0]
-    c12 = g_sensitivity[..., 0, 1]
-    c13 = g_sensitivity[..., 0, 2]
-    c21 = g_sensitivity[..., 1, 0]
-    c22 = g_sensitivity[..., 1, 1]
-    c23 = g_sensitivity[..., 1, 2]
-    c31 = g_sensitivity[..., 2, 0]
-    c32 = g_sensitivity[..., 2, 1]
-    c33 = g_sensitivity[..., 2, 2]
-    accel_x = accel[..., 0]
-    accel_y = accel[..., 1]
-    accel_z = accel[..., 2]
-    x = actual[..., 0]
-    y = actual[..., 1]
-    z = actual[..., 2]
-    own_x = accel_x*c11 + accel_y*c12 + accel_z*c13 - bias_x + sensitivity_x*x
-    own_y = accel_x*c21 + accel_y*c22 + accel_z*c23 - bias_y + sensitivity_y*y
-    own_z = accel_x*c31 + accel_y*c32 + accel_z*c33 - bias_z + sensitivity_z*z
-    out[..., 0] = m11*own_x + m12*own_y + m13*own_z
-    out[..., 1] = m21*own_x + m22*own_y + m23*own_z
-    out[..., 2] = m31*own_x + m32*own_y + m33*own_z
+    own = actual*sensitivity - bias + einsum("...ij,...j", g_sensitivity, accel)
+    out[...] = einsum("...ij,...j", misalignment, own)
+    return None, None
 
 
 def gyro_corrected(
@@ -172,7 +101,7 @@ def gyro_corrected(
     accel: Floats,
     measured: Floats,
     out: Floats,
-) -> None:
+) -> Told:
     """Body rates, from the reading of a rate gyro on which acceleration acts (3).
 
     misalignment: n11, n12, n13, n21, n22, n23, n31, n32, n33, shape (..., 3, 3)
@@ -185,48 +114,14 @@ def gyro_corrected(
 
     Ledger: sensors.3.2.
     """
-    n11 = misalignment[..., 0, 0]
-    n12 = misalignment[..., 0, 1]
-    n13 = misalignment[..., 0, 2]
-    n21 = misalignment[..., 1, 0]
-    n22 = misalignment[..., 1, 1]
-    n23 = misalignment[..., 1, 2]
-    n31 = misalignment[..., 2, 0]
-    n32 = misalignment[..., 2, 1]
-    n33 = misalignment[..., 2, 2]
-    sensitivity_x = sensitivity[..., 0]
-    sensitivity_y = sensitivity[..., 1]
-    sensitivity_z = sensitivity[..., 2]
-    bias_x = bias[..., 0]
-    bias_y = bias[..., 1]
-    bias_z = bias[..., 2]
-    c11 = g_sensitivity[..., 0, 0]
-    c12 = g_sensitivity[..., 0, 1]
-    c13 = g_sensitivity[..., 0, 2]
-    c21 = g_sensitivity[..., 1, 0]
-    c22 = g_sensitivity[..., 1, 1]
-    c23 = g_sensitivity[..., 1, 2]
-    c31 = g_sensitivity[..., 2, 0]
-    c32 = g_sensitivity[..., 2, 1]
-    c33 = g_sensitivity[..., 2, 2]
-    accel_x = accel[..., 0]
-    accel_y = accel[..., 1]
-    accel_z = accel[..., 2]
-    x = measured[..., 0]
-    y = measured[..., 1]
-    z = measured[..., 2]
-    out[..., 0] = (
-        (-accel_x*c11 - accel_y*c12 - accel_z*c13 + bias_x + n11*x + n12*y + n13*z)/sensitivity_x
+    out[...] = (
+        (bias - einsum("...ij,...j", g_sensitivity, accel) + einsum("...ij,...j", misalignment,
+            measured))/sensitivity
     )
-    out[..., 1] = (
-        (-accel_x*c21 - accel_y*c22 - accel_z*c23 + bias_y + n21*x + n22*y + n23*z)/sensitivity_y
-    )
-    out[..., 2] = (
-        (-accel_x*c31 - accel_y*c32 - accel_z*c33 + bias_z + n31*x + n32*y + n33*z)/sensitivity_z
-    )
+    return None, None
 
 
-def iron_removed(soft_iron: Floats, hard_iron: Floats, field: Floats, out: Floats) -> None:
+def iron_removed(soft_iron: Floats, hard_iron: Floats, field: Floats, out: Floats) -> Told:
     """The magnetic field without what soft and hard iron do to it (3).
 
     soft_iron: d11, d12, d13, d21, d22, d23, d31, d32, d33, shape (..., 3, 3)
@@ -236,27 +131,11 @@ def iron_removed(soft_iron: Floats, hard_iron: Floats, field: Floats, out: Float
 
     Ledger: sensors.4.2.
     """
-    d11 = soft_iron[..., 0, 0]
-    d12 = soft_iron[..., 0, 1]
-    d13 = soft_iron[..., 0, 2]
-    d21 = soft_iron[..., 1, 0]
-    d22 = soft_iron[..., 1, 1]
-    d23 = soft_iron[..., 1, 2]
-    d31 = soft_iron[..., 2, 0]
-    d32 = soft_iron[..., 2, 1]
-    d33 = soft_iron[..., 2, 2]
-    hard_x = hard_iron[..., 0]
-    hard_y = hard_iron[..., 1]
-    hard_z = hard_iron[..., 2]
-    x = field[..., 0]
-    y = field[..., 1]
-    z = field[..., 2]
-    out[..., 0] = d11*x + d12*y + d13*z - hard_x
-    out[..., 1] = d21*x + d22*y + d23*z - hard_y
-    out[..., 2] = d31*x + d32*y + d33*z - hard_z
+    out[...] = -hard_iron + einsum("...ij,...j", soft_iron, field)
+    return None, None
 
 
-def iron_added(soft_iron: Floats, hard_iron: Floats, actual: Floats, out: Floats) -> None:
+def iron_added(soft_iron: Floats, hard_iron: Floats, actual: Floats, out: Floats) -> Told:
     """The magnetic field as soft and hard iron distort it (3).
 
     soft_iron: n11, n12, n13, n21, n22, n23, n31, n32, n33, shape (..., 3, 3)
@@ -266,27 +145,11 @@ def iron_added(soft_iron: Floats, hard_iron: Floats, actual: Floats, out: Floats
 
     Ledger: sensors.4.2.
     """
-    n11 = soft_iron[..., 0, 0]
-    n12 = soft_iron[..., 0, 1]
-    n13 = soft_iron[..., 0, 2]
-    n21 = soft_iron[..., 1, 0]
-    n22 = soft_iron[..., 1, 1]
-    n23 = soft_iron[..., 1, 2]
-    n31 = soft_iron[..., 2, 0]
-    n32 = soft_iron[..., 2, 1]
-    n33 = soft_iron[..., 2, 2]
-    hard_x = hard_iron[..., 0]
-    hard_y = hard_iron[..., 1]
-    hard_z = hard_iron[..., 2]
-    x = actual[..., 0]
-    y = actual[..., 1]
-    z = actual[..., 2]
-    out[..., 0] = hard_x*n11 + hard_y*n12 + hard_z*n13 + n11*x + n12*y + n13*z
-    out[..., 1] = hard_x*n21 + hard_y*n22 + hard_z*n23 + n21*x + n22*y + n23*z
-    out[..., 2] = hard_x*n31 + hard_y*n32 + hard_z*n33 + n31*x + n32*y + n33*z
+    out[...] = einsum("...ij,...j", soft_iron, actual) + einsum("...ij,...j", soft_iron, hard_iron)
+    return None, None
 
 
-def vector_rate(vector: Floats, body_rates: Floats, out: Floats) -> None:
+def vector_rate(vector: Floats, body_rates: Floats, out: Floats) -> Told:
     """Derivatives of the body components of a vector that does not turn, unit/s (3).
 
     vector: x, y, z, shape (..., 3)
@@ -302,9 +165,10 @@ def vector_rate(vector: Floats, body_rates: Floats, out: Floats) -> None:
     out[..., 0] = -q*z + r*y
     out[..., 1] = p*z - r*x
     out[..., 2] = -p*y + q*x
+    return None, None
 
 
-def norm_misfit(to_sphere: Floats, centre: Floats, reading: Floats, out: Floats) -> None:
+def norm_misfit(to_sphere: Floats, centre: Floats, reading: Floats, out: Floats) -> Told:
     """Length of a reading brought to the unit sphere, less 1, and its slopes by the unknowns (10).
 
     to_sphere: a_xx, a_xy, a_xz, a_yy, a_yz, a_zz, shape (..., 6)
@@ -357,3 +221,4 @@ def norm_misfit(to_sphere: Floats, centre: Floats, reading: Floats, out: Floats)
         -a_xz*common_3_inverse_common_6 - a_yz*common_4_inverse_common_6 -
             a_zz*common_5_inverse_common_6
     )
+    return None, None

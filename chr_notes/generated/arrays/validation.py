@@ -2,19 +2,22 @@
 From the derivations behind the ledger entries validation.12, validation.16, validation.17.
 """
 
-from numpy import arctan2, bool_, cos, float64, nan, sin, sqrt, where
+from numpy import arctan2, bool_, cos, float64, sin, sqrt, where
 from numpy.typing import NDArray
 
 Floats = NDArray[float64]
+Told = tuple[NDArray[bool_] | None, Floats | None]
 
 
-def heading_from_magnetometer(mag: Floats, tilt: Floats, reference: Floats, out: Floats) -> None:
+def heading_from_magnetometer(mag: Floats, tilt: Floats, reference: Floats, out: Floats) -> Told:
     """Yaw, radians.
 
     mag: mag_x, mag_y, mag_z, shape (..., 3)
     tilt: roll, pitch, shape (..., 2)
     reference: north, east, shape (..., 2)
     out: for the result, shape (...)
+
+    Returns the length squared.
 
     Right as long as the length squared neither overflows nor vanishes.
     Ledger: validation.12, validation.16.
@@ -30,18 +33,15 @@ def heading_from_magnetometer(mag: Floats, tilt: Floats, reference: Floats, out:
     cos_pitch = cos(pitch)
     sin_roll = sin(roll)
     cos_roll = cos(roll)
-    size = abs(mag_x) + abs(mag_y) + abs(mag_z)
-    has_direction = (size <= 1.7976931348623157e+308) & (size > 0.0)
+    length_squared = mag_x*mag_x + mag_y*mag_y + mag_z*mag_z
     level_x = cos_pitch*mag_x + cos_roll*mag_z*sin_pitch + mag_y*sin_pitch*sin_roll
     level_y = cos_roll*mag_y - mag_z*sin_roll
-    result = (
-        where(has_direction, arctan2(east*level_x - level_y*north, east*level_y + level_x*north),
-            nan)
-    )
+    result = arctan2(east*level_x - level_y*north, east*level_y + level_x*north)
     out[...] = result
+    return None, length_squared
 
 
-def validation_factor(mag: Floats, tilt: Floats, reference_down: Floats, out: Floats) -> None:
+def validation_factor(mag: Floats, tilt: Floats, reference_down: Floats, out: Floats) -> Told:
     """The factor E: by how much the field down is off, the whole field being 1.
 
     mag: mag_x, mag_y, mag_z, shape (..., 3)
@@ -61,19 +61,20 @@ def validation_factor(mag: Floats, tilt: Floats, reference_down: Floats, out: Fl
     sin_roll = sin(roll)
     cos_roll = cos(roll)
     size = abs(mag_x) + abs(mag_y) + abs(mag_z)
-    has_direction = (size <= 1.7976931348623157e+308) & (size > 0.0)
-    reading_x = where(has_direction, mag_x/size, 0.0)
-    reading_y = where(has_direction, mag_y/size, 0.0)
-    reading_z = where(has_direction, mag_z/size, 0.0)
+    inverse_size = 1.0/size
+    reading_x = inverse_size*mag_x
+    reading_y = inverse_size*mag_y
+    reading_z = inverse_size*mag_z
     length_squared = reading_x*reading_x + reading_y*reading_y + reading_z*reading_z
     level_z = cos_pitch*cos_roll*reading_z + cos_pitch*reading_y*sin_roll - reading_x*sin_pitch
-    result = where(has_direction, abs(reference_down - level_z/sqrt(length_squared)), nan)
+    result = abs(reference_down - level_z/sqrt(length_squared))
     out[...] = result
+    return None, None
 
 
 def monitor_gain(
     above: Floats, patience: Floats, gain: Floats, lowest: Floats, highest: Floats, out: Floats
-) -> None:
+) -> Told:
     """Gain to use once E has been above the threshold for so many samples.
 
     above: for how many samples in a row E has been above the threshold, shape (...)
@@ -88,3 +89,4 @@ def monitor_gain(
             2.0*patience), lowest, gain))
     )
     out[...] = chosen_gain
+    return None, None

@@ -115,7 +115,7 @@ void attitude_rotation_defect(double r11, double r12, double r13, double r21, do
     out[0] = sqrt(0.1111111111111111*(off_11*off_11) + 0.2222222222222222*(off_21*off_21) +
         0.1111111111111111*(off_22*off_22) + 0.2222222222222222*(off_31*off_31) +
         0.2222222222222222*(off_32*off_32) + 0.1111111111111111*(off_33*off_33));
-    out[1] = r31*(r12*r23 - r13*r22) + r32*(-r11*r23 + r13*r21) + r33*(r11*r22 - r12*r21);
+    out[1] = r13*(r21*r32 - r22*r31) + r23*(-r11*r32 + r12*r31) + r33*(r11*r22 - r12*r21);
 }
 
 void attitude_rotation_defect_f(float r11, float r12, float r13, float r21, float r22, float r23,
@@ -130,7 +130,7 @@ void attitude_rotation_defect_f(float r11, float r12, float r13, float r21, floa
     out[0] = sqrtf(0.1111111111111111f*(off_11*off_11) + 0.2222222222222222f*(off_21*off_21) +
         0.1111111111111111f*(off_22*off_22) + 0.2222222222222222f*(off_31*off_31) +
         0.2222222222222222f*(off_32*off_32) + 0.1111111111111111f*(off_33*off_33));
-    out[1] = r31*(r12*r23 - r13*r22) + r32*(-r11*r23 + r13*r21) + r33*(r11*r22 - r12*r21);
+    out[1] = r13*(r21*r32 - r22*r31) + r23*(-r11*r32 + r12*r31) + r33*(r11*r22 - r12*r21);
 }
 
 void attitude_euler_rates_matrix(double roll, double pitch, double out[9])

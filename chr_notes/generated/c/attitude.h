@@ -44,6 +44,7 @@ void attitude_matrix_from_euler_f(float roll, float pitch, float yaw, float out[
  * Returns whether at gimbal lock, where roll, the angle of the last turn, is set to 0.
  * Roll and yaw from -pi to pi, pitch from -pi/2 to pi/2.
  * NaN gives NaN in each result that it enters.
+ * Right for rotations alone.
  */
 int attitude_euler_from_matrix(double r11, double r12, double r13, double r21, double r22,
     double r23, double r31, double r32, double r33, double out[3]);
@@ -160,6 +161,7 @@ void attitude_matrix_from_quaternion_f(float a, float b, float c, float d, float
  * r33: row 3, column 3 of the matrix from the inertial to the body frame
  * A from 0 to 1, b, c and d from -1 to 1.
  * NaN gives NaN in each result that it enters.
+ * Right for rotations alone.
  * Ledger: quaternions.3.3.
  */
 void attitude_quaternion_from_matrix(double r11, double r12, double r13, double r21, double r22,
@@ -380,6 +382,7 @@ void attitude_matrix_from_angles_f(float first, float second, float third, float
  * Returns whether at gimbal lock, where roll, the angle of the last turn, is set to 0.
  * First and third from -pi to pi, second from -pi/2 to pi.
  * NaN gives NaN in each result that it enters.
+ * Right for rotations alone.
  */
 int attitude_angles_from_matrix(double r11, double r12, double r13, double r21, double r22,
     double r23, double r31, double r32, double r33, double first_axis, double second_axis,

@@ -95,7 +95,7 @@ EVERY_INSTRUCTION_SET static int64_t euler_from_matrix
                 0.2222222222222222*(off_21*off_21) + 0.1111111111111111*(off_22*off_22) +
                 0.2222222222222222*(off_31*off_31) + 0.2222222222222222*(off_32*off_32) +
                 0.1111111111111111*(off_33*off_33);
-            const double determinant = r31*(r12*r23 - r13*r22) + r32*(-r11*r23 + r13*r21) +
+            const double determinant = r13*(r21*r32 - r22*r31) + r23*(-r11*r32 + r12*r31) +
                 r33*(r11*r22 - r12*r21);
             const int rotation = (squared_defect <= 1e-08) & (determinant >= 0.0);
             results[0][row] = roll;
@@ -146,7 +146,7 @@ EVERY_INSTRUCTION_SET static int64_t rotation_defect
                 0.2222222222222222*(off_21*off_21) + 0.1111111111111111*(off_22*off_22) +
                 0.2222222222222222*(off_31*off_31) + 0.2222222222222222*(off_32*off_32) +
                 0.1111111111111111*(off_33*off_33));
-            results[1][row] = r31*(r12*r23 - r13*r22) + r32*(-r11*r23 + r13*r21) + r33*(r11*r22 -
+            results[1][row] = r13*(r21*r32 - r22*r31) + r23*(-r11*r32 + r12*r31) + r33*(r11*r22 -
                 r12*r21);
             left[row] = !(FINITE(r11 + r12 + r13 + r21 + r22 + r23 + r31 + r32 + r33));
             some |= left[row];
@@ -420,7 +420,7 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_from_matrix
                 0.2222222222222222*(off_21*off_21) + 0.1111111111111111*(off_22*off_22) +
                 0.2222222222222222*(off_31*off_31) + 0.2222222222222222*(off_32*off_32) +
                 0.1111111111111111*(off_33*off_33);
-            const double determinant = r31*(r12*r23 - r13*r22) + r32*(-r11*r23 + r13*r21) +
+            const double determinant = r13*(r21*r32 - r22*r31) + r23*(-r11*r32 + r12*r31) +
                 r33*(r11*r22 - r12*r21);
             const int rotation = (squared_defect <= 1e-08) & (determinant >= 0.0);
             const double common_0 = sign/sqrt(norm_squared);
@@ -1063,7 +1063,7 @@ EVERY_INSTRUCTION_SET static int64_t angles_from_matrix
                 0.2222222222222222*(off_21*off_21) + 0.1111111111111111*(off_22*off_22) +
                 0.2222222222222222*(off_31*off_31) + 0.2222222222222222*(off_32*off_32) +
                 0.1111111111111111*(off_33*off_33);
-            const double determinant = r31*(r12*r23 - r13*r22) + r32*(-r11*r23 + r13*r21) +
+            const double determinant = r13*(r21*r32 - r22*r31) + r23*(-r11*r32 + r12*r31) +
                 r33*(r11*r22 - r12*r21);
             const int rotation = (squared_defect <= 1e-08) & (determinant >= 0.0);
             results[0][row] = first_angle;
@@ -1903,13 +1903,11 @@ EVERY_INSTRUCTION_SET static int64_t tilt_from_accelerometer
             const double accel_z = accel_in[2][row];
             const double accel_y_squared_plus_accel_z_squared = accel_y*accel_y + accel_z*accel_z;
             const double length_squared = accel_y_squared_plus_accel_z_squared + accel_x*accel_x;
-            const double size = fabs(accel_x) + fabs(accel_y) + fabs(accel_z);
-            const int has_direction = (size <= 1.7976931348623157e+308) & (size > 0.0);
             const double across = sqrt(accel_y_squared_plus_accel_z_squared);
             const double roll_seen = column_atan2(-accel_y, -accel_z);
-            const double roll = !has_direction ? (double)NAN : across <= 0.0 ? 0.0 : roll_seen <=
-                -3.141592653589793 ? 3.141592653589793 : roll_seen;
-            const double pitch = has_direction ? column_atan2(accel_x, across) : (double)NAN;
+            const double roll = across <= 0.0 ? 0.0 : roll_seen <= -3.141592653589793 ?
+                3.141592653589793 : roll_seen;
+            const double pitch = column_atan2(accel_x, across);
             results[0][row] = roll;
             results[1][row] = pitch;
             left[row] = !(FINITE(accel_x + accel_y + accel_z) & IN_RANGE(length_squared));
@@ -1953,13 +1951,11 @@ EVERY_INSTRUCTION_SET static int64_t heading_from_magnetometer
             const double sin_roll = column_sin(roll);
             const double cos_roll = column_cos(roll);
             const double length_squared = mag_x*mag_x + mag_y*mag_y + mag_z*mag_z;
-            const double size = fabs(mag_x) + fabs(mag_y) + fabs(mag_z);
-            const int has_direction = (size <= 1.7976931348623157e+308) & (size > 0.0);
             const double level_x = cos_pitch*mag_x + cos_roll*mag_z*sin_pitch +
                 mag_y*sin_pitch*sin_roll;
             const double level_y = cos_roll*mag_y - mag_z*sin_roll;
-            const double result = has_direction ? column_atan2(east*level_x - level_y*north,
-                east*level_y + level_x*north) : (double)NAN;
+            const double result = column_atan2(east*level_x - level_y*north, east*level_y +
+                level_x*north);
             results[0][row] = result;
             left[row] = !(FINITE(mag_x + mag_y + mag_z + roll + pitch + north + east) & (fabs(pitch)
                 < LARGEST_ANGLE) & (fabs(roll) < LARGEST_ANGLE) & IN_RANGE(length_squared));
@@ -2002,16 +1998,15 @@ EVERY_INSTRUCTION_SET static int64_t validation_factor
             const double sin_roll = column_sin(roll);
             const double cos_roll = column_cos(roll);
             const double size = fabs(mag_x) + fabs(mag_y) + fabs(mag_z);
-            const int has_direction = (size <= 1.7976931348623157e+308) & (size > 0.0);
-            const double reading_x = has_direction ? mag_x/size : 0.0;
-            const double reading_y = has_direction ? mag_y/size : 0.0;
-            const double reading_z = has_direction ? mag_z/size : 0.0;
+            const double inverse_size = 1.0/size;
+            const double reading_x = inverse_size*mag_x;
+            const double reading_y = inverse_size*mag_y;
+            const double reading_z = inverse_size*mag_z;
             const double length_squared = reading_x*reading_x + reading_y*reading_y +
                 reading_z*reading_z;
             const double level_z = cos_pitch*cos_roll*reading_z + cos_pitch*reading_y*sin_roll -
                 reading_x*sin_pitch;
-            const double result = has_direction ? fabs(reference_down -
-                level_z/sqrt(length_squared)) : (double)NAN;
+            const double result = fabs(reference_down - level_z/sqrt(length_squared));
             results[0][row] = result;
             left[row] = !(FINITE(mag_x + mag_y + mag_z + roll + pitch + reference_down) &
                 (fabs(pitch) < LARGEST_ANGLE) & (fabs(roll) < LARGEST_ANGLE));

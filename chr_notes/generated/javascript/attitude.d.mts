@@ -28,6 +28,7 @@ export function matrixFromEuler(
  * Roll, pitch and yaw, radians (3).
  * Roll and yaw from -pi to pi, pitch from -pi/2 to pi/2.
  * NaN gives NaN in each result that it enters.
+ * Right for rotations alone.
  * @param {number} r11 row 1, column 1 of the matrix from the inertial to the body frame
  * @param {number} r12 row 1, column 2 of the matrix from the inertial to the body frame
  * @param {number} r13 row 1, column 3 of the matrix from the inertial to the body frame
@@ -164,6 +165,7 @@ export function matrixFromQuaternion(
  * Unit quaternion with a >= 0 (4).
  * A from 0 to 1, b, c and d from -1 to 1.
  * NaN gives NaN in each result that it enters.
+ * Right for rotations alone.
  * Ledger: quaternions.3.3.
  * @param {number} r11 row 1, column 1 of the matrix from the inertial to the body frame
  * @param {number} r12 row 1, column 2 of the matrix from the inertial to the body frame
@@ -404,6 +406,7 @@ export function matrixFromAngles(
  * Angles of the three turns, radians (3).
  * First and third from -pi to pi, second from -pi/2 to pi.
  * NaN gives NaN in each result that it enters.
+ * Right for rotations alone.
  * @param {number} r11 row 1, column 1 of the matrix from the inertial to the body frame
  * @param {number} r12 row 1, column 2 of the matrix from the inertial to the body frame
  * @param {number} r13 row 1, column 3 of the matrix from the inertial to the body frame

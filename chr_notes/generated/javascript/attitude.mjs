@@ -48,6 +48,7 @@ export function matrixFromEuler(roll, pitch, yaw) {
  * Roll, pitch and yaw, radians (3).
  * Roll and yaw from -pi to pi, pitch from -pi/2 to pi/2.
  * NaN gives NaN in each result that it enters.
+ * Right for rotations alone.
  * @param {number} r11 row 1, column 1 of the matrix from the inertial to the body frame
  * @param {number} r12 row 1, column 2 of the matrix from the inertial to the body frame
  * @param {number} r13 row 1, column 3 of the matrix from the inertial to the body frame
@@ -98,7 +99,7 @@ export function rotationDefect(r11, r12, r13, r21, r22, r23, r31, r32, r33) {
     Math.sqrt(0.1111111111111111*(off11*off11) + 0.2222222222222222*(off21*off21) +
         0.1111111111111111*(off22*off22) + 0.2222222222222222*(off31*off31) +
         0.2222222222222222*(off32*off32) + 0.1111111111111111*(off33*off33)),
-    r31*(r12*r23 - r13*r22) + r32*(-r11*r23 + r13*r21) + r33*(r11*r22 - r12*r21),
+    r13*(r21*r32 - r22*r31) + r23*(-r11*r32 + r12*r31) + r33*(r11*r22 - r12*r21),
   ];
 }
 
@@ -270,6 +271,7 @@ export function matrixFromQuaternion(a, b, c, d) {
  * Unit quaternion with a >= 0 (4).
  * A from 0 to 1, b, c and d from -1 to 1.
  * NaN gives NaN in each result that it enters.
+ * Right for rotations alone.
  * Ledger: quaternions.3.3.
  * @param {number} r11 row 1, column 1 of the matrix from the inertial to the body frame
  * @param {number} r12 row 1, column 2 of the matrix from the inertial to the body frame
@@ -737,6 +739,7 @@ export function matrixFromAngles(first, second, third, firstAxis, secondAxis, th
  * Angles of the three turns, radians (3).
  * First and third from -pi to pi, second from -pi/2 to pi.
  * NaN gives NaN in each result that it enters.
+ * Right for rotations alone.
  * @param {number} r11 row 1, column 1 of the matrix from the inertial to the body frame
  * @param {number} r12 row 1, column 2 of the matrix from the inertial to the body frame
  * @param {number} r13 row 1, column 3 of the matrix from the inertial to the body frame

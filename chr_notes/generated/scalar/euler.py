@@ -64,6 +64,8 @@ def euler_from_matrix(
     r33: row 3, column 3 of the matrix from the inertial to the body frame
 
     Also returns whether at gimbal lock, where roll, the angle of the last turn, is set to 0.
+
+    Right for rotations alone.
     """
     pitch = atan2(-r13, hypot(r11, r12))
     locked = abs(pitch) > 1.5707963267948948
@@ -109,7 +111,7 @@ def rotation_defect(
         sqrt(0.1111111111111111*(off_11*off_11) + 0.2222222222222222*(off_21*off_21) +
             0.1111111111111111*(off_22*off_22) + 0.2222222222222222*(off_31*off_31) +
             0.2222222222222222*(off_32*off_32) + 0.1111111111111111*(off_33*off_33)),
-        r31*(r12*r23 - r13*r22) + r32*(-r11*r23 + r13*r21) + r33*(r11*r22 - r12*r21),
+        r13*(r21*r32 - r22*r31) + r23*(-r11*r32 + r12*r31) + r33*(r11*r22 - r12*r21),
     )
 
 

@@ -75,6 +75,7 @@ def quaternion_from_matrix(
     r32: row 3, column 2 of the matrix from the inertial to the body frame
     r33: row 3, column 3 of the matrix from the inertial to the body frame
 
+    Right for rotations alone.
     Ledger: quaternions.3.3.
     """
     if r11 > r22 and r33 < 0.0:

@@ -166,6 +166,8 @@ def angles_from_matrix(
     third_axis: axis of the third turn, as turned so far: 1, 2, 3 for x, y, z
 
     Also returns whether at gimbal lock, where roll, the angle of the last turn, is set to 0.
+
+    Right for rotations alone.
     """
     if first_axis == 1.0:
         first_x = 1.0
