@@ -24,7 +24,7 @@ CHAPTERS = [
 MADE = ["genindex", "py-modindex", "search"]
 PAGES = [f"{name}.html" for name in (TOC["root"], *CHAPTERS, *MADE)]
 # From the disk the theme's scripts do the same on each page: those with demos, and one of a kind.
-KINDS = ("search.html", "book/ledger/sensors.html", "book/speed.html")
+KINDS = ("search.html", "book/ledger/sensors.html", "book/speed.html", "book/converter.html")
 FROM_DISK = [name for name in PAGES if name.startswith("notebooks/") or name in KINDS]
 FROM_DISK.append(PAGES[0])
 
