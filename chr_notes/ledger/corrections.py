@@ -48,7 +48,7 @@ def _wrong_with(case: Case, printed: Basic, right: Basic) -> str | None:
         return None if _is_multiplied_out(case, printed, right) else "changes both sides"
     named = {alias for name in _names(kept[0]) for alias in _aliases(name, case)}
     # Names in place of names, and no other edit.
-    relabelled = all(map(_is_renamed, case.edits))
+    relabelled = all(map(is_renamed, case.edits))
     for edit in case.edits:
         for name in () if relabelled else _names(edit.by) - _names(edit.part):
             if named & {*_aliases(name, case)}:
@@ -95,7 +95,7 @@ def _names(expression: Basic | str) -> set[Basic]:
     return in_order(expression).atoms(Symbol, MatrixSymbol, Rotation, AppliedUndef)
 
 
-def _is_renamed(edit: Edit) -> bool:
+def is_renamed(edit: Edit) -> bool:
     """Whether a name takes the place of a name, and all else stays."""
     before, after = _names(edit.part), _names(edit.by)
     if len(before) != 1 or len(after) != 1:

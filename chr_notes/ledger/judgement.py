@@ -44,6 +44,7 @@ from chr_notes.ledger.generality import (
 from chr_notes.ledger.identities import OnSphere, reduced
 from chr_notes.ledger.proof import Finding, examine, excludes, fails, proves
 from chr_notes.ledger.search import is_exact
+from chr_notes.ledger.ties import check_weight
 from chr_notes.ledger.witness import check_witness, number, witness
 from chr_notes.ledger.words import misfits
 from chr_notes.printed.statement import Approximately
@@ -84,6 +85,8 @@ def judge(case: Case) -> Entry:
     failing = verdict in ("qualified", "corrected")
     not_derived = verdict in ("definition", "reported")
     check_root(case, failing=failing)
+    if failing:
+        check_weight(case)
     readings = tuple(_reading(case, each) for each in case.readings)
     if readings and verdict != "corrected" and not readings[0][1]:
         msg = f"{case.id}: {verdict}, yet it does not hold under the first of its readings"

@@ -77,7 +77,7 @@ def say(monkeypatch: pytest.MonkeyPatch) -> Say:
     return judged
 
 
-ROOTED: Bring = {"root": "inverse-is-conjugate", "weight": "small print"}
+ROOTED: Bring = {"root": "inverse-is-conjugate", "weight": "misleads"}
 FALSE = Eq(y, x, evaluate=False)
 
 

@@ -1,0 +1,137 @@
+"""What can be computed of roots and weights: places of one error are alike, and weights fit.
+
+Which error a statement is a place of, and how much that matters, are judgements of ours. They are
+held to what is known: all places of one root have something in common, and a weight agrees with
+what is wrong.
+"""
+
+from collections.abc import Iterable, Iterator
+
+from sympy import Basic, Expr, MatrixBase, N, Symbol, Transpose
+from sympy.matrices.expressions.matexpr import MatrixExpr
+
+from chr_notes.ledger.case import CannotJudgeError, Case
+from chr_notes.ledger.corrections import is_renamed
+from chr_notes.ledger.edits import Edit, in_order
+from chr_notes.ledger.evaluation import evaluate, parts
+from chr_notes.ledger.proof import fails
+from chr_notes.printed.statement import Approximately, Rotation
+
+ROUNDING = 0.01  # a number that is off by less misleads nobody
+NEARLY = 0.01  # a number may be so far from a multiple of the right one, for it was rounded
+
+
+def check_weight(case: Case) -> None:
+    """Refuse a weight that does not fit what is wrong.
+
+    Raises
+    ------
+    CannotJudgeError
+        Then.
+    """
+    fitting = fitting_weights(case)
+    if case.weight not in fitting:
+        msg = f"{case.id}: expected {' or '.join(fitting)} as weight, got {case.weight}"
+        raise CannotJudgeError(msg)
+
+
+def fitting_weights(case: Case) -> tuple[str, ...]:
+    """List the weights that fit what is wrong with a statement.
+
+    - A number that is off by more than rounding misleads; one that is not is small print.
+    - Words in place of words give no wrong number: they are a label or small print.
+    - An equation that is wrong gives wrong numbers: it misleads. If only a name stands in the place
+      of a name, or a matrix in the place of its transpose, it may be a label.
+    - A sentence that is wrong may mislead or be small print; a label, if it is about a name.
+    """
+    wrong = _failing(case)
+    numbers = [part for part in wrong if isinstance(part, Approximately)]
+    if numbers:
+        off = max(abs(_ratio(part, case) - 1) for part in numbers)
+        return ("misleads",) if off > ROUNDING else ("small print",)
+    if all(_is_name(side) and _is_of_words(side) for part in wrong for side in part.args):
+        return "label", "small print"
+    sentence = case.printed.kind == "claim"
+    about_a_name = bool(case.edits) and (
+        all(map(_exchanges_names, case.edits))
+        or (sentence and any(_is_name(side) for part in wrong for side in part.args))
+    )
+    return (
+        "misleads",
+        *(("label",) if about_a_name else ()),
+        *(("small print",) if sentence else ()),
+    )
+
+
+def unlike(cases: Iterable[Case]) -> Iterator[str]:
+    """Yield what is wrong with roots: places of one that have nothing in common."""
+    places: dict[str, list[Case]] = {}
+    for case in cases:
+        if case.root is not None:
+            places.setdefault(case.root, []).append(case)
+    for root, several in places.items():
+        if not frozenset.intersection(*(traits(case) for case in several)):
+            names = ", ".join(case.id for case in several)
+            yield f"expected something in common of all places of {root!r}: {names}"
+
+
+def traits(case: Case) -> frozenset[object]:
+    """List by what an error may be known again in another place.
+
+    Of a wrong number that is how many times too large it is, or that it was cut off. Of all else
+    the same edit, a minus put in before the same quantities, the same condition or the same bounds
+    of it, a step of the derivation, and the readings of a document that contradicts itself.
+    """
+    numbers = [part for part in _failing(case) if isinstance(part, Approximately)]
+    if numbers:
+        return frozenset(_trait_of_number(part, case) for part in numbers)
+    found: set[object] = {in_order(step.statement) for step in case.steps}
+    for edit in case.edits:
+        part, by = in_order(edit.part), in_order(edit.by)
+        found.add((part, by))
+        if isinstance(part, Expr | MatrixBase) and in_order(-part) == by:
+            found.add(("minus", frozenset(case.reading(part).free_symbols)))
+    if case.condition is not None:
+        holds = case.condition.relations
+        found |= {case.condition.holds, frozenset((type(each), each.rhs) for each in holds)}
+    if case.readings:
+        found.add(tuple(reading.convention for reading in case.readings))
+    return frozenset(found)
+
+
+def _failing(case: Case) -> list[Basic]:
+    return [
+        part for part in parts(case.printed.statement) if fails(part, case.reading, case.witness)
+    ]
+
+
+def _ratio(part: Approximately, case: Case) -> float:
+    return float(part.rhs / N(evaluate(part.lhs, case.reading, case.witness), 30))
+
+
+def _trait_of_number(part: Approximately, case: Case) -> object:
+    ratio = _ratio(part, case)
+    short = 0 < part.rhs / ratio - part.rhs < part.unit
+    times = round(ratio)
+    if short and times == 1:
+        return "cut off"
+    return ("times", times) if abs(ratio / times - 1) < NEARLY else part
+
+
+def _exchanges_names(edit: Edit) -> bool:
+    """Whether a name takes the place of a name, or of its own transpose, and all else stays."""
+    if isinstance(edit.part, Rotation) and isinstance(edit.by, Rotation):
+        return True
+    part, by = (
+        side.replace(Transpose, lambda matrix: matrix) if isinstance(side, MatrixExpr) else side
+        for side in (edit.part, edit.by)
+    )
+    return part == by or is_renamed(Edit(part, by))
+
+
+def _is_name(side: Basic) -> bool:
+    return isinstance(side, Symbol) or (isinstance(side, MatrixExpr) and side.is_symbol)
+
+
+def _is_of_words(name: Basic) -> bool:
+    return str(name).startswith(r"\text{")
