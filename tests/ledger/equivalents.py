@@ -30,7 +30,6 @@ EQUIVALENT: dict[tuple[str, str], str] = {
     ("quaternions.4.c", "swapped symbols, throughout 1"): BOTH_WAYS,
     **{("euler.3.a", kind): AXIS_STAYS for kind in ("transposed 1", "wrong frame 1")},
     ("euler.4.2", "swapped symbols, throughout 1"): ANGLES_RENAMED,
-    ("euler.4.a", "digit 1"): "no unit vector is twice as long",
     **{
         (f"euler.5.{entry}", f"swapped symbols, throughout {n}"): ANGLES_RENAMED
         for entry in "234a"
