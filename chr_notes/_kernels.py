@@ -9,8 +9,11 @@ import warnings
 from collections.abc import Callable
 from functools import partial
 from importlib import import_module
+from itertools import chain
 from types import ModuleType
 from typing import Any
+
+import numpy as np
 
 from chr_notes.generated.stamp import STAMP
 
@@ -79,10 +82,59 @@ def of_numbers(function: Callable[..., Any]) -> Callable[..., Any]:
     Returns
     -------
     callable
-        The kernel returns the same numbers, without a flag at the end; or None, which steps of
-        filters never do, for what is left to the function.
+        The kernel returns the same numbers, without a flag at the end; or None for what is left
+        to the function.
     """
     return kernel(f"{function.__name__}_of_numbers") or function
+
+
+def of_arrays(step: Callable[..., Any]) -> Callable[..., Any]:
+    """Find the kernel of a filter's step, or make a function of the same arguments of the step.
+
+    Parameters
+    ----------
+    step
+        From `chr_notes.generated.scalar`, over samples.
+
+    Returns
+    -------
+    callable
+        Takes state and sample, arrays and numbers, and None or an array for the next state, which
+        it returns; None where a kernel is given anything else.
+    """
+    compiled = kernel(step.__name__)
+    return partial(_by_numbers, step) if compiled is None else completed(compiled, all_of_it)
+
+
+def all_of_it(done: tuple[Any, bytes] | None, *_: object) -> Any:  # noqa: ANN401 (arrays)
+    """Take what a kernel of samples has done, whatever samples they were."""
+    return done and done[0]
+
+
+def _by_numbers(step: Callable[..., Any], *given: Any) -> Any:  # noqa: ANN401 (arrays)
+    *arrays, _ = (each.tolist() if isinstance(each, np.ndarray) else (each,) for each in given)
+    return np.array(step(*chain.from_iterable(arrays)))
+
+
+def sampled(step: Callable[..., Any], finish: Callable[..., Any]) -> Callable[..., Any] | None:
+    """Find the kernels that move a state on by a sample, and tell something of it.
+
+    Parameters
+    ----------
+    step, finish
+        From `chr_notes.generated.scalar`.
+
+    Returns
+    -------
+    callable or None
+        Takes the state, an array that is changed, and a sample. Returns the result of `finish`
+        of the state; False where the sample is not a usual one, or `finish` has no kernel for the
+        state; or None, and nothing is done, where a sample is no arrays of float64.
+    """
+    first, second = kernel(step.__name__), kernel(finish.__name__)
+    if _MODULE is None or first is None or second is None:
+        return None
+    return _MODULE.sampled(first, second)  # type: ignore[no-any-return] # a module of C
 
 
 def kernels_in_use() -> bool:

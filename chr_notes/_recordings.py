@@ -7,7 +7,7 @@ from itertools import repeat
 import numpy as np
 
 from chr_notes._arrays import Floats
-from chr_notes._kernels import kernel
+from chr_notes._kernels import all_of_it, completed, kernel
 
 _TOGETHER = 4096
 """Samples at a time, few enough that what is between them and the result stays in cache."""
@@ -69,7 +69,8 @@ def states(
         The state after each sample of a part, which may be written on.
     """
     compiled = kernel(step.__name__)
-    advance = partial(_by_python, step) if compiled is None else compiled
+    by_python = partial(_by_python, step)
+    advance = by_python if compiled is None else completed(compiled, all_of_it)
     now = np.array([*state])
     for part in parts(_count(inputs)):
         found = advance(now, *(_part(each, part) for each in inputs), None)

@@ -77,6 +77,13 @@ def one_sample(name: str, value: ArrayLike) -> list[float]:
     return list(array.tolist())
 
 
+def one_vector(name: str, value: ArrayLike) -> Floats:
+    """Take one vector, as an array; refuse it as `one_sample` does."""
+    if type(value) is np.ndarray and value.dtype is _DOUBLE and value.shape == _THREE:
+        return value
+    return np.array(one_sample(name, value))
+
+
 def period(value: object) -> float:
     """Take one time step.
 

@@ -9,7 +9,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from numpy.testing import assert_array_equal
+from numpy.testing import assert_allclose, assert_array_equal
 
 import chr_notes
 from chr_notes import _kernels
@@ -167,6 +167,32 @@ def test_a_result_in_new_memory_is_that_of_its_rows() -> None:
     edges = np.array([*odd, 0, (1 << 14) - 1, 5 << 14, len(angle) - 2])
     assert_array_equal(large[edges], chr_notes.quaternion_from_axis_angle(axis, angle[edges]))
     assert np.isnan(large).sum() == 4 * len(odd)
+
+
+@pytest.mark.kernels
+def test_a_state_is_moved_on_by_a_sample() -> None:
+    take = _kernels.sampled(estimation.observer_turn, quaternions.euler_from_quaternion)
+    assert take is not None
+    level, still, force = np.array([1.0, 0.0, 0.0, 0.0]), np.zeros(3), np.array([0.0, 0.0, -1.0])
+    state = level.copy()
+    assert_allclose(take(state, np.array([0.0, 0.0, 0.5]), force, 0.2, 0.0), [0, 0, 0.1])
+    assert_allclose(state, [cos(0.05), 0, 0, sin(0.05)])
+    # Where nobody has to look an array comes, and where nothing can be done nothing is done.
+    for wrong in ([0.0] * 3, np.zeros(4), np.zeros((1, 3)), np.zeros(3, dtype=int), None):
+        state = level.copy()
+        assert take(state, wrong, force, 0.2, 0.0) is None
+        assert_array_equal(state, level)
+    for rates, dt in ((np.full(3, nan), 0.2), (np.full(3, 2.0), 0.6), (still, -0.1), (still, nan)):
+        assert take(level.copy(), rates, force, dt, 0.0) is False
+    assert take(level.copy(), still, still, 0.2, 0.0) is False
+    up = np.array([1.0, 0.0, 1.0, 0.0]) / np.sqrt(2)
+    assert take(up, still, force, 0.2, 0.0) is False  # at gimbal lock
+    half = take(np.array([0.0, 1.0, 0.0, 0.0]), still, force, 0.2, 0.0)
+    assert half.tolist() == [-pi, 0, 0]
+    state.flags.writeable = False
+    assert take(state, still, force, 0.2, 0.0) is None
+    with pytest.raises(TypeError, match="expected 5 arguments, got 4"):
+        take(state, still, force, 0.2)
 
 
 @pytest.mark.kernels

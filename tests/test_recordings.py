@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 from numpy.typing import NDArray
 
 from chr_notes import _recordings, fixed_gain_observer
-from chr_notes._kernels import of_numbers
+from chr_notes._kernels import of_arrays
 from chr_notes.generated.arrays.shapes import SHAPES
 from chr_notes.generated.scalar import dead_reckoning, estimation
 
@@ -55,11 +55,9 @@ def test_kernels_and_python_give_the_same(
 def test_a_recording_is_one_step_after_another(step: Callable[..., tuple[float, ...]]) -> None:
     state, inputs = recording(step, 30)
     expected = []
-    now = state.tolist()
-    take = of_numbers(step)
+    now, take = state, of_arrays(step)
     for sample in range(30):
-        each = (a[sample] if a.ndim else a for a in inputs)
-        now = take(*now, *(number for a in each for number in np.atleast_1d(a).tolist()))
+        now = take(now, *(np.array(a[sample] if a.ndim else a) for a in inputs), None)
         expected.append(now)
     assert_array_equal(_recordings.run(step, state.tolist(), *inputs), np.array(expected))
 

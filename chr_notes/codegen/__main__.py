@@ -31,7 +31,8 @@ def files() -> dict[str, str]:
     checked = tuple(lower(target, for_kernels, ("guard", "valid")) for target in rows)
     steps = tuple(program for program in programs if program.target.over_samples)
     compiled = kernels.source(
-        checked, tuple(lower(_of_squares(step.target), by_library) for step in steps)
+        checked,
+        tuple(lower(_of_squares(step.target), by_library, ("valid",)) for step in steps),
     )
     made = {
         "__init__.py": '"""Generated code; `python -m chr_notes.codegen` writes it."""\n',

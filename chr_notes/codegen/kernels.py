@@ -144,7 +144,7 @@ def _samples(program: Program) -> list[str]:
         "     unsigned char *odd)",
         "{",
         *(f"    double {e.name} = in[0][{place}];" for place, e in enumerate(state)),
-        "    (void)odd;",
+        "    int64_t any = 0;" if program.valid else "    (void)odd;",
         "    for (ptrdiff_t row = 0; row < rows; row++) {",
     ]
     inner: list[str] = []
@@ -164,8 +164,10 @@ def _samples(program: Program) -> list[str]:
         f"out[row * {len(state)} + {place}] = {e.name} = next_{e.name};"
         for place, e in enumerate(state)
     ]
+    if program.valid:
+        inner += [f"odd[row] = !{program.valid};", "any |= odd[row];"]
     lines += [part for line in inner for part in folded(f"        {line}")]
-    return [*lines, "    }", "    return 0;", "}"]
+    return [*lines, "    }", f"    return {'any' if program.valid else 0};", "}"]
 
 
 def _with_branches(step: Let | Choice, language: Spelling) -> list[str]:

@@ -229,13 +229,12 @@ def _run(
     turning = (
         rates[rest][part] - each for part, each in zip(parts(count - ahead), at_rest, strict=False)
     )
-    readings = (rates, forces, *field)
-    first = np.concatenate([array[begin] if count else np.zeros(3) for array in readings])
-    state = settings.begin(tilt, first.tolist(), heading=bool(field))
+    first = [array[begin] if count else np.zeros(3) for array in (rates, forces, *field)]
+    state = settings.begin(tilt, *first, heading=bool(field))
     step, constants = settings.step(heading=bool(field))
     later = (array[rest] for array in (forces, *field))
     each_dt = dt[rest] if dt.ndim else dt
-    shown = finish(np.array([state]))
+    shown = finish(state[np.newaxis])
     start = np.full((ahead, shown.shape[1]), np.nan)
     start[begin:] = shown
     limits = [np.array(constant) for constant in constants]

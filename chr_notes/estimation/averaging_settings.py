@@ -3,7 +3,10 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from chr_notes._kernels import of_numbers
+import numpy as np
+
+from chr_notes._arrays import Floats
+from chr_notes._kernels import of_arrays
 from chr_notes._samples import positive
 from chr_notes.estimation.bias import Bias
 from chr_notes.estimation.earth_field import EarthField
@@ -40,12 +43,10 @@ class Settings:
             float(field.patience),
         )
 
-    def begin(
-        self, tilt: Sequence[float], sample: Sequence[float], *, heading: bool
-    ) -> Sequence[float]:
+    def begin(self, tilt: Sequence[float], *sample: Floats, heading: bool) -> Floats:
         """Give the state after the first sample, whose time step is nobody's."""
         step, given = self.step(heading=heading)
         known = self.field.begin() if heading else ()
-        state = (*way_of("quaternion").begin(*tilt), *[0.0] * 6, *known)
-        begun: tuple[float, ...] = of_numbers(step)(*state, *sample, 0.0, *given)
+        state = np.array((*way_of("quaternion").begin(*tilt), *[0.0] * 6, *known))
+        begun: Floats = of_arrays(step)(state, *sample, 0.0, *given, None)
         return begun

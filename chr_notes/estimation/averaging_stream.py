@@ -1,10 +1,14 @@
 """The averaging filter on a stream, sample by sample."""
 
-from collections.abc import Iterable, Iterator
-from math import inf, isfinite, pi
+from collections.abc import Callable, Iterable, Iterator
+from math import inf, isfinite
+from typing import Any
 
-from chr_notes._kernels import of_numbers
-from chr_notes._samples import one_sample, period
+import numpy as np
+
+from chr_notes._arrays import Floats
+from chr_notes._kernels import kernels_in_use, of_arrays, sampled
+from chr_notes._samples import one_sample, one_vector, period
 from chr_notes._units import warn_of_turn
 from chr_notes.estimation.averaging import AVERAGED, HEADING_AVERAGED, Averaged
 from chr_notes.estimation.averaging_bound import BIAS, SPEED
@@ -13,7 +17,9 @@ from chr_notes.estimation.bias import REST, Bias, check_bias
 from chr_notes.estimation.earth_field import EarthField
 from chr_notes.estimation.fixed_gain import way_of
 from chr_notes.estimation.streams import Sample
-from chr_notes.generated.scalar import estimation as steps
+from chr_notes.generated.scalar.estimation import averaging_bound as bound
+from chr_notes.generated.scalar.estimation import bias_at_rest, tilt_from_accelerometer
+from chr_notes.generated.scalar.quaternions import euler_from_quaternion
 
 
 def observe_averaging(  # noqa: PLR0913 (as for a recording)
@@ -67,39 +73,49 @@ def observe_averaging(  # noqa: PLR0913 (as for a recording)
     if isinstance(checked, str) and checked != "running":
         msg = f'bias: expected "running" or numbers for a stream, got {bias!r}, which looks ahead'
         raise ValueError(msg)
-    return _observed(stream, settings, None if isinstance(checked, str) else checked.tolist())
+    return _observed(stream, settings, None if isinstance(checked, str) else checked)
 
 
 def _observed(
-    stream: Iterable[Sample], settings: Settings, given: float | list[float] | None
+    stream: Iterable[Sample], settings: Settings, given: Floats | None
 ) -> Iterator[Averaged]:
-    rest = (REST, float(settings.longest_step))
-    constant = float(settings.time_constant)
-    learn, angles = of_numbers(steps.bias_at_rest), way_of("quaternion").angles
-    p, q, r = given if isinstance(given, list) else [given or 0.0] * 3
-    learnt, state = (0.0,) * 10, None
+    # A bias that is given is known at first, and never learnt.
+    known, rest = (np.zeros(3), REST) if given is None else (given, inf)
+    longest, constant = float(settings.longest_step), float(settings.time_constant)
+    fast, learn, angles = kernels_in_use(), of_arrays(bias_at_rest), way_of("quaternion").angles
+    learnt, spare = np.concatenate([np.zeros(7), known]), np.empty(10)
+    quick: Callable[..., Any] | None = None
+    state, constants = np.empty(0), tuple[float, ...]()
     last, most = inf, 0.0
     for body_rates, accel, dt, *field in stream:
-        rates, force = one_sample("body_rates", body_rates), one_sample("accel", accel)
-        mag = one_sample("mag", field[0]) if field else ()
-        step = period(dt)
-        if not sum(map(abs, rates)) * step < pi:
-            warn_of_turn(rates, step, rest[1])
-        if given is None:
-            learnt = learn(*learnt, *rates, *force, step, *rest)
-            p, q, r = learnt[7:]
-        sample = (rates[0] - p, rates[1] - q, rates[2] - r, *force, *mag)
-        if state is None:
-            tilt = steps.tilt_from_accelerometer(*force)
-            if not isfinite(tilt[0]):
-                continue
-            state = settings.begin((*tilt, 0.0), sample, heading=bool(field))
-            generated, constants = settings.step(heading=bool(field))
-            advance = of_numbers(generated)
-        else:
-            state = advance(*state, *sample, step, *constants)
-        averaged = state[AVERAGED]
-        heading = state[HEADING_AVERAGED] if field else 0.0
+        rates, force, step = body_rates, accel, dt
+        found = learn(learnt, rates, force, step, rest, longest, spare) if fast else None
+        if found is None:
+            rates, force = one_vector("body_rates", rates), one_vector("accel", force)
+            step = period(dt)
+            found = learn(learnt, rates, force, step, rest, longest, spare)
+        learnt, spare = found, learnt
+        turning, euler = rates - found[7:], None
+        if quick is not None:
+            euler = quick(state, turning, force, *field, step, *constants)
+        if euler is None or euler is False:
+            step = period(dt)
+            force = one_vector("accel", force)
+            mag = (one_vector("mag", field[0]),) if field else ()
+            warn_of_turn(one_sample("body_rates", rates), step, longest)
+            if not len(state):
+                tilt = tilt_from_accelerometer(*force.tolist())
+                if not isfinite(tilt[0]):
+                    continue
+                state = settings.begin((*tilt, 0.0), turning, force, *mag, heading=bool(field))
+                generated, constants = settings.step(heading=bool(field))
+                quick, advance = sampled(generated, euler_from_quaternion), of_arrays(generated)
+            elif euler is None:
+                state = advance(state, turning, force, *mag, step, *constants, None)
+            euler = angles(state[:4])
+        numbers = state.tolist()
+        averaged = numbers[AVERAGED]
+        heading = numbers[HEADING_AVERAGED] if field else 0.0
         if averaged != last:  # once it has run in, it is the same each time
-            last, most = averaged, steps.averaging_bound(averaged, constant, SPEED, BIAS)
-        yield Averaged(angles(state[:4]), averaged, most, heading)
+            last, most = averaged, bound(averaged, constant, SPEED, BIAS)
+        yield Averaged(euler, averaged, most, heading)

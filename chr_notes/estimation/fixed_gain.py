@@ -7,13 +7,13 @@ out, and the estimate goes on without it.
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from math import pi
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from chr_notes._arrays import Floats
-from chr_notes._kernels import kernel, of_numbers
+from chr_notes._kernels import kernel, of_numbers, sampled
 from chr_notes._recordings import run
 from chr_notes._samples import (
     WILD_RATE,
@@ -45,8 +45,10 @@ class _Way:
         The same for one sample.
     sample
         From Euler angles and sample to the next Euler angles.
-    quick_advance, quick_sample
-        Kernels that do the same with arrays, if there are any.
+    quick_advance
+        Kernels that move a state on and give its Euler angles, if there are any.
+    quick_sample
+        A kernel that does as `sample` with arrays.
     begin
         From Euler angles to a state.
     end, angles
@@ -56,7 +58,7 @@ class _Way:
     step: Callable[..., tuple[float, ...]]
     advance: Callable[..., tuple[float, ...]]
     sample: Callable[..., tuple[float, ...]]
-    quick_advance: Callable[..., Floats | None] | None
+    quick_advance: Callable[..., Any] | None
     quick_sample: Callable[..., Floats | None] | None
     begin: Callable[..., Sequence[float]]
     end: Callable[[Floats], Floats]
@@ -65,7 +67,6 @@ class _Way:
 
 _quick_quaternion = of_numbers(quaternion_from_euler)
 _quick_euler = of_numbers(euler_from_quaternion)
-_euler_of_array = kernel("euler_from_quaternion")
 
 
 def _quaternion(*euler: float) -> Sequence[float]:
@@ -73,11 +74,8 @@ def _quaternion(*euler: float) -> Sequence[float]:
 
 
 def _angles(quaternion: Sequence[float] | Floats) -> Floats:
-    if _euler_of_array is not None and type(quaternion) is np.ndarray:
-        euler = _euler_of_array(quaternion, None)
-        if type(euler) is np.ndarray and pi not in euler.tolist():
-            return euler
-    found = _quick_euler(*quaternion) or euler_from_quaternion(*quaternion)
+    numbers = quaternion.tolist() if isinstance(quaternion, np.ndarray) else quaternion
+    found = _quick_euler(*numbers) or euler_from_quaternion(*numbers)
     roll, pitch, yaw = found[:3]
     return np.array((roll if roll < pi else -pi, pitch, yaw if yaw < pi else -pi))
 
@@ -97,9 +95,9 @@ def angles_in_range(euler: Sequence[float] | Floats) -> Floats:
 _WAYS = {
     "quaternion": _Way(
         steps.observer_turn,
-        of_numbers(steps.observer_turn),
+        steps.observer_turn,
         of_numbers(steps.observer_step),
-        kernel("observer_turn"),
+        sampled(steps.observer_turn, euler_from_quaternion),
         kernel("observer_step"),
         _quaternion,
         attitudes_in_range,
@@ -109,7 +107,7 @@ _WAYS = {
         steps.euler_observer_step,
         of_numbers(steps.euler_observer_step),
         of_numbers(steps.euler_observer_step),
-        kernel("euler_observer_step"),
+        None,
         kernel("euler_observer_step"),
         lambda *euler: euler,
         in_range,

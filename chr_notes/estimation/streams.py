@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from chr_notes._arrays import Floats
-from chr_notes._kernels import of_numbers
+from chr_notes._kernels import sampled
 from chr_notes._samples import WILD_RATE, horizontal, one_sample, period, start
 from chr_notes._units import warn_of_turn
 from chr_notes.estimation.fixed_gain import (
@@ -24,6 +24,7 @@ from chr_notes.estimation.fixed_gain import (
 )
 from chr_notes.estimation.starts import canonical, check_gain, with_heading
 from chr_notes.generated.scalar import estimation as steps
+from chr_notes.generated.scalar.quaternions import euler_from_quaternion
 
 
 def observe_sample(  # noqa: PLR0913 (a state and a sample)
@@ -172,35 +173,38 @@ def observe(  # noqa: PLR0913 (as for a recording)
     """
     way, share = way_of(method), check_gain("gain", gain)
     turning, level = check_gain("heading_gain", heading_gain), horizontal("reference", reference)
-    quick = way.quick_advance
-    with_mag = of_numbers(steps.observer_heading_turn)
-    keep: Callable[..., Any] = tuple if quick is None else np.array
+    heading: Callable[..., tuple[float, ...]] = steps.observer_heading_turn
+    alone = way.quick_advance, way.advance, (share,)
+    with_mag = sampled(heading, euler_from_quaternion), heading, (share, turning, *level)
+    keep: Callable[..., Any] = tuple if way.quick_advance is None else np.array
     state = None if initial is None else keep(way.begin(*canonical("initial", initial)))
     incomplete = 0
     for body_rates, accel, dt, *field in stream:
-        rates, force = one_sample("body_rates", body_rates), one_sample("accel", accel)
-        if field:
-            refuse_magnetometer(method)
-        x, y, z = force
-        heard = 0 < abs(x) + abs(y) + abs(z) < inf or (any(force) and all(map(isfinite, force)))
-        p, q, r = rates
-        size, step = abs(p) + abs(q) + abs(r), period(dt)
-        turned = size < WILD_RATE or all(abs(rate) < WILD_RATE for rate in rates)
-        if not size * step < pi:
-            warn_of_turn(rates, step)
-        incomplete += not (heard and turned)
-        if state is None:
-            if not heard:
-                continue
-            first = (*steps.tilt_from_accelerometer(*force), 0.0)
+        quick, advance, constants = with_mag if field else alone
+        euler = None
+        if state is not None and quick is not None:
+            euler = quick(state, body_rates, accel, *field, dt, *constants)
+        if euler is None or euler is False:
             if field:
-                first = with_heading(first, one_sample("mag", field[0]), level)
-            state = keep(way.begin(*first))
-        elif field:
-            mag = one_sample("mag", field[0])
-            state = keep(with_mag(*state, *rates, *force, *mag, step, share, turning, *level))
-        elif quick and (found := quick(state, body_rates, accel, step, share, None)) is not None:
-            state = found
-        else:
-            state = keep(way.advance(*state, *rates, *force, step, share))
-        yield Estimate(way.angles(state), incomplete)
+                refuse_magnetometer(method)
+            force = x, y, z = one_sample("accel", accel)
+            rates = p, q, r = one_sample("body_rates", body_rates)
+            mag = one_sample("mag", field[0]) if field else []
+            heard = 0 < abs(x) + abs(y) + abs(z) < inf or (any(force) and all(map(isfinite, force)))
+            size, step = abs(p) + abs(q) + abs(r), period(dt)
+            turned = size < WILD_RATE or all(abs(rate) < WILD_RATE for rate in rates)
+            if not size * step < pi:
+                warn_of_turn(rates, step)
+            incomplete += not (heard and turned)
+            if state is None:
+                if not heard:
+                    continue
+                first = (*steps.tilt_from_accelerometer(*force), 0.0)
+                state = keep(way.begin(*(with_heading(first, mag, level) if field else first)))
+            elif quick is None:
+                state = advance(*state, *rates, *force, *mag, step, *constants)
+            elif euler is None:
+                given = [np.array(each) for each in (rates, force, mag) if each]
+                quick(state, *given, step, *constants)
+            euler = way.angles(state)
+        yield Estimate(euler, incomplete)

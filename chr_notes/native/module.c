@@ -10,6 +10,10 @@
  * completed(function of arrays, rest) is a function that returns the result alone: rest(what the
  * first one returned, its arguments) gives it where that was anything else.
  *
+ * sampled(step of a filter, other) is a function of a state, which it moves on, and of a sample. It
+ * returns what the other one makes of the state; or False where somebody should look, at a sample
+ * that the step does not call usual, or at the state; or None where nothing is done, as above.
+ *
  * decimals(text, starts, ends) reads fields of a text as numbers.
  *
  * A function of numbers, whose name ends in _of_numbers, takes the elements of one row of each
@@ -148,55 +152,75 @@ static PyObject *compute(const Kernel *kernel, npy_intp rows, const double *cons
     return result;
 }
 
+/* The arguments of a kernel; of several rows, those with the most are the model of the result. */
+typedef struct {
+    const double *in[MOST_ARRAYS];
+    ptrdiff_t step[MOST_ARRAYS];
+    double numbers[MOST_ARRAYS];
+    Rows arrays[MOST_ARRAYS];
+    const Rows *model;
+} Arguments;
+
+/* Find them; 0 where they are not as the kernels need them. */
+static int find(const Kernel *kernel, PyObject *const *given, Arguments *all)
+{
+    all->model = all->arrays;
+    for (int array = 0; array < kernel->arrays; array++) {
+        const int elements = kernel->shape[array];
+        const Rows *const model = all->model;
+        Rows *const own = all->arrays + array;
+        if (elements == 0 && PyFloat_Check(given[array])) {
+            double *const number = all->numbers + array;
+            *number = PyFloat_AsDouble(given[array]);
+            *own = (Rows){.first = number, .end = number + 1, .rows = 1};
+        } else if (!look(given[array], elements, own)) {
+            return 0;
+        }
+        all->in[array] = own->first;
+        all->step[array] = own->rows == 1 ? 0 : own->step;
+        /* The result has the axes of the array with the most rows, and a row for all has fewer. */
+        if (own->rows != 1 && model->rows != 1) {
+            if (!same_axes(own, model)) return 0;
+        } else if (own->rows != 1 || (model->rows == 1 && own->axes > model->axes)) {
+            if (own->axes < model->axes) return 0;
+            all->model = own;
+        } else if (own->axes > model->axes) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static int has_count(const Kernel *kernel, Py_ssize_t count, int more)
+{
+    if (count == kernel->arrays + more) return 1;
+    PyErr_Format(PyExc_TypeError, "%s: expected %d arguments, got %zd", kernel->name,
+        kernel->arrays + more, count);
+    return 0;
+}
+
 static PyObject *call(PyObject *self, PyObject *const *given, Py_ssize_t count)
 {
     const Kernel *const kernel = PyCapsule_GetPointer(self, NULL);
-    const double *in[MOST_ARRAYS];
-    double numbers[MOST_ARRAYS];
-    ptrdiff_t step[MOST_ARRAYS];
-    Rows arrays[MOST_ARRAYS], target;
-    const Rows *model = arrays;
+    Arguments all;
+    Rows target;
     PyObject *result;
-    if (!kernel) return NULL;
-    if (count != kernel->arrays + 1) {
-        PyErr_Format(PyExc_TypeError, "%s: expected %d arrays and a result, got %zd arguments",
-            kernel->name, kernel->arrays, count);
-        return NULL;
-    }
-    for (int array = 0; array < kernel->arrays; array++) {
-        const int elements = kernel->shape[array];
-        Rows *const own = arrays + array;
-        if (elements == 0 && PyFloat_Check(given[array])) {
-            numbers[array] = PyFloat_AsDouble(given[array]);
-            *own = (Rows){.first = numbers + array, .end = numbers + array + 1, .rows = 1};
-        } else if (!look(given[array], elements, own)) {
-            Py_RETURN_NONE;
-        }
-        in[array] = own->first;
-        step[array] = own->rows == 1 ? 0 : own->step;
-        /* The result has the axes of the array with the most rows, and a row for all has fewer. */
-        if (own->rows != 1 && model->rows != 1) {
-            if (!same_axes(own, model)) Py_RETURN_NONE;
-        } else if (own->rows != 1 || (model->rows == 1 && own->axes > model->axes)) {
-            if (own->axes < model->axes) Py_RETURN_NONE;
-            model = own;
-        } else if (own->axes > model->axes) {
-            Py_RETURN_NONE;
-        }
-    }
+    if (!kernel || !has_count(kernel, count, 1)) return NULL;
+    if (!find(kernel, given, &all)) Py_RETURN_NONE;
     result = given[count - 1];
     if (result == Py_None) {
-        result = new_result(kernel, model);
+        result = new_result(kernel, all.model);
         if (!result) return NULL;
     } else {
-        if (!look(result, kernel->result, &target) || !same_axes(&target, model)
+        if (!look(result, kernel->result, &target) || !same_axes(&target, all.model)
             || !PyArray_ISCARRAY((PyArrayObject *)result))
             Py_RETURN_NONE;
         for (int array = 0; array < kernel->arrays; array++)
-            if (overlap(&target, arrays + array)) Py_RETURN_NONE;
+            if (overlap(&target, all.arrays + array)) Py_RETURN_NONE;
         Py_INCREF(result);
     }
-    return compute(kernel, model->rows, in, step, result, result != given[count - 1]);
+    return compute(
+        kernel, all.model->rows, all.in, all.step, result, result != given[count - 1]);
 }
 
 static PyObject *call_with_numbers(PyObject *self, PyObject *const *given, Py_ssize_t count)
@@ -253,20 +277,62 @@ static PyObject *call_completed(PyObject *self, PyObject *const *given, Py_ssize
 static PyMethodDef of_completed = {"completed_kernel",
     (PyCFunction)(void (*)(void))call_completed, METH_FASTCALL, NULL};
 
-static PyObject *completed(PyObject *self, PyObject *given)
+/* Filters write half a turn in one way. */
+static PyObject *call_sampled(PyObject *self, PyObject *const *given, Py_ssize_t count)
 {
-    PyObject *function, *rest, *both, *result;
-    (void)self;
-    if (!PyArg_ParseTuple(given, "O!O", &PyCFunction_Type, &function, &rest)) return NULL;
-    both = PyTuple_Pack(2, PyCFunction_GetSelf(function), rest);
+    const Kernel *const step = PyCapsule_GetPointer(PyTuple_GetItem(self, 0), NULL);
+    const Kernel *const finish
+        = PyCapsule_GetPointer(PyCFunction_GetSelf(PyTuple_GetItem(self, 1)), NULL);
+    static const ptrdiff_t one[MOST_ARRAYS];
+    Arguments all;
+    unsigned char odd = 0;
+    PyObject *result;
+    double *out;
+    if (!step || !finish || !has_count(step, count, 0)) return NULL;
+    if (!find(step, given, &all) || all.model->axes
+        || !PyArray_ISWRITEABLE((PyArrayObject *)given[0]))
+        Py_RETURN_NONE;
+    result = new_result(finish, all.model);
+    if (!result) return NULL;
+    out = PyArray_DATA((PyArrayObject *)result);
+    step->run(1, all.in, all.step, PyArray_DATA((PyArrayObject *)given[0]), &odd);
+    finish->run(1, all.in, one, out, &odd);
+    for (int element = 0; element < finish->result; element++)
+        if (out[element] >= 4 * EIGHTH) out[element] = -4 * EIGHTH;
+    if (!odd) return result;
+    Py_DECREF(result);
+    Py_RETURN_FALSE;
+}
+
+static PyMethodDef of_sampled = {"sampled_kernel",
+    (PyCFunction)(void (*)(void))call_sampled, METH_FASTCALL, NULL};
+
+/* Make a function of a kernel and of another function. */
+static PyObject *of_two(PyMethodDef *method, PyObject *given)
+{
+    PyObject *function, *other, *both, *result;
+    if (!PyArg_ParseTuple(given, "O!O", &PyCFunction_Type, &function, &other)) return NULL;
+    both = PyTuple_Pack(2, PyCFunction_GetSelf(function), other);
     if (!both) return NULL;
-    result = PyCFunction_NewEx(&of_completed, both, NULL);
+    result = PyCFunction_NewEx(method, both, NULL);
     Py_DECREF(both);
     return result;
 }
 
+static PyObject *completed(PyObject *self, PyObject *given)
+{
+    (void)self;
+    return of_two(&of_completed, given);
+}
+
+static PyObject *sampled(PyObject *self, PyObject *given)
+{
+    (void)self;
+    return of_two(&of_sampled, given);
+}
+
 static PyMethodDef methods[] = {{"completed", completed, METH_VARARGS, NULL},
-    {"decimals", decimals, METH_VARARGS, NULL}, {NULL, NULL, 0, NULL}};
+    {"sampled", sampled, METH_VARARGS, NULL}, {"decimals", decimals, METH_VARARGS, NULL}, {NULL, NULL, 0, NULL}};
 
 static PyMethodDef of_arrays = {"kernel", (PyCFunction)(void (*)(void))call, METH_FASTCALL, NULL};
 static PyMethodDef of_numbers = {

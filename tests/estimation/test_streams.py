@@ -1,5 +1,6 @@
 """What the observer does with damaged samples, and that a stream gives what a recording gives."""
 
+import functools
 import itertools
 from typing import Any
 
@@ -164,3 +165,52 @@ def test_a_start_may_be_written_in_any_range() -> None:
 def test_a_stream_is_read_no_further_than_asked() -> None:
     endless = ((np.zeros(3), LEVEL, 0.01) for _ in itertools.count())
     assert len(list(itertools.islice(observe(endless, 0.1), 3))) == 3
+
+
+def swinging(count: int) -> tuple[Floats, Floats, Floats]:
+    """Rates, forces and fields of a body that turns past half turns and straight up."""
+    generator = np.random.default_rng(3)
+    rates = generator.normal([3.0, 8.0, 0.0], 1.0, (count, 3))
+    forces = LEVEL + generator.normal(0, 3.0, (count, 3))
+    forces[::37], rates[::41], rates[::53] = np.nan, np.inf, 900.0
+    return rates, forces, generator.normal([20.0, 0.0, 45.0], 1.0, (count, 3))
+
+
+@pytest.mark.parametrize("stream", ["observe", "observe with a field", "observe_averaging"])
+@pytest.mark.filterwarnings("ignore:body_rates and dt")
+def test_lists_give_the_same_bits_as_arrays(stream: str) -> None:
+    rates, forces, field = swinging(400)
+    columns = [rates, forces, [0.01] * 400, *([field] if "field" in stream else [])]
+    run: Any = chr_notes.observe_averaging
+    if stream != "observe_averaging":
+        run = functools.partial(observe, gain=0.05)
+    by_arrays = [each.euler for each in run(zip(*columns, strict=True))]
+    columns = [c.tolist() if isinstance(c, np.ndarray) else c for c in columns]
+    assert_array_equal([each.euler for each in run(zip(*columns, strict=True))], by_arrays)
+    assert len(by_arrays) == 399
+
+
+@pytest.mark.parametrize("start", [(np.pi, 0.0, 0.3), (0.2, np.pi / 2, 0.1), (0.0, 0.0, -np.pi)])
+def test_a_stream_writes_half_turns_and_the_pole_as_a_recording_does(start: Any) -> None:  # noqa: ANN401 (three numbers)
+    nothing = np.zeros((3, 3))
+    expected = fixed_gain_observer(nothing, nothing, 0.01, 0.5, start)
+    found = observe(zip(nothing, nothing + LEVEL, [0.01] * 3, strict=True), 0.0, start)
+    assert_array_equal([each.euler for each in found], expected)
+
+
+@pytest.mark.parametrize("dt", [-0.01, np.nan, np.inf])
+def test_a_wrong_step_is_refused_when_it_comes(dt: float) -> None:
+    for run in (functools.partial(observe, gain=0.1), chr_notes.observe_averaging):
+        stream: Any = run([(np.zeros(3), LEVEL, each) for each in (0.01, 0.01, dt)])
+        assert len(list(itertools.islice(stream, 2))) == 2
+        with pytest.raises(ValueError, match="dt: expected seconds, not negative, got"):
+            next(stream)
+
+
+def test_a_stream_warns_of_a_turn_that_is_too_far() -> None:
+    for run in (functools.partial(observe, gain=0.1), chr_notes.observe_averaging):
+        fast = np.array([0.0, 0.0, 400.0])
+        stream: Any = run([(rates, LEVEL, 0.01) for rates in (np.zeros(3), np.zeros(3), fast)])
+        assert len(list(itertools.islice(stream, 2))) == 2
+        with pytest.warns(UnitWarning, match="got 4 rad"):
+            next(stream)

@@ -70,7 +70,7 @@ def _predicted() -> tuple[Steps, Names]:
     steps: Steps = (
         Choice((seen, COUNTED), ((T <= LONGEST, (T, T)), otherwise(ZERO, LONGEST))),
         *turn.steps,
-        Let(KNOWN, And(T <= LONGEST, Symbol("moves", real=True))),
+        Let(KNOWN, And(T <= LONGEST, filters.MOVES)),
         *map(Let, names, turn.results),
     )
     return steps, names
@@ -192,8 +192,10 @@ def turn() -> Computation:
             *taken,
             *levelled,
             Choice((averaged, settled), branches),
+            filters.is_usual(And(HEARD, KNOWN)),
         ),
         ImmutableMatrix([*state, averaged, settled]),
+        valid=filters.USUAL,
     )
 
 

@@ -6,7 +6,7 @@ body had not turned. A reading of the accelerometer without a direction is not h
 
 from functools import cache
 
-from sympy import Abs, And, ImmutableMatrix, Symbol, atan2, cos, sqrt, symbols
+from sympy import Abs, And, Ge, ImmutableMatrix, Symbol, atan2, cos, pi, sqrt, symbols
 
 from chr_notes.derivations import estimation, hamilton, quaternions
 from chr_notes.derivations.computation import (
@@ -26,18 +26,23 @@ from chr_notes.symbols import ACCELEROMETER, BODY_RATES, EULER, QUATERNION, VECT
 WILD_RATE = 10**12
 """No gyro reads as much, rad/s: such rates come from damaged logs, and leave angles no digits."""
 RATES = symbols("rate_x rate_y rate_z", real=True)
+WHOLE, MOVES, USUAL = symbols("whole_turn moves usual", real=True)
 
 
 def _steps_of_rates() -> tuple[Let | Choice, ...]:
     """Take the rates where they are rates, none elsewhere."""
-    whole = Symbol("whole_turn", real=True)
-    moves = Symbol("moves", real=True)
     within = [Abs(rate) < WILD_RATE for rate in BODY_RATES]
     return (
-        Let(whole, T * sum(map(Abs, BODY_RATES))),
-        Let(moves, And(*within, whole <= LARGEST)),
-        Choice(RATES, ((moves, BODY_RATES), otherwise(*(0 * rate for rate in BODY_RATES)))),
+        Let(WHOLE, T * sum(map(Abs, BODY_RATES))),
+        Let(MOVES, And(*within, WHOLE <= LARGEST)),
+        Choice(RATES, ((MOVES, BODY_RATES), otherwise(*(0 * rate for rate in BODY_RATES)))),
     )
+
+
+def is_usual(heard: Symbol | And) -> Let:
+    """Say of a sample that all of it is heard, and that it turns by less than half a turn."""
+    forward = Ge(T, 0, evaluate=False)  # of a symbol that is positive, which a number may not be
+    return Let(USUAL, And(forward, MOVES, pi > WHOLE, heard))
 
 
 @cache
@@ -101,8 +106,10 @@ def observer_turn() -> Computation:
             Choice(
                 (stays, factor), ((length > 0, (cos(half), common)), otherwise(size**0, 0 * size))
             ),
+            is_usual(known),
         ),
         stays * ImmutableMatrix(predicted) + factor * ImmutableMatrix(moved),
+        valid=USUAL,
     )
 
 

@@ -185,6 +185,7 @@ def turn() -> Computation:
         ImmutableMatrix(
             [*state, step.results[4], *turned(about, slopes), *step.results[8:], averaged, *field]
         ),
+        valid=step.valid,
     )
 
 
@@ -208,4 +209,5 @@ def observer_turn() -> Computation:
             *turns,
         ),
         state,
+        valid=step.valid,
     )

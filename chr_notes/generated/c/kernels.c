@@ -2472,7 +2472,7 @@ static int64_t observer_turn
     double b = in[0][1];
     double c = in[0][2];
     double d = in[0][3];
-    (void)odd;
+    int64_t any = 0;
     for (ptrdiff_t row = 0; row < rows; row++) {
         const double p = in[1][row * step[1] + 0];
         const double q = in[1][row * step[1] + 1];
@@ -2522,6 +2522,8 @@ static int64_t observer_turn
         const double common_6 = e_x*reading_x + e_y*reading_y + e_z*reading_z;
         const double turn_back_a = step_cos_of_share(0.5*gain, common_5, common_6);
         const double factor = step_sin_of_share(0.5*gain, common_5, common_6);
+        const int usual = (has_direction) & (moves) & (3.141592653589793 > whole_turn) & (dt >=
+            0.0);
         const double next_a = factor*moved_a + predicted_a*turn_back_a;
         const double next_b = factor*moved_b + predicted_b*turn_back_a;
         const double next_c = factor*moved_c + predicted_c*turn_back_a;
@@ -2530,8 +2532,10 @@ static int64_t observer_turn
         out[row * 4 + 1] = b = next_b;
         out[row * 4 + 2] = c = next_c;
         out[row * 4 + 3] = d = next_d;
+        odd[row] = !usual;
+        any |= odd[row];
     }
-    return 0;
+    return any;
 }
 
 static int64_t observer_step
@@ -2864,7 +2868,7 @@ static int64_t averaging_turn
     double slope_d = in[0][7];
     double averaged = in[0][8];
     double settled = in[0][9];
-    (void)odd;
+    int64_t any = 0;
     for (ptrdiff_t row = 0; row < rows; row++) {
         const double p = in[1][row * step[1] + 0];
         const double q = in[1][row * step[1] + 1];
@@ -2969,6 +2973,8 @@ static int64_t averaging_turn
             time_constant : force_heard ? length_of_mean : averaged_left;
         const double settled_after = (force_heard) & (length_of_mean >= time_constant) ? 1.0 :
             force_heard ? low_pass : low_pass;
+        const int usual = (force_heard) & (moves) & (rates_known) & (3.141592653589793 > whole_turn)
+            & (dt >= 0.0);
         const double level_a_squared = level_a*level_a;
         const double level_b_squared = level_b*level_b;
         const double level_a_slope_after_d = level_a*slope_after_d;
@@ -3000,8 +3006,10 @@ static int64_t averaging_turn
         out[row * 10 + 7] = slope_d = next_slope_d;
         out[row * 10 + 8] = averaged = next_averaged;
         out[row * 10 + 9] = settled = next_settled;
+        odd[row] = !usual;
+        any |= odd[row];
     }
-    return 0;
+    return any;
 }
 
 static int64_t averaging_heading_turn
@@ -3022,7 +3030,7 @@ static int64_t averaging_heading_turn
     double field_length = in[0][11];
     double field_down = in[0][12];
     double field_known = in[0][13];
-    (void)odd;
+    int64_t any = 0;
     for (ptrdiff_t row = 0; row < rows; row++) {
         const double p = in[1][row * step[1] + 0];
         const double q = in[1][row * step[1] + 1];
@@ -3135,6 +3143,8 @@ static int64_t averaging_heading_turn
             time_constant : force_heard ? length_of_mean : averaged_left;
         const double settled_after = (force_heard) & (length_of_mean >= time_constant) ? 1.0 :
             force_heard ? low_pass : low_pass;
+        const int usual = (force_heard) & (moves) & (rates_known) & (3.141592653589793 > whole_turn)
+            & (dt >= 0.0);
         const double level_attitude_a = level_a*predicted_a - level_b*predicted_b -
             level_c*predicted_c;
         const double level_attitude_b = level_a*predicted_b + level_b*predicted_a +
@@ -3258,8 +3268,10 @@ static int64_t averaging_heading_turn
         out[row * 14 + 11] = field_length = next_field_length;
         out[row * 14 + 12] = field_down = next_field_down;
         out[row * 14 + 13] = field_known = next_field_known;
+        odd[row] = !usual;
+        any |= odd[row];
     }
-    return 0;
+    return any;
 }
 
 static int64_t observer_heading_turn
@@ -3270,7 +3282,7 @@ static int64_t observer_heading_turn
     double b = in[0][1];
     double c = in[0][2];
     double d = in[0][3];
-    (void)odd;
+    int64_t any = 0;
     for (ptrdiff_t row = 0; row < rows; row++) {
         const double p = in[1][row * step[1] + 0];
         const double q = in[1][row * step[1] + 1];
@@ -3326,6 +3338,8 @@ static int64_t observer_heading_turn
         const double common_8 = e_x*reading_x + e_y*reading_y + e_z*reading_z;
         const double turn_back_a = step_cos_of_share(0.5*gain, common_7, common_8);
         const double factor = step_sin_of_share(0.5*gain, common_7, common_8);
+        const int usual = (has_direction) & (moves) & (3.141592653589793 > whole_turn) & (dt >=
+            0.0);
         const double level_attitude_a = factor*moved_a + predicted_a*turn_back_a;
         const double level_attitude_b = factor*moved_b + predicted_b*turn_back_a;
         const double level_attitude_c = factor*moved_c + predicted_c*turn_back_a;
@@ -3370,8 +3384,10 @@ static int64_t observer_heading_turn
         out[row * 4 + 1] = b = next_b;
         out[row * 4 + 2] = c = next_c;
         out[row * 4 + 3] = d = next_d;
+        odd[row] = !usual;
+        any |= odd[row];
     }
-    return 0;
+    return any;
 }
 
 static int64_t bias_at_rest
