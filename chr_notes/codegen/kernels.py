@@ -1,6 +1,6 @@
 """Printer of C functions of arrays: loops over columns, and loops over samples for filters."""
 
-from sympy import Basic, cos, sin
+from sympy import Basic, Function, Pow, cos, sin
 from sympy.core.relational import Relational
 from sympy.logic.boolalg import BooleanFunction
 
@@ -11,6 +11,7 @@ from chr_notes.codegen.rewriting import principal
 from chr_notes.derivations.computation import Choice, Let
 
 COLUMN, STEP = ColumnC(), StepC()
+FEW, QUATERNION = 8, 4
 RUN = "(ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,"
 
 
@@ -50,6 +51,7 @@ def _columns(program: Program) -> list[str]:
         f"    {RUN}",
         "     unsigned char *odd)",
         "{",
+        *([f"    enum {{ BLOCK = {FEW} }};"] if _waits_for_memory(program) else []),
         "    int64_t any = 0;",
         "    FOR_EACH_BLOCK(rows) {",
         *(f"        double {name}_in[{len(each)}][BLOCK];" for name, each in target.arrays),
@@ -87,6 +89,17 @@ def _columns(program: Program) -> list[str]:
         "    return any;",
         "}",
     ]
+
+
+def _waits_for_memory(program: Program) -> bool:
+    """Say whether a kernel but adds and multiplies quaternions.
+
+    For a million products blocks of 8 rows take a fifth less time than of 16; for all that computes
+    more, or has other widths, some per cent more.
+    """
+    widths = {len(elements) for _, elements in program.target.arrays} | {len(program.results)}
+    values = expressions(program.steps, program.results)
+    return widths == {QUATERNION} and not any(value.has(Pow, Function) for value in values)
 
 
 def _used(program: Program) -> set[str]:

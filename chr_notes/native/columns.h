@@ -9,8 +9,8 @@
 
 #include "elementary.h"
 
-/* Few enough rows that a processor loads a block while it computes another. */
-enum { BLOCK = 16, TOGETHER = 8, MANY = 1 << 20, MOST_ARRAYS = 12 };
+/* Few enough rows that a processor loads a block while it computes another, or fewer. */
+enum { BLOCK = 16, TOGETHER = 8, AHEAD = 256, MANY = 1 << 20, MOST_ARRAYS = 12 };
 
 /* The fastest instruction set is chosen at run time, where compiler and system can. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__gnu_linux__) \
@@ -66,7 +66,7 @@ INLINE void tile(double *to, ptrdiff_t across, const double *from, ptrdiff_t dow
 #define tile(to, across, from, down)
 #endif
 
-/* Fetch early what comes some blocks later: a processor does not look as far ahead. */
+/* Fetch early what comes AHEAD rows later: a processor does not look as far ahead. */
 #if defined(__GNUC__)
 #define FETCH(address) __builtin_prefetch(address)
 #else
@@ -74,49 +74,50 @@ INLINE void tile(double *to, ptrdiff_t across, const double *from, ptrdiff_t dow
 #endif
 
 /* A row that is one for all fills the block; so does the first one where a block is not full. */
-INLINE void load(double (*columns)[BLOCK], int width, const double *in, ptrdiff_t step,
+INLINE void load(double *columns, int block, int width, const double *in, ptrdiff_t step,
     ptrdiff_t start, ptrdiff_t count, ptrdiff_t padded)
 {
     const double *const first = in + start * step;
     const ptrdiff_t close = step == width ? count : 0;
     const ptrdiff_t tiles = width < TILE ? 0 : close / TILE * TILE;
     const int tiled = width / TILE * TILE;
-    for (int number = 0; number < BLOCK * width; number += 8)
-        FETCH(first + 8 * BLOCK * width + number);
+    for (int number = 0; number < block * width; number += 8)
+        FETCH(first + AHEAD * width + number);
     for (ptrdiff_t row = 0; row < tiles; row += TILE)
         for (int element = 0; element < tiled; element += TILE)
-            tile(columns[element] + row, BLOCK, first + row * width + element, width);
+            tile(columns + element * block + row, block, first + row * width + element, width);
     for (int element = tiled; element < width; element++)
         for (ptrdiff_t row = 0; row < tiles; row++)
-            columns[element][row] = first[row * width + element];
+            columns[element * block + row] = first[row * width + element];
     for (ptrdiff_t row = tiles; row < close; row++)
         for (int element = 0; element < width; element++)
-            columns[element][row] = first[row * width + element];
+            columns[element * block + row] = first[row * width + element];
     for (ptrdiff_t row = close; row < count; row++)
         for (int element = 0; element < width; element++)
-            columns[element][row] = first[row * step + element];
+            columns[element * block + row] = first[row * step + element];
     for (int element = 0; element < width; element++)
-        for (ptrdiff_t row = count; row < padded; row++) columns[element][row] = in[element];
+        for (ptrdiff_t row = count; row < padded; row++)
+            columns[element * block + row] = in[element];
 }
 
-INLINE void store(double *first, double (*columns)[BLOCK], int width, ptrdiff_t count)
+INLINE void store(double *first, const double *columns, int block, int width, ptrdiff_t count)
 {
     const ptrdiff_t rows = width < TILE ? 0 : count / TILE * TILE;
     const int tiled = width / TILE * TILE;
     for (ptrdiff_t row = 0; row < rows; row += TILE) {
         for (int element = 0; element < tiled; element += TILE)
-            tile(first + row * width + element, width, columns[element] + row, BLOCK);
+            tile(first + row * width + element, width, columns + element * block + row, block);
         for (int element = tiled; element < width; element++)
             for (ptrdiff_t each = row; each < row + TILE; each++)
-                first[each * width + element] = columns[element][each];
+                first[each * width + element] = columns[element * block + each];
     }
     for (ptrdiff_t row = rows; row < count; row++)
         for (int element = 0; element < width; element++)
-            first[row * width + element] = columns[element][row];
+            first[row * width + element] = columns[element * block + row];
 }
 
 #define LOAD(columns, array, width) \
-    load(columns, width, in[array], step[array], start, count, padded);
+    load((columns)[0], BLOCK, width, in[array], step[array], start, count, padded);
 
 /* A result that no cache holds goes to memory without being read from there before. */
 #if defined(__SSE2__)
@@ -124,15 +125,15 @@ INLINE void store(double *first, double (*columns)[BLOCK], int width, ptrdiff_t 
 #define STORE(columns, width) \
     if (rows * (width) > MANY && count == BLOCK && (uintptr_t)out % 16 == 0) { \
         double lines[BLOCK * (width)]; \
-        store(lines, columns, width, BLOCK); \
+        store(lines, (columns)[0], BLOCK, width, BLOCK); \
         for (int number = 0; number < BLOCK * (width); number += 2) \
             _mm_stream_pd(out + start * (width) + number, _mm_loadu_pd(lines + number)); \
     } else { \
-        store(out + start * (width), columns, width, count); \
+        store(out + start * (width), (columns)[0], BLOCK, width, count); \
     }
 #define FINISH _mm_sfence();
 #else
-#define STORE(columns, width) store(out + start * (width), columns, width, count);
+#define STORE(columns, width) store(out + start * (width), (columns)[0], BLOCK, width, count);
 #define FINISH
 #endif
 

@@ -332,7 +332,8 @@ static PyObject *sampled(PyObject *self, PyObject *given)
 }
 
 static PyMethodDef methods[] = {{"completed", completed, METH_VARARGS, NULL},
-    {"sampled", sampled, METH_VARARGS, NULL}, {"decimals", decimals, METH_VARARGS, NULL}, {NULL, NULL, 0, NULL}};
+    {"sampled", sampled, METH_VARARGS, NULL}, {"decimals", decimals, METH_VARARGS, NULL},
+    {NULL, NULL, 0, NULL}};
 
 static PyMethodDef of_arrays = {"kernel", (PyCFunction)(void (*)(void))call, METH_FASTCALL, NULL};
 static PyMethodDef of_numbers = {

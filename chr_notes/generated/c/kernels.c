@@ -664,6 +664,7 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_multiply
     (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
      unsigned char *odd)
 {
+    enum { BLOCK = 8 };
     int64_t any = 0;
     FOR_EACH_BLOCK(rows) {
         double p_in[4][BLOCK];
@@ -703,6 +704,7 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_conjugate
     (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
      unsigned char *odd)
 {
+    enum { BLOCK = 8 };
     int64_t any = 0;
     FOR_EACH_BLOCK(rows) {
         double q_in[4][BLOCK];
