@@ -3,7 +3,7 @@
  * and dead reckoning adds it up, once to a velocity and twice to a position.
  */
 import { driftFromTiltError, positionAtLastVelocity } from "../generated/javascript/attitude.mjs";
-import { line, logarithmic, mark, words } from "./chart.js";
+import { line, linear, logarithmic, mark, words } from "./chart.js";
 import { mountOf } from "./controls.js";
 import { label } from "./draw.js";
 import { formatted } from "./parts.js";
@@ -35,7 +35,15 @@ function readouts({ angle_error: angle, time }) {
 
 function meaning(time, { velocity, position, printed: reckoned }) {
   if (position === 0) return "With an exact attitude gravity cancels, and a sensor at rest believes that it is at rest.";
-  return `After ${duration(time).long} a sensor that has not moved believes that it is ${distance(position)} away and moves at ${formatted(velocity)} m/s. In ten times as long, its velocity gets ten times as wrong, its position a hundred times. The note's table loses a factor ½: ${distance(reckoned)}.`;
+  return `After ${duration(time).long} a sensor that has not moved believes that it is ${distance(position)} away${placesLeft(position)}, and moves at ${formatted(velocity)} m/s. In ten times as long, its velocity gets ten times as wrong, its position a hundred times. The note's table loses a factor ½: ${distance(reckoned)}.`;
+}
+
+// How far from the table each begins to be left, metres.
+const PLACES = [[2.5, "the room"], [10, "the house"], [100, "the street"], [5e3, "the city"], [3e5, "the country"]];
+
+function placesLeft(metres) {
+  const last = PLACES.findLast(([far]) => far < metres);
+  return last ? `, out of ${last[1]}` : "";
 }
 
 const COLUMNS = [
@@ -63,7 +71,12 @@ function summary(state) {
 }
 
 /** The picture in words. */
-function describe({ angle_error: angle, time }) {
+function describe({ view, angle_error: angle, time }) {
+  if (view === 0) {
+    const { position } = errorsAfter(time, angle);
+    const way = angle === 0 ? "it stays where it is" : `after ${duration(time).long} it is ${distance(position)} away${placesLeft(position)}`;
+    return `A map round the table on which a sensor lies, and the way that it believes to have gone: with an angle that is off by ${formatted(angle)}°, ${way}.`;
+  }
   const axes = "A chart on logarithmic axes of the errors of velocity and position from 1 second to 1 hour";
   if (angle === 0) return `${axes}. Without an error of angle it is empty.`;
   const { velocity, position, printed: reckoned } = errorsAfter(time, angle);
@@ -92,6 +105,49 @@ function distance(metres) {
 
 // ── the picture ─────────────────────────────────────────────────────────────────────────────
 
+const draw = (...given) => (given[2].view === 0 ? drawMap : drawGrowth)(...given);
+
+const BEARING = 0.9; // radians from north: where the map lets the sensor go
+const ROOM = 3; // metres: the least that the map shows
+
+/** The places round the table, and the way that the sensor believes in, to a scale that both fit. */
+function drawMap(context, { width, height }, { angle_error: angle, time }, colours) {
+  const [reach, middle] = [0.4 * Math.min(width, height), [width / 2, height / 2]];
+  const { position } = errorsAfter(time, angle);
+  const scale = linear(0, Math.max(position, ROOM), 0, reach);
+  const small = { colour: colours("muted"), size: 12 };
+  for (const [far, name] of PLACES) {
+    const radius = scale(far);
+    if (radius < 5 || radius > height) continue;
+    context.beginPath();
+    if (far < 1e3) context.rect(middle[0] - radius, middle[1] - radius, 2 * radius, 2 * radius);
+    else context.arc(...middle, radius, 0, 2 * Math.PI);
+    context.strokeStyle = colours("muted");
+    context.lineWidth = 1.5;
+    context.stroke();
+    if (radius > 22 && middle[1] + radius < height - 4) words(context, name, [middle[0], middle[1] + radius - 9], { ...small, align: "center" });
+  }
+  words(context, "N ↑", [14, 16], { ...small, weight: 600 });
+  const at = (moment) => {
+    const far = scale(errorsAfter(moment, angle).position);
+    return [middle[0] + far * Math.sin(BEARING), middle[1] - far * Math.cos(BEARING)];
+  };
+  line(context, [middle, at(time)], { colour: colours("proved"), width: 3 });
+  mark(context, "square", middle, { colour: colours("ink"), rim: colours("page"), radius: 5 });
+  label(context, ["where it lies"], middle, { colour: colours("ink"), rim: colours("page"), width, size: 12, offset: [-10, 14] });
+  if (position === 0) return;
+  let last = middle;
+  for (const [moment, text] of TIMES.filter(([each]) => each < time)) {
+    const place = at(moment);
+    if (place[0] - last[0] < 22 || at(time)[0] - place[0] < 22) continue;
+    mark(context, "circle", place, { colour: colours("proved"), rim: colours("page"), radius: 3.5 });
+    words(context, text, [place[0] + 8, place[1] + 8], small);
+    last = place;
+  }
+  mark(context, "circle", at(time), { colour: colours("proved"), rim: colours("page"), radius: 7 });
+  label(context, [`${distance(position)} after ${duration(time).short}`], at(time), { colour: colours("proved"), rim: colours("page"), width, size: 14, offset: [0, -16] });
+}
+
 const RANGE = [3e-3, 3e7]; // m/s and m
 const TIMES = [[1, "1 s"], [10, "10 s"], [60, "1 min"], [600, "10 min"], [3600, "1 h"]];
 const DECADES = [[0.01, "0.01"], [0.1, "0.1"], [1, "1"], [10, "10"], [100, "100"], [1e3, "1000"], [1e4, "10⁴"], [1e5, "10⁵"], [1e6, "10⁶"], [1e7, "10⁷"]];
@@ -104,7 +160,7 @@ const CURVES = [
   { error: "printed", text: "without ½", colour: "corrected", dash: [8, 4], width: 2.5, shape: "triangle", at: 120, offset: [-14, -10] },
 ];
 
-function draw(context, { width, height }, { angle_error: angle, time }, colours) {
+function drawGrowth(context, { width, height }, { angle_error: angle, time }, colours) {
   const [left, right, top, bottom] = [46, width - 14, 30, height - 40];
   const [x, y] = [logarithmic(FIRST, LAST, left, right), logarithmic(...RANGE, bottom, top)];
   const at = (curve, moment) => [x(moment), y(errorsAfter(moment, angle)[curve.error])];
@@ -147,7 +203,7 @@ function draw(context, { width, height }, { angle_error: angle, time }, colours)
 }
 
 const METRES = { short: "m", long: "metres" };
-const still = { angle_error: 1, time: 10 };
+const still = { view: 0, angle_error: 1, time: 10 };
 const SECONDS = {
   toPosition: (value) => (STEPS * Math.log(value / FIRST)) / Math.log(LAST / FIRST),
   toValue: (position) => Number((FIRST * (LAST / FIRST) ** (position / STEPS)).toPrecision(2)),
@@ -156,15 +212,16 @@ const SECONDS = {
 const definition = {
   python: "DriftDemo",
   title: "Drift of dead reckoning",
-  hint: "Take the time from 10 seconds to an hour. Which error grows faster? Then make the angle ten times smaller.",
+  hint: "Take the time from 10 seconds to an hour. Which error grows faster, and how far does the sensor get? Then make the angle ten times smaller.",
   aspect: 1.35,
   start: still,
   controls: [
+    { name: "view", label: "Show", choices: ["a map", "the growth of the errors"] },
     { name: "angle_error", label: "Error of the angle", symbol: ["ε"], min: 0, max: 5, step: 0.1, unit: { short: "°", long: "degrees" } },
     { name: "time", label: "Time", symbol: ["t"], min: 0, max: STEPS, step: 1, unit: { short: " s", long: "seconds" }, words: duration, ...SECONDS },
   ],
   outputs: [
-    { name: "meaning", label: "What it means", wide: true, longestAt: [{ angle_error: 4.6, time: 2597 }] },
+    { name: "meaning", label: "What it means", wide: true, longestAt: [{ view: 0, angle_error: 4.6, time: 2597 }] },
     { name: "acceleration_error", label: "Acceleration error", unit: { short: "m/s²", long: "metres per second squared" } },
     { name: "velocity_error", label: "Velocity error", unit: { short: "m/s", long: "metres per second" } },
     { name: "position_error", label: "Position error", unit: METRES },
@@ -172,11 +229,11 @@ const definition = {
     { name: "row", table: true },
   ],
   story: [
-    { state: { angle_error: 1, time: 1 }, says: "The attitude is off by one degree. Gravity no longer cancels: a part of it is taken for acceleration." },
-    { state: { angle_error: 1, time: 10 }, seconds: 3, says: "Ten seconds. The velocity grows in step with time: ten times the time, ten times the error." },
-    { state: { angle_error: 1, time: 60 }, seconds: 3, says: "One minute. The position grows with the square: its line is twice as steep." },
-    { state: { angle_error: 1, time: 3600 }, seconds: 5, says: "One hour, and the sensor believes itself in another country." },
-    { state: { angle_error: 0.1, time: 3600 }, says: "A tenth of the angle shifts all lines down by one decade. None gets less steep." },
+    { state: { ...still, time: 1 }, says: "A sensor lies on a table. Its attitude is off by one degree: gravity no longer cancels, and a part of it is taken for acceleration." },
+    { state: still, seconds: 3, says: "Ten seconds, and it believes to have left the room." },
+    { state: { ...still, time: 3600 }, seconds: 6, says: "The street, the city: in an hour the map has to grow a hundred thousand times." },
+    { state: { ...still, view: 1, time: 60 }, seconds: 0.1, says: "The same on axes on which equal steps are equal factors. The position grows with the square of the time: its line is twice as steep." },
+    { state: { view: 1, angle_error: 0.1, time: 3600 }, says: "A tenth of the angle shifts all lines down by one decade. None gets less steep." },
   ],
   readouts,
   summary,

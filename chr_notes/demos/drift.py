@@ -15,6 +15,7 @@ __all__ = ["DriftDemo"]
 class DriftDemo(Demo):
     """Growth of the errors of velocity and position at a constant error of the attitude.
 
+    A map shows where a sensor that lies on a table believes to be, a chart how the errors grow.
     Beside the right position error stands the one that the note reckons, which takes the last
     velocity for the velocity all along and so loses a factor of one half. Its Table 1 prints that
     from an acceleration which was rounded first: 612 m for 615.7 m. The numbers come from the
@@ -22,16 +23,19 @@ class DriftDemo(Demo):
 
     Parameters
     ----------
+    view : float, optional
+        0 for the map, 1 for the growth; 0 unless told.
     angle_error : float, optional
         Angle between the true and the estimated vertical in degrees, from 0 to 5; 1 unless told.
     time : float, optional
-        Time since the last help from outside, from 1 to 3600 s; 10 unless told. Both follow
-        their sliders while a kernel runs.
+        Time since the last help from outside, from 1 to 3600 s; 10 unless told. All follow
+        their controls while a kernel runs.
     """
 
     element = "drift"
-    controls = ("angle_error", "time")
+    controls = ("view", "angle_error", "time")
 
+    view = Control(0.0, min=0.0, max=1.0, whole=True).tag(sync=True)
     angle_error = Control(1.0, min=0.0, max=5.0).tag(sync=True)
     time = Control(10.0, min=1.0, max=3600.0).tag(sync=True)
 

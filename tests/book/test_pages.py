@@ -26,7 +26,7 @@ PAGES = [f"{name}.html" for name in (TOC["root"], *CHAPTERS, *MADE)]
 # From the disk the theme's scripts do the same on each page: those with demos, and one of a kind.
 KINDS = ("search.html", "book/ledger/sensors.html", "book/speed.html", "book/converter.html")
 FROM_DISK = [name for name in PAGES if name.startswith("notebooks/") or name in KINDS]
-FROM_DISK.append(PAGES[0])
+FROM_DISK += [PAGES[0], "book/converter.html"]
 
 
 # What a page may load, in bytes before compression: by name, else without formulas or with them.

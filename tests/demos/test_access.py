@@ -191,12 +191,17 @@ def everything_has_a_name(page: Page) -> None:
             "The vertical that it believes in leans 11.53° from the real one.",
         ),
         (TiltDemo(vibration=2), "single readings scatter round it"),
-        (DriftDemo(time=600), "At 10 minutes velocity is off by 102.6 m/s, position by 30.8 km"),
+        (DriftDemo(time=600), "after 10 minutes it is 30.8 km away, out of the city"),
+        (
+            DriftDemo(view=1, time=600),
+            "At 10 minutes velocity is off by 102.6 m/s, position by 30.8 km",
+        ),
         (
             QuaternionDemo(angle=360, product=2),
             "turned by 360° about an axis at yaw 40°, pitch 35°. Its quaternion is −1.000",
         ),
-        (DriftDemo(angle_error=0), "Without an error of angle it is empty."),
+        (DriftDemo(angle_error=0), "off by 0°, it stays where it is"),
+        (DriftDemo(view=1, angle_error=0), "Without an error of angle it is empty."),
     ],
 )
 def test_picture_is_told_in_words(visit: Visit, page_of: PageOf, demo: Demo, words: str) -> None:

@@ -11,9 +11,10 @@ from chr_notes.demos import DriftDemo
 from chr_notes.demos.base import formatted
 from chr_notes.printed.table_1 import COLUMNS, ROWS
 
-from .parts import SET_AND_READ, PageOf, Visit, output, slider
+from .parts import SET_AND_READ, PageOf, Visit, drawn, output, slider
 
 STEPS = 64
+PLACES = {"the room": 2.5, "the house": 10, "the street": 100, "the city": 5e3, "the country": 3e5}
 
 
 def expected(state: dict[str, float]) -> dict[str, float]:
@@ -51,7 +52,8 @@ def test_readouts_are_the_numbers_of_python(visit: Visit, page_of: PageOf) -> No
     page = visit(page_of(DriftDemo()))
     random = np.random.default_rng(4)
     rows = random.integers([0, 0], [50, STEPS], size=(50, 2), endpoint=True) / [10, 1]
-    positions = [dict(zip(DriftDemo.controls, row, strict=True)) for row in rows.tolist()]
+    names = ("angle_error", "time")
+    positions = [dict(zip(names, row, strict=True)) for row in rows.tolist()]
     positions += [{"angle_error": 0, "time": 0}, {"angle_error": 5, "time": STEPS}]
     times = set()
     for position, (state, texts) in zip(
@@ -65,6 +67,9 @@ def test_readouts_are_the_numbers_of_python(visit: Visit, page_of: PageOf) -> No
             name: formatted(value) for name, value in numbers.items()
         }
         assert meant(texts["meaning"]) == ([] if state["angle_error"] == 0 else in_words(numbers))
+        left = [name for name, far in PLACES.items() if far < numbers["position_error"]]
+        words = re.findall(r"away(?:, out of (the \w+))?,", texts["meaning"])
+        assert words == ([] if state["angle_error"] == 0 else (left or [""])[-1:])
         assert DriftDemo(**state).readouts() == pytest.approx(numbers, rel=1e-14)
     assert len(times) > 20
 
@@ -130,6 +135,14 @@ def test_without_an_error_there_is_no_drift(visit: Visit, page_of: PageOf) -> No
     page = visit(page_of(DriftDemo(angle_error=0, time=3600)))
     expect(output(page, "position_error")).to_have_text("0")
     expect(output(page, "meaning")).to_contain_text("at rest")
+
+
+def test_map_shows_where_the_sensor_believes_to_be(visit: Visit, page_of: PageOf) -> None:
+    page = visit(page_of(DriftDemo(time=60)))
+    words = [text for text, _ in drawn(page) if text]
+    assert {"the street", "where it lies", "308 m after 1 min"} <= set(words)
+    page.get_by_label("Show").select_option("the growth of the errors")
+    assert {"velocity", "position", "without ½"} <= {text for text, _ in drawn(page)}
 
 
 def test_text_has_the_numbers() -> None:
