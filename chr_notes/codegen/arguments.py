@@ -1,5 +1,7 @@
 """Arguments of the generated functions: name, symbol in the derivation, meaning and unit."""
 
+from collections.abc import Iterable, Sequence
+
 from sympy import ImmutableMatrix, Symbol
 
 from chr_notes.codegen.target import Argument
@@ -65,7 +67,9 @@ def matrix(letter: str, symbols: ImmutableMatrix, says: str) -> tuple[Argument, 
     )
 
 
-def axes(pattern: str, symbols: tuple[Symbol, ...], says: str) -> tuple[Argument, ...]:
+def axes(
+    pattern: str, symbols: Iterable[Symbol], says: str, ways: Sequence[str] = "xyz"
+) -> tuple[Argument, ...]:
     """One argument an axis: x, y, z, or north, east, down by the pattern of names.
 
     Parameters
@@ -76,10 +80,12 @@ def axes(pattern: str, symbols: tuple[Symbol, ...], says: str) -> tuple[Argument
         Three symbols in the derivation.
     says
         Format of the meaning and unit.
+    ways
+        What the axes are called.
     """
     return tuple(
-        Argument(pattern.format(axis), symbol, says.format(axis))
-        for axis, symbol in zip("xyz", symbols, strict=True)
+        Argument(pattern.format(way), symbol, says.format(way))
+        for way, symbol in zip(ways, symbols, strict=True)
     )
 
 
@@ -104,17 +110,14 @@ INERTIAL_VECTOR = axes("{}", VECTOR, "{} of a vector in the inertial frame")
 
 ACCEL = axes("accel_{}", ACCELEROMETER, "reading of the accelerometer along {}, m/s²")
 MAG = axes("mag_{}", MAGNETOMETER, "reading of the magnetometer along {}, any unit")
+_REFERENCE = (
+    ("north", "horizontal field at yaw 0 along x, any unit"),
+    ("east", "horizontal field at yaw 0 along y, any unit"),
+    ("reference_down", "part of the field that points down, the whole field being 1"),
+)
 NORTH, EAST, DOWN = (
     Argument(name, symbol, says)
-    for symbol, (name, says) in zip(
-        validation.REFERENCE,
-        (
-            ("north", "horizontal field at yaw 0 along x, any unit"),
-            ("east", "horizontal field at yaw 0 along y, any unit"),
-            ("reference_down", "part of the field that points down, the whole field being 1"),
-        ),
-        strict=True,
-    )
+    for symbol, (name, says) in zip(validation.REFERENCE, _REFERENCE, strict=True)
 )
 ABOVE = Argument(
     "above", monitor.ABOVE, "for how many samples in a row E has been above the threshold"
@@ -148,21 +151,11 @@ CENTRE = axes("centre_{}", calibration.CENTRE, "centre of the readings along {}"
 ACTUAL = axes("{}", VECTOR, "what is there along {}")
 READING = axes("{}", VECTOR, "what the sensor reads along {}")
 
-_DIRECTIONS = ("north", "east", "down")
-
-
-def inertial(pattern: str, symbols: ImmutableMatrix, says: str) -> tuple[Argument, ...]:
-    """Give a vector of the inertial frame one argument north, one east and one down."""
-    return tuple(
-        Argument(pattern.format(way), symbol, says.format(way))
-        for way, symbol in zip(_DIRECTIONS, symbols, strict=True)
-    )
-
-
-VELOCITY = inertial("velocity_{}", dead_reckoning.VELOCITY, "velocity {}, m/s")
-POSITION = inertial("position_{}", dead_reckoning.POSITION, "position {}, m")
-ACCELERATION = inertial("accel_{}", dead_reckoning.ACCELERATION, "acceleration {} now, m/s²")
-NEXT = inertial("next_{}", ACCELERATION_AFTER, "acceleration {} at the end of the step, m/s²")
+_WAYS = ("north", "east", "down")
+VELOCITY = axes("velocity_{}", dead_reckoning.VELOCITY, "velocity {}, m/s", _WAYS)
+POSITION = axes("position_{}", dead_reckoning.POSITION, "position {}, m", _WAYS)
+ACCELERATION = axes("accel_{}", dead_reckoning.ACCELERATION, "acceleration {} now, m/s²", _WAYS)
+NEXT = axes("next_{}", ACCELERATION_AFTER, "acceleration {} at the end of the step, m/s²", _WAYS)
 TILT_ERROR = Argument(
     "angle_error", dead_reckoning.tilt_error, "angle between true and estimated vertical, radians"
 )

@@ -2,40 +2,16 @@
 
 import re
 
+import numpy as np
 from sympy import Symbol
 
+from chr_notes.codegen import header
 from chr_notes.codegen.expressions import NumPy
-from chr_notes.codegen.header import (
-    FLAG,
-    in_brackets,
-    in_lines,
-    ledger,
-    made_how,
-    needs,
-    returns,
-)
 from chr_notes.codegen.lowering import Program, expressions
 from chr_notes.codegen.together import together
 from chr_notes.derivations.computation import Choice, Let
 
 NUMPY = NumPy()
-_NAMES = (
-    "abs",
-    "arctan2",
-    "cos",
-    "count_nonzero",
-    "einsum",
-    "exp",
-    "expm1",
-    "floor",
-    "hypot",
-    "log1p",
-    "nan",
-    "sin",
-    "sqrt",
-    "tan",
-    "where",
-)
 
 
 def shape(elements: tuple[object, ...]) -> tuple[int, ...]:
@@ -46,10 +22,11 @@ def shape(elements: tuple[object, ...]) -> tuple[int, ...]:
 def module(programs: tuple[Program, ...]) -> str:
     """Print a module of functions of arrays, which write their result into an array."""
     body = "\n\n\n".join(_function(program) for program in programs)
-    head = '"""' + "\n".join(made_how(programs)) + '\n"""\n\n'
-    used = [name for name in _NAMES if re.search(rf"(?<!\.)\b{name}\b[(,)]", body)]
+    head = '"""' + "\n".join(header.made_how(programs)) + '\n"""\n\n'
+    called = {name for name in re.findall(r"\b(\w+)\(", body) if hasattr(np, name)}
+    used = {"bool_", "float64", *called, *re.findall(r"\bnan\b", body)} - {"abs"}
     imports = [
-        f"from numpy import {', '.join(sorted({'bool_', 'float64', *used} - {'abs'}))}",
+        f"from numpy import {', '.join(sorted(used))}",
         "from numpy.typing import NDArray",
         "",
         "Floats = NDArray[float64]",
@@ -61,14 +38,14 @@ def module(programs: tuple[Program, ...]) -> str:
 def table(programs: tuple[Program, ...]) -> str:
     """Print the shapes of the last axes of each function's arrays and of its result."""
     lines = [
-        '"""' + "\n".join(made_how(())),
+        '"""' + "\n".join(header.made_how(())),
         '"""',
         "",
         "SHAPES: dict[str, tuple[dict[str, tuple[int, ...]], tuple[int, ...]]] = {",
     ]
     for program in programs:
         given = {name: shape(elements) for name, elements in program.target.arrays}
-        lines += in_lines(
+        lines += header.in_lines(
             f'    "{program.target.name}": (',
             [str(given).replace("'", '"'), str(program.shape)],
             "),",
@@ -79,12 +56,12 @@ def table(programs: tuple[Program, ...]) -> str:
 def _function(program: Program) -> str:
     target = program.target
     arguments = [f"{name}: Floats" for name, _ in target.arrays]
-    lines = in_lines(f"def {target.name}(", [*arguments, "out: Floats"], ") -> Told:")
+    lines = header.in_lines(f"def {target.name}(", [*arguments, "out: Floats"], ") -> Told:")
     lines += _docstring(program)
     if whole := together(program):
         *steps, last = whole
         lines += [line for step in steps for line in _step(step, None)]
-        lines += in_brackets("    out[...] = ", NUMPY.written(last.value))
+        lines += header.in_brackets("    out[...] = ", NUMPY.written(last.value))
         return "\n".join([*lines, "    return None, None"])
     used = {s.name for v in expressions(program.steps, program.results) for s in v.free_symbols}
     for name, elements in target.arrays:
@@ -94,7 +71,8 @@ def _function(program: Program) -> str:
     for step in program.steps:
         lines += _step(step, program.flag)
     for place, value in enumerate(program.results):
-        lines += in_brackets(f"    out{_place(place, program.shape)} = ", NUMPY.written(value))
+        to = f"    out{_place(place, program.shape)} = "
+        lines += header.in_brackets(to, NUMPY.written(value))
     lines.append(f"    return {program.flag}, {program.guard}")
     return "\n".join(lines)
 
@@ -106,7 +84,7 @@ def _place(place: int, axes: tuple[int, ...]) -> str:
 
 def _step(step: Let | Choice, flag: Symbol | None) -> list[str]:
     if isinstance(step, Let):
-        return in_brackets(f"    {step.name} = ", NUMPY.written(step.value))
+        return header.in_brackets(f"    {step.name} = ", NUMPY.written(step.value))
     lines = []
     if flag is not None and step.branches[0][0] == ~flag:
         # What stands at gimbal lock is worked out only where an attitude is.
@@ -116,24 +94,24 @@ def _step(step: Let | Choice, flag: Symbol | None) -> list[str]:
         lines.append(f"    if count_nonzero({flag}):")
         for name, value in zip(step.names, instead, strict=True):
             at_lock = f"where({flag}, {NUMPY.written(value)}, {name})"
-            lines += in_brackets(f"        {name} = ", at_lock)
+            lines += header.in_brackets(f"        {name} = ", at_lock)
         return lines
     for name in step.names:
-        lines += in_brackets(f"    {name} = ", NUMPY.conditional(step, name))
+        lines += header.in_brackets(f"    {name} = ", NUMPY.conditional(step, name))
     return lines
 
 
 def _docstring(program: Program) -> list[str]:
     target = program.target
-    lines = [f'    """{returns(program)}', ""]
+    lines = [f'    """{header.returns(program)}', ""]
     for name, elements in target.arrays:
         axes = "".join(f", {size}" for size in shape(elements))
         what = elements[0].says if len(elements) == 1 else ", ".join(e.name for e in elements)
         lines.append(f"    {name}: {what}, shape (...{axes})")
     lines.append(f"    out: for the result, shape (...{''.join(f', {n}' for n in program.shape)})")
-    told = [FLAG] if program.flag is not None else []
+    told = [header.FLAG] if program.flag is not None else []
     told += [f"the {program.guard}".replace("_", " ")] if program.guard is not None else []
-    lines += ["", f"    Returns {', and '.join(told)}."] if told else []
-    last = [line for line in (needs(program), *ledger(target)) if line]
+    lines += ["", *header.folded(f"    Returns {', and '.join(told)}.")] if told else []
+    last = [line for line in (header.needs(program), *header.ledger(target)) if line]
     lines += ["", *(f"    {line}" for line in last)] if last else []
     return [*lines, '    """']

@@ -3,6 +3,8 @@
 No formula stands here: each target names the derivation that it comes from.
 """
 
+from functools import partial
+
 from chr_notes.codegen import arguments as given
 from chr_notes.codegen import array_arguments as array
 from chr_notes.codegen.target import Target
@@ -10,200 +12,164 @@ from chr_notes.derivations import euler, hamilton, quaternions
 from chr_notes.derivations.forms import euler as euler_forms
 from chr_notes.derivations.forms import quaternions as forms
 
+EULER = partial(Target, "euler")
+QUATERNIONS = partial(Target, "quaternions")
+
 TARGETS = (
-    Target(
+    EULER(
         "matrix_from_euler",
-        "euler",
         "Matrix from the inertial to the body frame, row by row",
-        (),
         lambda: euler.rotation("I", "B"),
         ("euler.5.2", "euler.5.3"),
         arrays=(array.EULER,),
     ),
-    Target(
+    EULER(
         "euler_from_matrix",
-        "euler",
         "Roll, pitch and yaw, radians",
-        (),
         euler_forms.euler_from_matrix,
         arrays=(array.MATRIX,),
     ),
-    Target(
+    EULER(
         "rotation_defect",
-        "euler",
         "How far a matrix is from a rotation: root mean square of R Rᵀ - 1, and the determinant",
-        (),
         euler_forms.rotation_defect,
         arrays=(array.MATRIX,),
     ),
-    Target(
+    EULER(
         "euler_rates_matrix",
-        "euler",
         "Matrix D from body rates to Euler rates, row by row",
-        (given.ROLL, given.PITCH),
         euler.euler_rates_matrix,
         ("euler.7.2", "euler.7.d"),
         arrays=(array.EULER,),
+        arguments=(given.ROLL, given.PITCH),
     ),
-    Target(
+    EULER(
         "euler_rates_from_body_rates",
-        "euler",
         "Derivatives of roll, pitch and yaw, rad/s",
-        (given.ROLL, given.PITCH, *given.RATES),
         euler_forms.euler_rates,
         ("euler.7.3",),
         arrays=(array.EULER, array.BODY_RATES),
+        arguments=(given.ROLL, given.PITCH, *given.RATES),
     ),
-    Target(
+    EULER(
         "body_rates_from_euler_rates",
-        "euler",
         "Body rates about x, y and z, rad/s",
-        (given.ROLL, given.PITCH, *given.ANGLE_RATES),
         euler.body_rates,
         ("euler.7.a",),
         arrays=(array.EULER, ("euler_rates", given.ANGLE_RATES)),
+        arguments=(given.ROLL, given.PITCH, *given.ANGLE_RATES),
     ),
-    Target(
+    EULER(
         "euler_rates_determinant",
-        "euler",
         "Determinant of the matrix D",
-        (given.PITCH,),
         euler.euler_rates_determinant,
+        arguments=(given.PITCH,),
     ),
-    Target(
+    EULER(
         "euler_rates_condition",
-        "euler",
         "Condition number of the matrix D in the 2-norm",
-        (given.PITCH,),
         euler.euler_rates_condition,
+        arguments=(given.PITCH,),
     ),
-    Target(
+    EULER(
         "wrap_angle",
-        "euler",
         "The angle less whole turns, from -pi up to but not including pi",
-        (),
         euler_forms.wrap_angle,
         arrays=(("angle", (given.ANGLE,)),),
     ),
-    Target(
+    QUATERNIONS(
         "matrix_from_quaternion",
-        "quaternions",
         "Matrix from the inertial to the body frame, row by row",
-        (),
         forms.matrix_from_quaternion,
         ("quaternions.3.3",),
         arrays=(array.Q,),
     ),
-    Target(
+    QUATERNIONS(
         "quaternion_from_matrix",
-        "quaternions",
         "Unit quaternion with a >= 0",
-        (),
         forms.quaternion_from_matrix,
         ("quaternions.3.3",),
         arrays=(array.MATRIX,),
     ),
-    Target(
+    QUATERNIONS(
         "quaternion_from_euler",
-        "quaternions",
         "Unit quaternion with a >= 0",
-        (),
         forms.quaternion_from_euler,
         ("quaternions.2.2",),
         arrays=(array.EULER,),
     ),
-    Target(
+    QUATERNIONS(
         "euler_from_quaternion",
-        "quaternions",
         "Roll, pitch and yaw, radians",
-        (),
         forms.euler_from_quaternion,
         ("quaternions.4.1", "quaternions.4.2", "quaternions.4.3"),
         arrays=(array.Q,),
     ),
-    Target(
+    QUATERNIONS(
         "quaternion_from_axis_angle",
-        "quaternions",
         "Unit quaternion with a >= 0",
-        (),
         forms.quaternion_from_axis_angle,
         ("quaternions.2.2",),
         arrays=(("axis", given.AXIS_ARGUMENTS), ("angle", (given.TURN,))),
     ),
-    Target(
+    QUATERNIONS(
         "axis_angle_from_quaternion",
-        "quaternions",
         "Unit axis x, y, z and the angle in [0, pi] of the turn about it, radians",
-        (),
         forms.axis_angle_from_quaternion,
         ("quaternions.2.2",),
         arrays=(array.Q,),
     ),
-    Target(
+    QUATERNIONS(
         "inclination_from_quaternion",
-        "quaternions",
         "Angle in [0, pi] between the body's z-axis and the vertical, radians",
-        (),
         forms.inclination,
         arrays=(array.Q,),
     ),
-    Target(
+    QUATERNIONS(
         "quaternion_multiply",
-        "quaternions",
         "Product of two quaternions",
-        (),
         hamilton.product,
         ("quaternions.3.2",),
         arrays=(("p", given.PRODUCT[:4]), ("q", given.PRODUCT[4:])),
     ),
-    Target(
+    QUATERNIONS(
         "quaternion_conjugate",
-        "quaternions",
         "Conjugate of the quaternion",
-        (),
         lambda: hamilton.conjugate(quaternions.ATTITUDE),
         ("quaternions.3.c",),
         arrays=(array.Q,),
     ),
-    Target(
+    QUATERNIONS(
         "quaternion_inverse",
-        "quaternions",
         "Inverse of the quaternion",
-        (),
         forms.quaternion_inverse,
         ("quaternions.3.a",),
         arrays=(array.Q,),
     ),
-    Target(
+    QUATERNIONS(
         "rotate_to_inertial",
-        "quaternions",
         "The vector in the inertial frame",
-        (),
         forms.rotate_to_inertial,
         ("quaternions.3.1",),
         arrays=(array.Q, ("v_body", given.BODY_VECTOR)),
     ),
-    Target(
+    QUATERNIONS(
         "rotate_to_body",
-        "quaternions",
         "The vector in the body frame",
-        (),
         forms.rotate_to_body,
         ("quaternions.3.1", "quaternions.3.4"),
         arrays=(array.Q, ("v_inertial", given.INERTIAL_VECTOR)),
     ),
-    Target(
+    QUATERNIONS(
         "quaternion_after_constant_rates",
-        "quaternions",
         "Attitude quaternion after a time during which the body rates do not change",
-        (*given.QUATERNION_ARGUMENTS, *given.RATES, given.PERIOD),
         forms.constant_rate_step,
+        arguments=(*given.QUATERNION_ARGUMENTS, *given.RATES, given.PERIOD),
     ),
-    Target(
+    QUATERNIONS(
         "quaternion_rates",
-        "quaternions",
         "Derivatives of a, b, c and d, 1/s",
-        (*given.QUATERNION_ARGUMENTS, *given.RATES),
         quaternions.rates,
+        arguments=(*given.QUATERNION_ARGUMENTS, *given.RATES),
     ),
 )

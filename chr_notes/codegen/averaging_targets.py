@@ -3,34 +3,32 @@
 No formula stands here: each target names the derivation that it comes from.
 """
 
+from functools import partial
+
 from chr_notes.codegen import arguments as given
 from chr_notes.codegen import array_arguments as array
 from chr_notes.codegen import averaging_arguments as own
 from chr_notes.codegen.target import Target
 from chr_notes.derivations.forms import averaging, gains, heading, rest
 
+ESTIMATION = partial(Target, "estimation")
+
 TARGETS = (
-    Target(
+    ESTIMATION(
         "gain_from_time_constant",
-        "estimation",
         "Gain that has, at a period, the effect of a time constant",
-        (),
         gains.gain_from_time_constant,
         arrays=(array.TIME_CONSTANT, array.DT),
     ),
-    Target(
+    ESTIMATION(
         "time_constant_from_gain",
-        "estimation",
         "Time constant that has, at a period, the effect of a gain, s",
-        (),
         gains.time_constant_from_gain,
         arrays=(array.GAIN, array.DT),
     ),
-    Target(
+    ESTIMATION(
         "averaging_turn",
-        "estimation",
         "Attitude quaternion and state of the averaging filter after one more sample",
-        (),
         averaging.turn,
         arrays=(
             ("state", own.AVERAGING),
@@ -42,11 +40,9 @@ TARGETS = (
         ),
         over_samples=True,
     ),
-    Target(
+    ESTIMATION(
         "averaging_heading_turn",
-        "estimation",
         "The same with a heading, and what is known of the magnetic field",
-        (),
         heading.turn,
         arrays=(
             ("state", (*own.AVERAGING, *own.HEADING)),
@@ -64,11 +60,9 @@ TARGETS = (
         ),
         over_samples=True,
     ),
-    Target(
+    ESTIMATION(
         "observer_heading_turn",
-        "estimation",
         "Attitude quaternion one period later, two sensors heard with fixed gains",
-        (),
         heading.observer_turn,
         arrays=(
             array.Q,
@@ -83,11 +77,9 @@ TARGETS = (
         ),
         over_samples=True,
     ),
-    Target(
+    ESTIMATION(
         "bias_at_rest",
-        "estimation",
         "Means over a rest so far, for how long it has been one, and what the gyros read at rest",
-        (),
         rest.bias,
         arrays=(
             ("state", own.RESTS),
@@ -99,11 +91,9 @@ TARGETS = (
         ),
         over_samples=True,
     ),
-    Target(
+    ESTIMATION(
         "averaging_bound",
-        "estimation",
         "Bound of the angle between true and estimated vertical, radians",
-        (),
         averaging.bound,
         arrays=(
             ("averaged", own.AVERAGING[8:9]),

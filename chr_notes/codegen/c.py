@@ -3,13 +3,23 @@
 from dataclasses import dataclass
 from textwrap import wrap
 
-from sympy import Basic, true
+from sympy import Basic
 from sympy.core.relational import Relational
 from sympy.logic.boolalg import BooleanFunction
 
 from chr_notes.codegen.edges import edges
 from chr_notes.codegen.expressions import C, SingleC, Spelling
-from chr_notes.codegen.header import FLAG, WIDTH, folded, is_short, ledger, made_how, needs, returns
+from chr_notes.codegen.header import (
+    FLAG,
+    WIDTH,
+    folded,
+    in_braces,
+    is_short,
+    ledger,
+    made_how,
+    needs,
+    returns,
+)
 from chr_notes.codegen.lowering import Program, expressions
 from chr_notes.derivations.computation import Choice, Let
 
@@ -131,14 +141,5 @@ def _step(step: Let | Choice, precision: Precision) -> list[str]:
     if is_short(step, language):
         one = language.conditional(step, step.names[0])
         return [f"const {precision.type} {step.names[0]} = {one};"]
-    lines = [f"{precision.type} {', '.join(name.name for name in step.names)};"]
-    for place, (condition, values) in enumerate(step.branches):
-        if condition is true:
-            lines.append("} else {")
-        else:
-            lines.append(f"{'} else ' if place else ''}if ({language.written(condition)}) {{")
-        lines += [
-            f"    {name} = {language.written(value)};"
-            for name, value in zip(step.names, values, strict=True)
-        ]
-    return [*lines, "}"]
+    declared = f"{precision.type} {', '.join(name.name for name in step.names)};"
+    return in_braces(step, language, "    ", declared)

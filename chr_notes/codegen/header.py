@@ -3,6 +3,7 @@
 from textwrap import wrap
 
 import sympy
+from sympy import true
 
 from chr_notes.codegen.expressions import Spelling
 from chr_notes.codegen.lowering import Program
@@ -53,6 +54,21 @@ def is_short(choice: Choice, language: Spelling) -> bool:
         and len(choice.branches) == 2  # noqa: PLR2004 (this way or that)
         and len(language.conditional(choice, choice.names[0])) <= WIDTH // 2
     )
+
+
+def in_braces(choice: Choice, language: Spelling, indent: str, declared: str) -> list[str]:
+    """Write a choice as C and JavaScript do, after a declaration of what is chosen."""
+    lines = [declared]
+    for place, (condition, values) in enumerate(choice.branches):
+        if condition == true:
+            lines.append("} else {")
+        else:
+            lines.append(f"{'} else ' if place else ''}if ({language.written(condition)}) {{")
+        lines += [
+            f"{indent}{language.name(name.name)} = {language.written(value)};"
+            for name, value in zip(choice.names, values, strict=True)
+        ]
+    return [*lines, "}"]
 
 
 def in_lines(start: str, parts: list[str], end: str, indent: str = "    ") -> list[str]:

@@ -1,19 +1,8 @@
 """Printer of the JavaScript module that the demos call."""
 
-from sympy import true
-
+from chr_notes.codegen import header
 from chr_notes.codegen.edges import edges
 from chr_notes.codegen.expressions import JavaScript, camel
-from chr_notes.codegen.header import (
-    FLAG,
-    folded,
-    in_lines,
-    is_short,
-    ledger,
-    made_how,
-    needs,
-    returns,
-)
 from chr_notes.codegen.lowering import Program
 from chr_notes.derivations.computation import Choice, Let
 
@@ -22,18 +11,18 @@ JAVASCRIPT = JavaScript()
 
 def module(programs: tuple[Program, ...]) -> str:
     """Print an ES module of functions of numbers that return a number or a flat array."""
-    head = "\n".join(f"// {line}" for line in made_how(programs))
+    head = "\n".join(f"// {line}" for line in header.made_how(programs))
     return head + "\n\n" + "\n\n".join(_function(program) for program in programs) + "\n"
 
 
 def declarations(programs: tuple[Program, ...]) -> str:
     """Print what TypeScript has to know of that module."""
-    lines = [f"// {line}" for line in made_how(programs)]
+    lines = [f"// {line}" for line in header.made_how(programs)]
     for program in programs:
         arguments = [f"{camel(argument.name)}: number" for argument in program.target.arguments]
         start = f"export function {camel(program.target.name)}("
         lines += ["", *_comment(program)]
-        lines += in_lines(start, arguments, f"): {_result(program)};", "  ")
+        lines += header.in_lines(start, arguments, f"): {_result(program)};", "  ")
     return "\n".join([*lines, ""])
 
 
@@ -44,12 +33,12 @@ def _result(program: Program) -> str:
 
 def _comment(program: Program) -> list[str]:
     target = program.target
-    last = f" last: {FLAG}" if program.flag is not None else ""
+    last = f" last: {header.FLAG}" if program.flag is not None else ""
     return [
         "/**",
-        f" * {returns(program)}",
+        f" * {header.returns(program)}",
         *(f" * {line}" for line in edges(program)),
-        *(f" * {line}" for line in (needs(program), *ledger(target)) if line),
+        *(f" * {line}" for line in (header.needs(program), *header.ledger(target)) if line),
         *(f" * @param {{number}} {camel(a.name)} {a.says}" for a in target.arguments),
         f" * @returns {{{_result(program)}}}{last}",
         " */",
@@ -60,31 +49,22 @@ def _function(program: Program) -> str:
     names = [camel(argument.name) for argument in program.target.arguments]
     lines = [
         *_comment(program),
-        *in_lines(f"export function {camel(program.target.name)}(", names, ") {", "  "),
+        *header.in_lines(f"export function {camel(program.target.name)}(", names, ") {", "  "),
     ]
     for step in program.steps:
-        lines += [part for line in _step(step) for part in folded(f"  {line}")]
+        lines += [part for line in _step(step) for part in header.folded(f"  {line}")]
     values = [JAVASCRIPT.written(value) for value in program.results]
     values += [camel(program.flag.name)] if program.flag is not None else []
     if not program.shape:
-        return "\n".join([*lines, *folded(f"  return {values[0]};"), "}"])
-    return "\n".join([*lines, *in_lines("  return [", values, "];", "  "), "}"])
+        return "\n".join([*lines, *header.folded(f"  return {values[0]};"), "}"])
+    return "\n".join([*lines, *header.in_lines("  return [", values, "];", "  "), "}"])
 
 
 def _step(step: Let | Choice) -> list[str]:
     if isinstance(step, Let):
         return [f"const {camel(step.name.name)} = {JAVASCRIPT.written(step.value)};"]
-    if is_short(step, JAVASCRIPT):
+    if header.is_short(step, JAVASCRIPT):
         one = JAVASCRIPT.conditional(step, step.names[0])
         return [f"const {camel(step.names[0].name)} = {one};"]
-    lines = [f"let {', '.join(camel(name.name) for name in step.names)};"]
-    for place, (condition, values) in enumerate(step.branches):
-        if condition is true:
-            lines.append("} else {")
-        else:
-            lines.append(f"{'} else ' if place else ''}if ({JAVASCRIPT.written(condition)}) {{")
-        lines += [
-            f"  {camel(name.name)} = {JAVASCRIPT.written(value)};"
-            for name, value in zip(step.names, values, strict=True)
-        ]
-    return [*lines, "}"]
+    declared = f"let {', '.join(camel(name.name) for name in step.names)};"
+    return header.in_braces(step, JAVASCRIPT, "  ", declared)

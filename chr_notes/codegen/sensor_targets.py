@@ -3,6 +3,8 @@
 No formula stands here: each target names the derivation that it comes from.
 """
 
+from functools import partial
+
 from chr_notes.codegen import arguments as given
 from chr_notes.codegen import array_arguments as array
 from chr_notes.codegen.target import Target
@@ -12,81 +14,51 @@ from chr_notes.derivations.forms import estimation as filter_forms
 from chr_notes.derivations.forms import filters, monitor
 from chr_notes.derivations.forms import sensors as sensor_forms
 
+SENSORS = partial(Target, "sensors")
+ESTIMATION = partial(Target, "estimation")
+VALIDATION = partial(Target, "validation")
+DEAD_RECKONING = partial(Target, "dead_reckoning")
+
 TARGETS = (
-    Target(
+    SENSORS(
         "accelerometer_at_rest",
-        "sensors",
         "Reading of an accelerometer at rest, m/s²",
-        (given.ROLL, given.PITCH, given.GRAVITY),
         estimation.accelerometer_at_rest,
         ("estimation.2.4", "sensors.2.2", "sensors.2.c"),
         arrays=(array.EULER, array.GRAVITY),
+        arguments=(given.ROLL, given.PITCH, given.GRAVITY),
     ),
-    Target(
+    SENSORS(
         "sensor_measures",
-        "sensors",
         "Reading of a three-axis sensor, by its model",
-        (),
         sensor_forms.measured,
         ("sensors.2.3", "sensors.2.4"),
-        arrays=(
-            ("misalignment", given.MISALIGNMENT),
-            array.SENSITIVITY,
-            array.BIAS,
-            ("actual", given.ACTUAL),
-        ),
+        arrays=(*array.TERMS, array.ACTUAL),
     ),
-    Target(
+    SENSORS(
         "sensor_corrected",
-        "sensors",
         "What is there, from the reading of a three-axis sensor",
-        (),
         calibration.corrected,
         ("sensors.2.5", "sensors.2.e", "sensors.4.1"),
-        arrays=(
-            ("misalignment", given.REALIGNMENT),
-            array.SENSITIVITY,
-            array.BIAS,
-            ("measured", given.READING),
-        ),
+        arrays=(*array.TERMS_BACK, array.MEASURED),
     ),
-    Target(
+    SENSORS(
         "gyro_measures",
-        "sensors",
         "Reading of a rate gyro on which acceleration acts, by its model",
-        (),
         lambda: sensor_forms.measured(calibration.coupled()),
         ("sensors.3.2",),
-        arrays=(
-            ("misalignment", given.MISALIGNMENT),
-            array.SENSITIVITY,
-            array.BIAS,
-            ("g_sensitivity", given.G_SENSITIVITY),
-            array.ACCEL,
-            ("actual", given.ACTUAL),
-        ),
+        arrays=(*array.TERMS, array.G_SENSITIVITY, array.ACCEL, array.ACTUAL),
     ),
-    Target(
+    SENSORS(
         "gyro_corrected",
-        "sensors",
         "Body rates, from the reading of a rate gyro on which acceleration acts",
-        (),
         lambda: calibration.corrected(calibration.coupled()),
         ("sensors.3.2",),
-        arrays=(
-            ("misalignment", given.REALIGNMENT),
-            array.SENSITIVITY,
-            array.BIAS,
-            ("g_sensitivity", given.G_SENSITIVITY),
-            array.ACCEL,
-            ("measured", given.READING),
-        ),
+        arrays=(*array.TERMS_BACK, array.G_SENSITIVITY, array.ACCEL, array.MEASURED),
     ),
-    Target(
+    SENSORS(
         "iron_removed",
-        "sensors",
         "The magnetic field without what soft and hard iron do to it",
-        (),
         calibration.without_iron,
         ("sensors.4.2",),
         arrays=(
@@ -95,32 +67,22 @@ TARGETS = (
             ("field", given.READING),
         ),
     ),
-    Target(
+    SENSORS(
         "iron_added",
-        "sensors",
         "The magnetic field as soft and hard iron distort it",
-        (),
         calibration.with_iron,
         ("sensors.4.2",),
-        arrays=(
-            ("soft_iron", given.DISTORTION),
-            ("hard_iron", given.HARD_IRON),
-            ("actual", given.ACTUAL),
-        ),
+        arrays=(("soft_iron", given.DISTORTION), ("hard_iron", given.HARD_IRON), array.ACTUAL),
     ),
-    Target(
+    SENSORS(
         "vector_rate",
-        "sensors",
         "Derivatives of the body components of a vector that does not turn, unit/s",
-        (),
         sensors.vector_rate,
         arrays=(("vector", given.BODY_VECTOR), array.BODY_RATES),
     ),
-    Target(
+    SENSORS(
         "norm_misfit",
-        "sensors",
         "Length of a reading brought to the unit sphere, less 1, and its slopes by the unknowns",
-        (),
         calibration.norm_misfit,
         arrays=(
             ("to_sphere", given.TO_SPHERE),
@@ -128,85 +90,67 @@ TARGETS = (
             ("reading", given.READING),
         ),
     ),
-    Target(
+    ESTIMATION(
         "tilt_from_accelerometer",
-        "estimation",
         "Roll and pitch of a body at rest, radians",
-        (),
         filter_forms.tilt,
         ("estimation.2.5", "estimation.2.6", "validation.3", "validation.4"),
         arrays=(array.ACCEL,),
     ),
-    Target(
+    ESTIMATION(
         "gyro_step",
-        "estimation",
         "Roll, pitch and yaw one period later by Euler integration, radians",
-        (),
         filters.gyro_step,
         ("estimation.3.1", "estimation.3.2", "estimation.3.3"),
         arrays=(array.EULER, array.BODY_RATES, array.DT),
         over_samples=True,
     ),
-    Target(
+    ESTIMATION(
         "gyro_turn",
-        "estimation",
         "Attitude quaternion one period later, by a turn at constant rates",
-        (),
         filters.gyro_turn,
         arrays=(array.Q, array.BODY_RATES, array.DT),
         over_samples=True,
     ),
-    Target(
+    ESTIMATION(
         "observer_turn",
-        "estimation",
         "Attitude quaternion one period later, the accelerometer heard with a fixed gain",
-        (),
         filters.observer_turn,
         arrays=(array.Q, array.BODY_RATES, array.ACCEL, array.DT, array.GAIN),
         over_samples=True,
     ),
-    Target(
+    ESTIMATION(
         "observer_step",
-        "estimation",
         "Roll, pitch and yaw one period later, the accelerometer heard with a fixed gain, radians",
-        (),
         filters.observer_step,
         arrays=(array.EULER, array.BODY_RATES, array.ACCEL, array.DT, array.GAIN),
         over_samples=True,
     ),
-    Target(
+    ESTIMATION(
         "euler_observer_step",
-        "estimation",
         "Roll, pitch and yaw one period later by the notes' step, angle by angle, radians",
-        (),
         filters.euler_observer_step,
         ("estimation.4.1", "estimation.4.2", "estimation.4.3", "estimation.4.4"),
         arrays=(array.EULER, array.BODY_RATES, array.ACCEL, array.DT, array.GAIN),
         over_samples=True,
     ),
-    Target(
+    VALIDATION(
         "heading_from_magnetometer",
-        "validation",
         "Yaw, radians",
-        (),
         filter_forms.heading,
         ("validation.12", "validation.16"),
         arrays=(array.MAG, ("tilt", given.ANGLES[:2]), ("reference", (given.NORTH, given.EAST))),
     ),
-    Target(
+    VALIDATION(
         "validation_factor",
-        "validation",
         "The factor E: by how much the field down is off, the whole field being 1",
-        (),
         filter_forms.factor,
         ("validation.17",),
         arrays=(array.MAG, ("tilt", given.ANGLES[:2]), ("reference_down", (given.DOWN,))),
     ),
-    Target(
+    VALIDATION(
         "monitor_gain",
-        "validation",
         "Gain to use once E has been above the threshold for so many samples",
-        (),
         monitor.gain,
         arrays=(
             ("above", (given.ABOVE,)),
@@ -214,18 +158,15 @@ TARGETS = (
             *((each.name, (each,)) for each in given.GAINS),
         ),
     ),
-    Target(
+    VALIDATION(
         "monitor_count",
-        "validation",
         "For how many samples in a row E has been above the threshold; NaN tells nothing",
-        (given.ABOVE, given.FACTOR, given.THRESHOLD),
         monitor.samples_above,
+        arguments=(given.ABOVE, given.FACTOR, given.THRESHOLD),
     ),
-    Target(
+    VALIDATION(
         "monitored_turn",
-        "validation",
         "Attitude quaternion one period later by the gain that a monitor asks for, and its count",
-        (),
         filters.monitored_turn,
         arrays=(
             ("state", (*given.QUATERNION_ARGUMENTS, given.ABOVE)),
@@ -240,29 +181,23 @@ TARGETS = (
         ),
         over_samples=True,
     ),
-    Target(
+    DEAD_RECKONING(
         "inertial_acceleration",
-        "dead_reckoning",
         "Acceleration of the body in the inertial frame, m/s²",
-        (),
         dead_reckoning.inertial_acceleration,
         ("dead_reckoning.2.3",),
         arrays=(array.ACCEL, array.EULER, array.GRAVITY),
     ),
-    Target(
+    DEAD_RECKONING(
         "accelerometer_from_acceleration",
-        "dead_reckoning",
         "Reading of an accelerometer on a body that accelerates, m/s²",
-        (),
         dead_reckoning.accelerometer_reading,
         ("dead_reckoning.2.1",),
         arrays=(("acceleration", given.ACCELERATION), array.EULER, array.GRAVITY),
     ),
-    Target(
+    DEAD_RECKONING(
         "dead_reckoning_held",
-        "dead_reckoning",
         "Velocity north, east, down (m/s), then position (m), one period later by the notes' step",
-        (),
         reckoning_forms.held_step,
         ("dead_reckoning.3.3", "dead_reckoning.3.4"),
         arrays=(
@@ -272,36 +207,36 @@ TARGETS = (
         ),
         over_samples=True,
     ),
-    Target(
+    DEAD_RECKONING(
         "dead_reckoning_step",
-        "dead_reckoning",
         "Velocity north, east, down (m/s), then position (m), one period later",
-        (*given.VELOCITY, *given.POSITION, *given.ACCELERATION, *given.NEXT, given.PERIOD),
         reckoning_forms.step,
         ("dead_reckoning.3.1", "dead_reckoning.3.2"),
+        arguments=(
+            *given.VELOCITY,
+            *given.POSITION,
+            *given.ACCELERATION,
+            *given.NEXT,
+            given.PERIOD,
+        ),
     ),
-    Target(
+    DEAD_RECKONING(
         "drift_from_tilt_error",
-        "dead_reckoning",
         "Error of acceleration (m/s²), of velocity (m/s) and of position (m), along the ground",
-        (),
         dead_reckoning.drift,
         ("dead_reckoning.4.a", "dead_reckoning.4.b"),
         arrays=(("angle_error", (given.TILT_ERROR,)), ("time", (given.TIME,)), array.GRAVITY),
     ),
-    Target(
+    DEAD_RECKONING(
         "position_errors",
-        "dead_reckoning",
         "Errors of position (m) by tilt, biases, motion, and variances (m²) by noise",
-        (),
         reckoning_forms.position_errors,
         arrays=tuple((each.name, (each,)) for each in (*given.ERRORS, given.TIME, given.GRAVITY)),
     ),
-    Target(
+    DEAD_RECKONING(
         "position_at_last_velocity",
-        "dead_reckoning",
         "Error of position (m), had its last error of velocity been there all along",
-        (given.TILT_ERROR, given.TIME, given.GRAVITY),
         dead_reckoning.position_at_last_velocity,
+        arguments=(given.TILT_ERROR, given.TIME, given.GRAVITY),
     ),
 )

@@ -3,6 +3,8 @@
 No formula stands here: each target names the derivation that it comes from.
 """
 
+from functools import partial
+
 from chr_notes.codegen import array_arguments as array
 from chr_notes.codegen.target import Argument, Target
 from chr_notes.derivations.forms import sequences as forms
@@ -20,45 +22,38 @@ AXES = tuple(
 )
 _BOTH = (("angles", ANGLES), ("axes", AXES))
 
+SEQUENCES = partial(Target, "sequences")
+
 TARGETS = (
-    Target(
+    SEQUENCES(
         "matrix_from_angles",
-        "sequences",
         "Matrix to the turned frame, row by row",
-        (),
         forms.matrix_from_angles,
         arrays=_BOTH,
     ),
-    Target(
+    SEQUENCES(
         "angles_from_matrix",
-        "sequences",
         "Angles of the three turns, radians",
-        (),
         forms.angles_from_matrix,
         arrays=(array.MATRIX, ("axes", AXES)),
     ),
-    Target(
+    SEQUENCES(
         "quaternion_from_angles",
-        "sequences",
         "Unit quaternion with a >= 0",
-        (),
         forms.quaternion_from_angles,
         arrays=_BOTH,
     ),
-    Target(
+    SEQUENCES(
         "angles_from_quaternion",
-        "sequences",
         "Angles of the three turns, radians",
-        (),
         forms.angles_from_quaternion,
         arrays=(array.Q, ("axes", AXES)),
     ),
-    Target(
+    SEQUENCES(
         "angle_rates_matrix",
-        "sequences",
         "Matrix D from rates about the turned frame's axes to rates of the angles, row by row",
-        (*ANGLES[1:], *AXES),
         forms.angle_rates_matrix,
         arrays=_BOTH,
+        arguments=(*ANGLES[1:], *AXES),
     ),
 )

@@ -33,14 +33,12 @@ class Target:
 
     Parameters
     ----------
-    name
-        Its name, `target_from_source`.
     topic
         The stem of the file that it stands in.
+    name
+        Its name, `target_from_source`.
     says
         What it returns.
-    arguments
-        Its scalar arguments in order; with none given, the elements of the arrays.
     formula
         Gives the derived formula: a scalar, a matrix returned row by row, or a computation of one
         of these.
@@ -50,18 +48,20 @@ class Target:
         Names and elements of the arrays that a function of arrays takes, which NumPy and the
         kernels have then: one element, a vector, or a matrix row by row. Empty where nobody needs
         it for arrays.
+    arguments
+        Its scalar arguments in order; with none given, the elements of the arrays.
     over_samples
         Whether the first of them is a state and the others samples that change it one by one:
         the step of a filter.
     """
 
-    name: str
     topic: str
+    name: str
     says: str
-    arguments: tuple[Argument, ...]
     formula: Callable[[], Expr | ImmutableMatrix | Computation]
     entries: tuple[str, ...] = ()
     arrays: tuple[tuple[str, tuple[Argument, ...]], ...] = ()
+    arguments: tuple[Argument, ...] = ()
     over_samples: bool = False
 
     def __post_init__(self) -> None:

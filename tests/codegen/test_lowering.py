@@ -18,7 +18,9 @@ ARGUMENTS = tuple(Argument(symbol.name, symbol, "a number") for symbol in SYMBOL
 def lowered(*results: Expr) -> Program:
     """Lower a few formulas of the four numbers."""
     matrix = ImmutableMatrix(results)
-    return lower(Target("several", "topic", "what", ARGUMENTS, lambda: matrix), by_library)
+    return lower(
+        Target("topic", "several", "what", lambda: matrix, arguments=ARGUMENTS), by_library
+    )
 
 
 def put_together(program: Program) -> list[Expr]:
@@ -61,7 +63,7 @@ def test_the_steps_give_the_formulas(formulas: list[Expr]) -> None:
 def test_a_formula_that_needs_what_is_not_given_is_refused(
     formula: ImmutableMatrix | Computation,
 ) -> None:
-    target = Target("several", "topic", "what", ARGUMENTS, lambda: formula)
+    target = Target("topic", "several", "what", lambda: formula, arguments=ARGUMENTS)
     with pytest.raises(
         ValueError, match=r"several: expected a formula in \['a', .* got also \[e\]"
     ):

@@ -49,7 +49,8 @@ def euler_from_matrix(matrix: Floats, out: Floats) -> Told:
     matrix: r11, r12, r13, r21, r22, r23, r31, r32, r33, shape (..., 3, 3)
     out: for the result, shape (..., 3)
 
-    Returns whether at gimbal lock, where roll, the angle of the last turn, is set to 0, and the determinant.
+    Returns whether at gimbal lock, where roll, the angle of the last turn, is set to 0, and the
+        determinant.
 
     Right for rotations alone.
     """

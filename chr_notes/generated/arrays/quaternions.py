@@ -143,7 +143,8 @@ def euler_from_quaternion(q: Floats, out: Floats) -> Told:
     q: a, b, c, d, shape (..., 4)
     out: for the result, shape (..., 3)
 
-    Returns whether at gimbal lock, where roll, the angle of the last turn, is set to 0, and the sum of squares.
+    Returns whether at gimbal lock, where roll, the angle of the last turn, is set to 0, and the sum
+        of squares.
 
     Right as long as the sum of squares neither overflows nor vanishes.
     Ledger: quaternions.4.1, quaternions.4.2, quaternions.4.3.

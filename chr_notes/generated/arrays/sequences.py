@@ -133,7 +133,8 @@ def angles_from_matrix(matrix: Floats, axes: Floats, out: Floats) -> Told:
     axes: first_axis, second_axis, third_axis, shape (..., 3)
     out: for the result, shape (..., 3)
 
-    Returns whether at gimbal lock, where roll, the angle of the last turn, is set to 0, and the determinant.
+    Returns whether at gimbal lock, where roll, the angle of the last turn, is set to 0, and the
+        determinant.
 
     Right for rotations alone.
     """
@@ -356,7 +357,8 @@ def angles_from_quaternion(q: Floats, axes: Floats, out: Floats) -> Told:
     axes: first_axis, second_axis, third_axis, shape (..., 3)
     out: for the result, shape (..., 3)
 
-    Returns whether at gimbal lock, where roll, the angle of the last turn, is set to 0, and the sum of squares.
+    Returns whether at gimbal lock, where roll, the angle of the last turn, is set to 0, and the sum
+        of squares.
 
     Right as long as the sum of squares neither overflows nor vanishes.
     """
