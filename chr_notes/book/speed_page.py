@@ -29,6 +29,8 @@ LOOKS: Final = (("z", "y", "s"), ("y", "z", "^"), ("qualified", "alert", "D"), (
 """Colour, dashes and marker of other libraries."""
 NOT_SEEN: Final = re.compile(r"<metadata>.*?</metadata>|\b([1-9]\d*\.\d\d)\d+", re.DOTALL)
 """What only makes a page heavy: metadata, and digits beyond a hundredth of a point."""
+OF_A_STREAM: Final = "samples of a stream "
+"""How the tasks begin that take samples one by one, and otherwise "samples "."""
 TENTH: Final = 0.1
 """Factors below it have two decimals, so that none reads as zero."""
 
@@ -92,6 +94,13 @@ def choice(run: Mapping[str, Any]) -> Iterator[str]:
                 f"{times[SCALAR][1]:,.0f} ns for plain numbers and {times[OURS][1]:,.0f} for such "
                 "arrays."
             )
+    found = {task: next(iter(times[OURS].values())) for task, times in tasks(run).items()}
+    for task in (task for task in found if task.startswith(OF_A_STREAM)):
+        alike = task.replace(OF_A_STREAM, "samples ")
+        yield (
+            f"Of {alike} one of a recording took {found[alike]:,.0f} ns and one of a stream "
+            f"{found[task]:,.0f} ns."
+        )
 
 
 def factor(ratio: float) -> str:

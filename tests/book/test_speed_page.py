@@ -23,6 +23,10 @@ def made_up() -> dict[str, Any]:
         {"size": 9, "task": "a filter", "library": library, "nanoseconds": time}
         for library, time in ((OURS, 80.0), ("C", 200.0))
     ]
+    rows += [
+        {"size": 9, "task": f"samples {of}shaken", "library": OURS, "nanoseconds": time}
+        for of, time in (("", 70.0), ("of a stream ", 1234.0))
+    ]
     return {
         "rows": rows,
         "cpu": "a processor",
@@ -41,12 +45,15 @@ def test_a_run_told() -> None:
     assert faster.strip() == (
         "Faster here than ours: B, one at a time (turns: 1 row); A (turns: 100); B (turns: 100)."
     )
-    first, then, single = speed_page.choice(run)
+    first, then, single, streamed = speed_page.choice(run)
     assert "took 100 to 100 ns in these runs, those of arrays with one row 150 to 150 ns" in first
     assert then.startswith("With 100 rows")
     assert single == (
         "In turns B took 50 ns for its own objects, one at a time, and 300 ns for arrays of one "
         "row; ours took 100 ns for plain numbers and 150 for such arrays."
+    )
+    assert streamed == (
+        "Of samples shaken one of a recording took 70 ns and one of a stream 1,234 ns."
     )
     (filtered,) = [line for line in speed_page.filters(run) if "C" in line]
     assert filtered == "|  | C | 200 | 2.5 |"
@@ -70,7 +77,7 @@ def test_where_arrays_never_take_less_nothing_is_said_of_it() -> None:
     for row in run["rows"]:
         if row["library"] == OURS:
             row["nanoseconds"] = 1e6
-    assert len(list(speed_page.choice(run))) == 2
+    assert len(list(speed_page.choice(run))) == 3
 
 
 def test_the_page_names_those_that_are_faster() -> None:
