@@ -90,7 +90,8 @@ from chr_notes.sequences import (
 )
 from chr_notes.systems.convention import Convention
 from chr_notes.systems.converting import convert
-from chr_notes.systems.detective import Match, find_conventions
+from chr_notes.systems.detective import find_conventions
+from chr_notes.systems.matches import Match
 from chr_notes.validation import heading_from_magnetometer, validation_factor
 from chr_notes.zero_velocity import zero_velocity
 

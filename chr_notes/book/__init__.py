@@ -119,6 +119,7 @@ def _write_generated(book: Path) -> None:
     _write(static / "pages.css", "".join([styles(), *sheets]))
     shutil.copy2(book / "copy_formulas.js", static)
     _write(static / "pages.js", page_script())
+    _write(static / "converter_page.js", page_script("converter"))
 
 
 def _write(path: Path, text: str) -> None:

@@ -9,7 +9,7 @@ from chr_notes.book import cases_page, code_pages, frames_picture, sequence_page
 from chr_notes.book.errata import errata, summary
 from chr_notes.book.notation import notation
 from chr_notes.conventions import CONVENTIONS
-from chr_notes.demos import ConverterDemo, GimbalLockDemo
+from chr_notes.demos import ConverterDemo, DetectiveDemo, GimbalLockDemo
 from chr_notes.ledger import Entry, Verdict, entries
 from chr_notes.ledger.show import badge, display, show
 
@@ -49,6 +49,7 @@ def generated() -> dict[str, str]:
         "verdicts.md": verdicts(ledger),
         "gimbal_lock.md": GimbalLockDemo(yaw=30.0, pitch=60.0, roll=20.0).to_html() + "\n",
         "converter.md": ConverterDemo().to_html() + "\n",
+        "detective.md": DetectiveDemo().to_html() + "\n",
     }
     for document in DOCUMENTS:
         rows = (_row(entry) for entry in ledger if entry.document == document)

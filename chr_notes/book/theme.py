@@ -12,6 +12,7 @@ __all__ = ["setup"]
 _ICONS: Final = ("fontawesome",)  # they are in book/icons.css
 _SEARCH: Final = ("searchtools", "language_data", "searchindex")  # for the page of the search
 _DEMOS: Final = ("pages",)  # for pages that have one
+_CONVERTER: Final = ("converter_page",)  # for the page that has it, and no other demo
 
 _ICON_RULES: Final = re.compile(
     r"(?<=[}/])(?:(?:\.fa[-\w.:]*(?:>[\w.]+)?,?)+\{[^{}]*\}|:host,:root\{--fa-[^{}]*\})"
@@ -37,7 +38,9 @@ def _lighten(app: Sphinx, error: Exception | None) -> None:
         text = page.read_text(encoding="utf-8")
         unused = [*_ICONS]
         unused += [] if page == built / "search.html" else _SEARCH
-        unused += [] if "data-demo" in text else _DEMOS
+        converts = 'data-demo="converter"' in text
+        unused += [] if "data-demo" in text and not converts else _DEMOS
+        unused += [] if converts else _CONVERTER
         page.write_text(_without_scripts(text, unused), encoding="utf-8")
     styles = built / "_static" / "styles" / "pydata-sphinx-theme.css"
     text = styles.read_text(encoding="utf-8")

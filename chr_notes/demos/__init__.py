@@ -1,6 +1,7 @@
 """Demos: widgets in a notebook, and the same modules on a page without a kernel."""
 
 from chr_notes.demos.converter import ConverterDemo
+from chr_notes.demos.detective import DetectiveDemo
 from chr_notes.demos.drift import DriftDemo
 from chr_notes.demos.filter import FilterDemo
 from chr_notes.demos.frames import FramesDemo
@@ -12,6 +13,7 @@ from chr_notes.demos.validation import ValidationDemo
 
 __all__ = [
     "ConverterDemo",
+    "DetectiveDemo",
     "DriftDemo",
     "FilterDemo",
     "FramesDemo",

@@ -46,13 +46,13 @@ def styles() -> str:
     return palette.css() + (SOURCES / "demos.css").read_text(encoding="utf-8")
 
 
-def _script(ending: str) -> str:
-    return (BUILT / "demos.js").read_text(encoding="utf-8") + ending + "\n"
+def _script(ending: str, bundle: str) -> str:
+    return (BUILT / f"{bundle}.js").read_text(encoding="utf-8") + ending + "\n"
 
 
-def page_script() -> str:
-    """Return the script that mounts the demos of a page."""
-    return _script(f"{BUNDLE}.mountAll();")
+def page_script(bundle: str = "demos") -> str:
+    """Return the script that mounts the demos of a page: "demos", or "converter" for that one."""
+    return _script(f"{BUNDLE}.mountAll();", bundle)
 
 
 def formatted(value: float) -> str:
@@ -100,6 +100,7 @@ class Demo(anywidget.AnyWidget):
     """
 
     element: ClassVar[str]
+    bundle: ClassVar[str] = "demos"
     controls: ClassVar[tuple[str, ...]]
 
     _esm = traitlets.Unicode().tag(sync=True)
@@ -107,7 +108,7 @@ class Demo(anywidget.AnyWidget):
 
     @traitlets.default("_esm")
     def _read_module(self) -> str:
-        return _script(f'export default {BUNDLE}.widgetOf("{self.element}");')
+        return _script(f'export default {BUNDLE}.widgetOf("{self.element}");', self.bundle)
 
     @traitlets.default("_css")
     def _make_styles(self) -> str:

@@ -33,6 +33,7 @@ from chr_notes.demos import (
 )
 from chr_notes.demos.base import BUILT, BUNDLE, SOURCES
 from chr_notes.demos.converter import CONVENTIONS
+from chr_notes.demos.detective import DETECTIVE
 from chr_notes.demos.filter import RUN
 from chr_notes.demos.noise import MODULUS, MULTIPLIER
 from chr_notes.demos.tilt import NOTHING
@@ -42,6 +43,8 @@ from chr_notes.printed.table_1 import ROWS
 ESBUILD = "esbuild@0.28.2"
 """The exact bundler: the same version writes the same bytes."""
 
+BUNDLES = {"demos": "bundle.js", "converter": "converter_bundle.js"}
+"""Source of each script that is built."""
 STILLS = (
     ConverterDemo(),
     FilterDemo(),
@@ -75,6 +78,7 @@ CONSTANTS = {
     "MODULUS": MODULUS,
     "FILTER_RUN": RUN._asdict(),
     "CONVENTIONS": CONVENTIONS,
+    "DETECTIVE": DETECTIVE,
 }
 """What the modules have from Python, by the name that stands for it in them."""
 
@@ -84,7 +88,7 @@ _BANNER = f"""\
 
 
 def bundle(folder: Path) -> None:
-    """Write the script and the stills into `folder`.
+    """Write the scripts and the stills into `folder`.
 
     Raises
     ------
@@ -99,8 +103,9 @@ def bundle(folder: Path) -> None:
     common += ["--log-level=warning", f"--banner:js={_BANNER}"]
     common += [f"--define:{name}={json.dumps(value)}" for name, value in CONSTANTS.items()]
     write_stills(folder, common)
-    out = [f"--global-name={BUNDLE}", f"--outfile={folder / 'demos.js'}"]
-    _output([*common, "--format=iife", *out, "bundle.js"], "bundle.js")
+    for name, source in BUNDLES.items():
+        out = [f"--global-name={BUNDLE}", f"--outfile={folder / name}.js"]
+        _output([*common, "--format=iife", *out, source], source)
 
 
 def write_stills(folder: Path, common: list[str]) -> None:
@@ -158,7 +163,7 @@ def main(arguments: list[str] | None = None) -> int:
         bundle(Path(temporary))
         shutil.rmtree(BUILT, ignore_errors=True)
         shutil.copytree(temporary, BUILT)
-    sys.stdout.write(f"wrote the script and {len(STILLS)} stills to {BUILT}\n")
+    sys.stdout.write(f"wrote {len(BUNDLES)} scripts and {len(STILLS)} stills to {BUILT}\n")
     return 0
 
 

@@ -7,6 +7,7 @@ import { KINDS, computed, differences, lockWords, sourceOf, stated, understood }
 import { SEQUENCES, SYSTEMS, fromMatrix, turnNames } from "./converting.js";
 import { copied } from "./copying.js";
 import { transposed } from "./draw.js";
+import { button, field } from "./fields.js";
 import { turnByHand, turned } from "./looking.js";
 import { nearestRotation } from "./nearest.js";
 import { node, slider } from "./parts.js";
@@ -45,24 +46,10 @@ function choices(side, label) {
   };
 }
 
-function field(kind, typed) {
-  const name = node("span", { class: "chr-name" });
-  const plain = { name: kind, spellcheck: "false", autocomplete: "off", autocapitalize: "off" };
-  const input = node("textarea", { ...plain, rows: kind === "matrix" ? 3 : 1 });
-  input.addEventListener("input", () => typed(kind, input.value));
-  return { name, input, element: node("label", { class: "chr-field", "data-kind": kind }, name, input) };
-}
-
 function result(name, kind = name) {
   const label = node("span", { class: "chr-name" });
   const output = node("output", { name, "aria-live": "off" });
   return { label, output, element: node("div", { class: "chr-field", "data-kind": kind }, label, output) };
-}
-
-function button(name, text, pressed) {
-  const element = node("button", { type: "button", name }, text);
-  element.addEventListener("click", pressed);
-  return element;
 }
 
 /**
@@ -78,7 +65,7 @@ function mountConverter(element, opening, { now = {}, onChange = () => {}, linkT
   const cleanup = new AbortController();
 
   const selects = { ...choices("source", "From"), ...choices("target", "To") };
-  const fields = Object.fromEntries(KINDS.map((kind) => [kind, field(kind, typed)]));
+  const fields = Object.fromEntries(KINDS.map((kind) => [kind, field(kind, typed, kind === "matrix" ? 3 : 1)]));
   const results = Object.fromEntries(KINDS.map((kind) => [kind, result(`target_${kind.replace(" ", "_")}`, kind)]));
   const also = {
     target_negative: result("target_negative", "quaternion"), target_triples: result("target_triples", "angles"),

@@ -37,6 +37,7 @@ def _table(name: str, convention: Convention) -> dict[str, Any]:
         "conjugated": convention.quaternion_is_conjugated,
         "navigation": convention.axes("navigation").ravel().tolist(),
         "body": convention.axes("body").ravel().tolist(),
+        "axes": (convention.navigation, convention.body),
         "room": [_WORDS[letter] for letter in convention.navigation],
         "along": [_WORDS[letter] for letter in convention.body],
     }
@@ -78,6 +79,7 @@ class ConverterDemo(Demo):
     """
 
     element = "converter"
+    bundle = "converter"
     controls = ()
 
     kind = traitlets.Enum(KINDS, "angles").tag(sync=True)

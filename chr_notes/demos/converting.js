@@ -54,7 +54,7 @@ export function turnNames({ sequence, order, along }) {
 }
 
 /** The matrix from navigation to body of turns by angles in radians, in the order of the letters. */
-const matrixOfTurns = (angles, sequence) => matrixFromAngles(...ordered(angles, sequence), ...axesOf(sequence));
+export const matrixOfTurns = (angles, sequence) => matrixFromAngles(...ordered(angles, sequence), ...axesOf(sequence));
 
 /** Angles in radians in the order of the letters, and whether they lock. */
 export function turnsOf(matrix, sequence) {

@@ -1,5 +1,4 @@
-/** All demos, by the name of their elements. */
-import { mount as converter } from "./converter.js";
+/** The demos of the chapters, by the name of their elements. */
 import { mount as drift } from "./drift.js";
 import { mount as filter } from "./filter.js";
 import { mount as frames } from "./frames.js";
@@ -9,4 +8,4 @@ import { mount as quaternion } from "./quaternion.js";
 import { mount as tilt } from "./tilt.js";
 import { mount as validation } from "./validation.js";
 
-export const DEMOS = { converter, drift, filter, frames, "gimbal-lock": gimbalLock, magnetometer, quaternion, tilt, validation };
+export const DEMOS = { drift, filter, frames, "gimbal-lock": gimbalLock, magnetometer, quaternion, tilt, validation };

@@ -1,8 +1,7 @@
 /**
- * The script of the book's pages: a demo in every element with a `data-demo`. The state of one
- * stands in the address, `#tilt?roll=20&pitch=5`, so that it can be sent, and outlives a reload.
+ * Demos on a page: one in every element with a `data-demo`. The state of one stands in the address,
+ * `#tilt?roll=20&pitch=5`, so that it can be sent, and outlives a reload.
  */
-import { DEMOS } from "./demos.js";
 
 const WAIT = 250; // milliseconds without a change before the address follows
 
@@ -18,12 +17,12 @@ function addressed() {
   return { name, state: Object.fromEntries(new URLSearchParams(query)) };
 }
 
-function mountOne(element, address) {
+function mountOne(demos, element, address) {
   const name = element.dataset.demo;
-  if (!(name in DEMOS)) throw new Error(`no demo is called ${name}`);
+  if (!(name in demos)) throw new Error(`no demo is called ${name}`);
   const meant = address.name === name;
   let timer = 0;
-  DEMOS[name](element, JSON.parse(element.dataset.state), {
+  demos[name](element, JSON.parse(element.dataset.state), {
     now: meant ? address.state : {},
     linkTo: (state) => location.href.split("#")[0] + hashOf(name, state),
     onChange(state) {
@@ -34,11 +33,11 @@ function mountOne(element, address) {
   return meant;
 }
 
-function mountNow() {
+function mountNow(demos) {
   const address = addressed();
   for (const element of document.querySelectorAll("[data-demo]"))
     try {
-      if (mountOne(element, address)) {
+      if (mountOne(demos, element, address)) {
         element.scrollIntoView();
         address.name = ""; // the first one of the name is meant
       }
@@ -48,8 +47,9 @@ function mountNow() {
     }
 }
 
-/** Mount them, once the page is there. */
-export function mountAll() {
-  if (document.readyState === "loading") document.addEventListener("DOMContentLoaded", mountNow);
-  else mountNow();
+/** Mount them, by { name: mount }, once the page is there. */
+export function mountOn(demos) {
+  const mount = () => mountNow(demos);
+  if (document.readyState === "loading") document.addEventListener("DOMContentLoaded", mount);
+  else mount();
 }

@@ -2,6 +2,7 @@
  * The opening state of a demo as an SVG, drawn by the demo itself on a context that writes down
  * what it is told. Run by build.py: reads [{ demo, state }] and the colours, writes the pictures.
  */
+import { mount as converter } from "./converter.js";
 import { DEMOS } from "./demos.js";
 import { parsed } from "./draw.js";
 
@@ -155,7 +156,7 @@ function coarse(colour) {
 
 /** The SVG of a state. */
 function still({ demo, state }, palette) {
-  const { definition } = DEMOS[demo];
+  const { definition } = { ...DEMOS, converter }[demo];
   const full = { ...definition.start, ...state };
   const height = Math.round(WIDTH * definition.aspect);
   const recorder = new Recorder();

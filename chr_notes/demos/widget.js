@@ -1,5 +1,4 @@
 /** What anywidget asks of a module: a model whose traits follow the demo, and the reverse. */
-import { DEMOS } from "./demos.js";
 
 const SYNC_EVERY = 200; // milliseconds: a kernel need not see each frame of what plays
 
@@ -31,7 +30,7 @@ function paced(send, interval) {
   };
 }
 
-const widget = (mount) => ({
+export const widget = (mount) => ({
   render({ model, el }) {
     const names = Object.keys(mount.start);
     const state = () => Object.fromEntries(names.map((name) => [name, model.get(name)]));
@@ -52,5 +51,3 @@ const widget = (mount) => ({
     };
   },
 });
-
-export const widgetOf = (name) => widget(DEMOS[name]);

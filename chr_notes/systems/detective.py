@@ -1,7 +1,7 @@
 """Which conventions explain what two programs say of one rotation."""
 
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterator
+from dataclasses import replace
 from itertools import combinations, product
 from types import MappingProxyType
 from typing import Any
@@ -10,49 +10,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from chr_notes._arrays import Floats
-from chr_notes.sequences import SEQUENCES, matrix_from_angles
+from chr_notes.systems.axes import ONE, Axes, other_axes
+from chr_notes.systems.candidates import FIELDS, KEPT, NAMED, PLAIN, REORDERED, Fields
 from chr_notes.systems.convention import Convention
-from chr_notes.systems.converting import from_matrix, to_body
-from chr_notes.systems.examples import ATTITUDES, TRIED, Examples, examples, turned_apart
+from chr_notes.systems.converting import to_body
+from chr_notes.systems.examples import ATTITUDES, Examples, examples, turned_apart
+from chr_notes.systems.matches import Match, told_apart
 
-# The simplest is named first.
-_PLAIN = ("xyz", "ZYX", *(name for name in SEQUENCES if name not in ("xyz", "ZYX")))
-_FIELDS: dict[str, tuple[dict[str, Any], ...]] = {
-    "angles": tuple({"sequence": s, "degrees": d} for d in (False, True) for s in _PLAIN),
-    "matrix": ({"matrix": "to body"}, {"matrix": "to navigation"}),
-    "quaternion": tuple(
-        {"scalar_first": first, "quaternion": way}
-        for first in (True, False)
-        for way in ("to navigation", "to body")
-    ),
-    "vectors": ({"vectors": "to body"}, {"vectors": "to navigation"}),
-    "accel": ({"accelerometer": -1}, {"accelerometer": 1}),
-}
-_KEPT = 0.25
-"""Share of the tolerance below which one error is as good as another."""
-
-
-@dataclass(frozen=True)
-class Match:
-    """Descriptions that explain the examples, and that no example tells apart.
-
-    Parameters
-    ----------
-    convention
-        The simplest of them. Fields that the examples say nothing of are this package's own.
-    error
-        Largest angle between what two programs say, radians.
-    others
-        The other descriptions of the same numbers.
-    example
-        Only if several matches are left: what programs of this convention would say of one further
-        attitude. Each match says something else, so asking one's programs for it decides.
-    """
-
-    convention: Convention
-    error: float
-    others: tuple[Convention, ...]
-    example: MappingProxyType[str, Floats] | None = None
+_Units = tuple[bool, ...]
 
 
 def find_conventions(  # noqa: PLR0913 (what programs can say)
@@ -66,7 +31,10 @@ def find_conventions(  # noqa: PLR0913 (what programs can say)
 ) -> list[Match]:
     """Find the conventions under which programs that seem to disagree say the same.
 
-    Numbers may be rounded, as printed; quaternions, matrices and vectors may have any scale.
+    Numbers may be rounded, as printed; quaternions, matrices and vectors may have any scale. Where
+    no convention explains all in one pair of frames, the axes of known systems are tried too, such
+    as one program in north-east-down and the other in east-north-up, and angles that are written in
+    another order than that of their turns.
 
     Parameters
     ----------
@@ -107,57 +75,100 @@ def find_conventions(  # noqa: PLR0913 (what programs can say)
     ... )
     >>> match.convention.sequence, match.convention.degrees, match.convention.scalar_first
     ('ZYX', True, False)
+
+    What a UM7 and ROS say of one attitude, each in its own axes:
+
+    >>> match = chr_notes.find_conventions(
+    ...     angles=[10, 20, 30], quaternion=[0.1608, -0.1069, 0.5036, 0.8421]
+    ... )[0]
+    >>> match.convention.sequence, *match.axes.values()
+    ('xyz', ('ned', 'frd'), ('enu', 'flu'))
     """
     given = examples(
         {"angles": angles, "matrix": matrix, "quaternion": quaternion, "accel": accel}
         | {"vectors": vectors}
     )
-    fields = (
-        _FIELDS
-        if degrees is None
-        else _FIELDS | {"angles": tuple(f for f in _FIELDS["angles"] if f["degrees"] is degrees)}
-    )
-    found = [match for match in _judged(given, fields) if match[1] <= match[2]]
-    if not found:
-        raise ValueError(_what_does_not_fit(given, fields))
-    found.sort(key=lambda match: max(match[1], _KEPT * match[2]))
-    matches = [
-        Match(convention, error, tuple(_others(convention, given)))
-        for convention, error, _ in found
-    ]
-    return _with_example(matches, given)
+    units = (False, True) if degrees is None else (degrees,)
+    for wide in (False, True):
+        found = [
+            (_convention(choices, place), float(error[place]), float(allowed[place]), axes)
+            for choices, error, allowed, axes in _judged(given, units, wide=wide)
+            for place in map(tuple, np.argwhere(error <= allowed))
+        ]
+        if found:
+            found.sort(key=_rank)
+            matches = [
+                (_match(convention, error, given, axes), axes)
+                for convention, error, _, axes in found
+            ]
+            return told_apart(matches, given)
+    raise ValueError(_what_does_not_fit(given, units))
+
+
+def _convention(choices: list[list[Fields]], place: tuple[int, ...]) -> Convention:
+    """Make a convention of what was chosen of each kind."""
+    chosen = (each[number] for each, number in zip(choices, place, strict=True))
+    return Convention(**{name: value for fields in chosen for name, value in fields.items()})
+
+
+def _rank(found: tuple[Convention, float, float, Axes]) -> tuple[float, bool, int]:
+    """Order by the error, as far as rounding tells, and then by how plain a convention is."""
+    convention, error, allowed, _ = found
+    error = round(max(error, KEPT * allowed), 9)
+    return error, bool(convention.written), PLAIN.index(convention.sequence)
+
+
+def _match(convention: Convention, error: float, given: Examples, axes: Axes) -> Match:
+    """Make a match of what was found."""
+    if axes is ONE:
+        return Match(convention, error, tuple(_others(convention, given)))
+    first: dict[str, Any] = dict(zip(("navigation", "body"), axes.usual, strict=True))
+    own = replace(convention, **first)
+    named = MappingProxyType({kind: axes.of(kind) for kind in given.values})
+    return Match(own, error, tuple(_others(own, given)), axes=named)
 
 
 def _judged(
-    given: Examples, fields: dict[str, tuple[dict[str, Any], ...]]
-) -> Iterator[tuple[Convention, float, float]]:
-    """Give each convention, simplest first, with its error and how large that may be."""
-    kinds = list(given.values)
-    # Where nothing says which frame is the body, the first one's direction is but a name.
-    free = None if _knows_the_body(given) else kinds[0]
-    choices = [
-        fields[kind][:1] if kind == free == "matrix"
-        else fields[kind][::2] if kind == free == "quaternion"
-        else fields[kind]
-        for kind in kinds
-    ]  # fmt: skip
-    # What each says under each of its own readings, once.
-    said = [
-        [(f, to_body(given.values[kind], Convention(**f), kind)) for f in each]
-        if kind in ATTITUDES
-        else [(f, None) for f in each]
-        for kind, each in zip(kinds, choices, strict=True)
+    given: Examples, units: _Units, *, wide: bool
+) -> Iterator[tuple[list[list[Fields]], Floats, Floats, Axes]]:
+    """Give the choices of each kind, simplest first, with the errors of all combinations.
+
+    All in one pair of frames; or, wide, in others too, and angles in any written order. Errors, and
+    how large each may be, have an axis for each kind.
+    """
+    readings = {kind: _readings(given, kind, units, wide=wide) for kind in given.values}
+    for axes in (ONE, *other_axes(given)) if wide else (ONE,):
+        # Where nothing says which frame is the body, the first one's direction is but a name.
+        free = None if _knows_the_body(given) or axes is not ONE else next(iter(readings))
+        tried = {
+            kind: [
+                (fields, attitude if attitude is None else axes.to_usual(attitude, kind))
+                for fields, attitude in each
+                if kind != free or fields in NAMED
+            ]
+            for kind, each in readings.items()
+        }
+        choices = [[fields for fields, _ in each] for each in tried.values()]
+        yield choices, *turned_apart(given, tried), axes
+
+
+def _readings(
+    given: Examples, kind: str, units: _Units, *, wide: bool
+) -> list[tuple[Fields, Floats | None]]:
+    """Read what is said of a kind in each way, as matrices to the body if it is an attitude."""
+    ways = (*FIELDS[kind], *(REORDERED if wide and kind == "angles" else ()))
+    return [
+        (f, to_body(given.values[kind], Convention(**f), kind) if kind in ATTITUDES else None)
+        for f in ways
+        if kind != "angles" or f["degrees"] in units
     ]
-    for chosen in product(*said):
-        convention = Convention(**{name: v for f, _ in chosen for name, v in f.items()})
-        attitudes = [attitude for _, attitude in chosen if attitude is not None]
-        yield convention, *turned_apart(given, convention, attitudes)
 
 
-def _what_does_not_fit(given: Examples, fields: dict[str, tuple[dict[str, Any], ...]]) -> str:
+def _what_does_not_fit(given: Examples, units: _Units) -> str:
     """Name the two that no convention brings together, or the example."""
     for number in range(given.count) if given.count > 1 else ():
-        if not any(error <= allowed for _, error, allowed in _judged(given.one(number), fields)):
+        judged = _judged(given.one(number), units, wide=True)
+        if not any((error <= allowed).any() for _, error, allowed, _ in judged):
             return (
                 f"expected examples of one rotation each, but no convention explains example "
                 f"{number}"
@@ -165,8 +176,10 @@ def _what_does_not_fit(given: Examples, fields: dict[str, tuple[dict[str, Any], 
     for pair in combinations(given.values, 2):
         if "accel" in pair and "vectors" in pair:
             continue
-        least = min(_judged(given.of(pair), fields), key=lambda match: match[1] - match[2])
-        if least[1] > least[2]:
+        judged = _judged(given.of(pair), units, wide=True)
+        places = ((error, np.argmin(error - allowed), allowed) for _, error, allowed, _ in judged)
+        least = min((e.flat[n] - a.flat[n], e.flat[n]) for e, n, a in places)
+        if least[0] > 0:
             return (
                 f"expected {pair[0]} and {pair[1]} of one rotation, but under every convention "
                 f"they are at least {np.degrees(least[1]):.3g}° apart"
@@ -205,40 +218,3 @@ def _other_way(c: Convention) -> Convention:
     """Call the body's frame that of navigation, and the other way round."""
     swap: dict[str, Any] = {"to body": "to navigation", "to navigation": "to body"}
     return replace(c, matrix=swap[c.matrix], quaternion=swap[c.quaternion], vectors=swap[c.vectors])
-
-
-def _with_example(matches: list[Match], given: Examples) -> list[Match]:
-    """Add the attitude that tells all matches apart, where there are several."""
-    if len(matches) == 1:
-        return matches
-    for turns in TRIED:
-        said = [_said(match.convention, given, turns) for match in matches]
-        flat = np.array([np.concatenate([np.ravel(v) for v in each.values()]) for each in said])
-        apart = np.abs(flat[:, np.newaxis] - flat).max(axis=-1) + np.eye(len(flat))
-        if apart.min() > 1e-2:  # noqa: PLR2004 (more than any rounding)
-            return [
-                replace(match, example=MappingProxyType(each))
-                for match, each in zip(matches, said, strict=True)
-            ]
-    return matches
-
-
-def _said(convention: Convention, given: Examples, turns: Sequence[float]) -> dict[str, Floats]:
-    """Say of one attitude what each program would."""
-    made: dict[str, Floats] = {}
-    if "angles" in given.values:
-        # All matches are told the same angles; what the others make of it differs.
-        made["angles"] = np.asarray(turns, dtype=float)
-        own = to_body(made["angles"], convention, "angles")
-    else:
-        own = matrix_from_angles(np.radians(turns), "xyz")
-        own = own if given.first_is_to_body(convention) else own.T
-    for kind in ("matrix", "quaternion"):
-        if kind in given.values and kind not in made:
-            made[kind] = from_matrix(own, convention, kind)
-    if "vectors" in given.values:
-        before = np.array([1.0, 2.0, 3.0])
-        made["vectors"] = (own if convention.vectors == "to body" else own.T) @ before
-    if "accel" in given.values:
-        made["accel"] = convention.accelerometer * own[:, 2]
-    return made

@@ -14,10 +14,13 @@ TRIED = ((30.0, 0.0, 0.0), (0.0, 30.0, 0.0), (0.0, 0.0, 30.0), (10.0, 20.0, 30.0
 ATTITUDES = ("angles", "matrix", "quaternion")
 """Kinds that say a whole attitude, in this order."""
 _SHAPES = {"angles": (3,), "matrix": (3, 3), "quaternion": (4,), "accel": (3,)}
-_MOST_DECIMALS = 12
-_LEAST_ERROR = 1e-9
-_MOST_ERROR = 0.03
+MOST_DECIMALS = 12
+LEAST_ERROR = 1e-9
+MOST_ERROR = 0.03
 """Radians; whole degrees may be off by as much. Numbers with fewer digits count as exact."""
+# Elements off by half of the last digit each; a quaternion has half the angle.
+SIZES = {"matrix": 3.0, "quaternion": 2.0, "vectors": 4.0, "accel": 1.0}
+"""How far off a value may be, in units of its last digit."""
 
 
 @dataclass(frozen=True)
@@ -93,17 +96,15 @@ def _rows(kind: str, value: Any) -> Floats:  # noqa: ANN401 (an array or a pair)
 
 def _rounding(kind: str, values: Floats) -> float:
     """Find how far a value may be off, from the number of decimals that are printed."""
-    unit = 10.0**-_MOST_DECIMALS
-    for decimals in range(_MOST_DECIMALS):
+    unit = 10.0**-MOST_DECIMALS
+    for decimals in range(MOST_DECIMALS):
         if np.abs(values - values.round(decimals)).max() < 1e-9 * 10.0**-decimals:
             unit = 10.0**-decimals
             break
     if kind == "angles":
         return 1.5 * unit  # half of the last digit in each of three turns
     length = np.sqrt((values.reshape(len(values), -1) ** 2).sum(axis=1)).min()
-    # Elements off by half of the last digit each; a quaternion has half the angle.
-    sizes = {"matrix": 3.0, "quaternion": 2.0, "vectors": 4.0, "accel": 1.0}
-    return float(sizes[kind] * unit / max(length, unit))
+    return float(SIZES[kind] * unit / max(length, unit))
 
 
 def _unit(kind: str, values: Floats) -> Floats:
@@ -125,34 +126,62 @@ def _unit(kind: str, values: Floats) -> Floats:
     return np.asarray(values / lengths)
 
 
-def turned_apart(
-    given: Examples, convention: Convention, attitudes: list[Floats]
-) -> tuple[float, float]:
+Reading = tuple[dict[str, Any], Floats | None]
+
+
+def turned_apart(given: Examples, readings: Mapping[str, list[Reading]]) -> tuple[Floats, Floats]:
     """Find the largest angle between what programs say, and how large it may be.
 
     Parameters
     ----------
     given
         What they say.
-    convention
-        How it is read.
-    attitudes
-        Matrices to the body of each kind of `ATTITUDES`, read so.
+    readings
+        By kind the ways to read it: fields of a convention, and for each kind of `ATTITUDES`, of
+        which the first is one, the matrices to the body.
+
+    Returns
+    -------
+    error, allowed
+        Radians, an axis for each kind: for each combination of readings.
     """
-    first, *others = attitudes
-    angles = [_angle(first, other) for other in others]
-    if "vectors" in given.values:
-        before, after = np.moveaxis(given.values["vectors"], 1, 0)
-        turn = first if convention.vectors == "to body" else np.swapaxes(first, -1, -2)
-        angles.append(_between((turn @ before[..., np.newaxis])[..., 0], after))
-    if "accel" in given.values:
-        angles.append(_between(convention.accelerometer * first[..., 2], given.values["accel"]))
-    allowed = sum(
-        min(np.radians(each) if kind == "angles" and convention.degrees else each, _MOST_ERROR)
-        for kind, each in given.rounding.items()
-        if kind in given.values
-    )
-    return float(np.max(angles)), float(allowed) + _LEAST_ERROR
+    kinds = list(readings)
+    first = _attitudes(readings[kinds[0]])[:, np.newaxis]
+    error = np.zeros(len(first))
+    for place, kind in enumerate(kinds[1:], 1):
+        table = _apart(given, first, kind, readings[kind]).max(axis=-1)
+        error = np.maximum(error[..., np.newaxis], np.expand_dims(table, tuple(range(1, place))))
+    allowed = np.array([_allowed(given, fields) for fields, _ in readings[kinds[0]]])
+    allowed = np.expand_dims(allowed, tuple(range(1, len(kinds))))
+    return error, np.broadcast_to(allowed, error.shape)
+
+
+def _attitudes(readings: list[Reading]) -> Floats:
+    return np.stack([attitude for _, attitude in readings if attitude is not None])
+
+
+def _apart(given: Examples, first: Floats, kind: str, readings: list[Reading]) -> Floats:
+    """Angles between the first kind (K, 1, N, 3, 3) and another one, shape (K, L, N)."""
+    if kind in ATTITUDES:
+        return _angle(first, _attitudes(readings))
+    if kind == "accel":
+        signs = np.array([[[fields["accelerometer"]]] for fields, _ in readings])
+        return _between(signs * first[..., 2], given.values["accel"])
+    before, after = np.moveaxis(given.values["vectors"], 1, 0)
+    turns = [
+        first if fields["vectors"] == "to body" else np.swapaxes(first, -1, -2)
+        for fields, _ in readings
+    ]
+    turned = np.concatenate(turns, axis=1) @ before[..., np.newaxis]
+    return _between(turned[..., 0], after)
+
+
+def _allowed(given: Examples, fields: Mapping[str, Any]) -> float:
+    """How far off all may be together: of angles in degrees it is so many degrees."""
+    turn = {kind: given.rounding[kind] for kind in given.values}
+    if fields.get("degrees"):
+        turn["angles"] = float(np.radians(turn["angles"]))
+    return sum(min(each, MOST_ERROR) for each in turn.values()) + LEAST_ERROR
 
 
 def _angle(one: Floats, other: Floats) -> Floats:

@@ -16,11 +16,13 @@ def page_of(tmp_path: Path) -> MakePage:
 
     def write(*demos: Demo, theme: str = "light") -> str:
         body = "\n".join(demo.to_html() for demo in demos)
+        bundles = sorted({each.bundle for each in demos} or {"demos"})
+        script = "\n".join(map(page_script, bundles))
         path = tmp_path / "page.html"
         path.write_text(
             f'<!doctype html><html lang="en" data-theme="{theme}"><meta charset="utf-8">'
             f'<meta name="viewport" content="width=device-width"><title>Demos</title>'
-            f"<style>{styles()}</style><body>{body}<script>{page_script()}</script></body></html>",
+            f"<style>{styles()}</style><body>{body}<script>{script}</script></body></html>",
             encoding="utf-8",
         )
         return path.as_uri()

@@ -8,10 +8,11 @@ from typing import Any
 
 from chr_notes.demos.base import SOURCES
 from chr_notes.demos.converter import CONVENTIONS
+from chr_notes.demos.detective import DETECTIVE
 
 CALL = """\
 import { readFileSync } from "node:fs";
-globalThis.CONVENTIONS = CONSTANT;
+Object.assign(globalThis, CONSTANTS);
 const module = await import("./demos/FILE");
 const given = JSON.parse(readFileSync(0, "utf8"));
 process.stdout.write(JSON.stringify(given.map((each) => module.FUNCTION(...each))));
@@ -24,7 +25,8 @@ def called(folder: Path, file: str, function: str, given: list[list[Any]]) -> An
     generated = SOURCES.parent / "generated" / "javascript"
     shutil.copytree(generated, folder / "generated" / "javascript", dirs_exist_ok=True)
     (folder / "package.json").write_text('{"type": "module"}', encoding="utf-8")
-    source = CALL.replace("CONSTANT", json.dumps(CONVENTIONS))
+    tables = json.dumps({"CONVENTIONS": CONVENTIONS, "DETECTIVE": DETECTIVE})
+    source = CALL.replace("CONSTANTS", tables)
     (folder / "call.js").write_text(
         source.replace("FUNCTION", function).replace("FILE", file), encoding="utf-8"
     )

@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import Locator, Page
 
 from chr_notes import demos
-from chr_notes.demos import ConverterDemo, FilterDemo, GimbalLockDemo, TiltDemo
+from chr_notes.demos import ConverterDemo, DetectiveDemo, FilterDemo, GimbalLockDemo, TiltDemo
 from chr_notes.demos.base import Demo, entry, rounded
 
 Visit = Callable[..., Page]
@@ -16,8 +16,8 @@ PageOf = Callable[..., str]
 Samples = Callable[[int, int], int]
 
 ALL: tuple[type[Demo], ...] = tuple(getattr(demos, name) for name in demos.__all__)
-# The converter has fields where the others have sliders and a story: test_converter.py.
-DEMOS = tuple(demo for demo in ALL if demo is not ConverterDemo)
+# These have fields where the others have sliders and a story.
+DEMOS = tuple(demo for demo in ALL if demo not in (ConverterDemo, DetectiveDemo))
 
 each_demo = pytest.mark.parametrize("demo", DEMOS, ids=lambda demo: demo.element)
 

@@ -327,7 +327,7 @@ def test_demos_work_from_a_server_with_a_strict_policy(
         f'{strict}<script src="pages.js"></script>{after}', encoding="utf-8"
     )
     page = visit(serve(tmp_path) + "page.html")
-    expect(page.locator(".chr-demo canvas")).to_have_count(len(ALL))
+    expect(page.locator(".chr-demo")).to_have_count(len(ALL))
     assert picture(page.locator(".chr-demo").first) != ""
 
 

@@ -307,7 +307,7 @@ def test_on_a_page_from_a_file(visit: Visit, page_of: PageOf) -> None:
     assert numbers(page, "target_matrix") == pytest.approx(before, abs=1e-15)
     page.get_by_role("button", name="Reset").click()
     expect(page.locator('textarea[name="angles"]')).to_have_value("10, 20, 30")
-    page.locator('input[name="turn_2"]').press("End")
+    page.locator('input[type="range"][name="turn_2"]').press("End")
     expect(page.locator('textarea[name="angles"]')).to_have_value("10, 180, 30")
     page.locator('textarea[name="angles"]').fill("10 90 30")
     expect(output(page, "source_lock")).to_contain_text("At the lock")

@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -9,8 +10,9 @@ import numpy as np
 import pytest
 
 import chr_notes
-from chr_notes import Convention, Match, find_conventions
+from chr_notes import Convention, Match, convert, find_conventions
 from chr_notes.sequences import SEQUENCES
+from chr_notes.systems.convention import DOCUMENTED, PRESETS
 from chr_notes.systems.converting import from_matrix
 
 CASES = json.loads((Path(__file__).parents[1] / "published.json").read_text(encoding="utf-8"))
@@ -174,6 +176,36 @@ def test_several_examples_scale_and_units() -> None:
         find_conventions(angles=[euler[0], euler[1] + 0.2], quaternion=q)
     with pytest.raises(ValueError, match="at least"):
         find_conventions(angles=np.degrees(euler[0]), quaternion=q[0], degrees=False)
+
+
+@pytest.mark.parametrize("second", ["quaternion", "matrix"])
+def test_programs_in_different_axes(second: str, samples: Callable[[int, int], int]) -> None:
+    """What is found of one attitude holds of others."""
+    random, systems = np.random.default_rng(18), PRESETS | DOCUMENTED
+    for _ in range(samples(6, 60)):
+        one, other = (systems[random.choice([*systems])] for _ in range(2))
+        q = random.normal(size=(2, 4))
+        angles, said = (
+            convert(q, "this book", system, kind="quaternion", to=kind).round(5)  # type: ignore[arg-type]
+            for system, kind in ((one, "angles"), (other, second))
+        )
+        match = find_conventions(**{"angles": angles[0], second: said[0]})[0]
+        axes = match.axes or dict.fromkeys(("angles", second), ("ned", "frd"))
+        read, written = (
+            replace(match.convention, navigation=axes[kind][0], body=axes[kind][1])
+            for kind in ("angles", second)
+        )
+        again = convert(angles[1], read, written, kind="angles", to=second)  # type: ignore[arg-type]
+        sign = np.sign(again @ said[1]) if second == "quaternion" else 1
+        np.testing.assert_allclose(sign * again, said[1], atol=2e-4)
+
+
+def test_angles_that_are_written_in_another_order() -> None:
+    """Yaw shows as roll: the three stand in another order than a program thinks."""
+    q = chr_notes.quaternion_from_euler(np.radians([10.0, 20.0, 30.0]))
+    (match,) = find_conventions(angles=[20.0, 30.0, 10.0], quaternion=q.round(5))
+    assert (match.convention.sequence, match.convention.written) == ("ZYX", "yzx")
+    assert match.axes is None
 
 
 def test_wrong_input_is_refused() -> None:

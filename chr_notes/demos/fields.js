@@ -1,0 +1,16 @@
+/** Fields that numbers are typed or pasted into, and buttons. */
+import { node } from "./parts.js";
+
+/** A field of some rows for what is called `kind`; `typed(kind, text)` follows what is written in it. */
+export function field(kind, typed, rows) {
+  const name = node("span", { class: "chr-name" });
+  const input = node("textarea", { name: kind, rows, spellcheck: "false", autocomplete: "off", autocapitalize: "off" });
+  input.addEventListener("input", () => typed(kind, input.value));
+  return { name, input, element: node("label", { class: "chr-field", "data-kind": kind }, name, input) };
+}
+
+export function button(name, text, pressed) {
+  const element = node("button", { type: "button", name }, text);
+  element.addEventListener("click", pressed);
+  return element;
+}
