@@ -8,7 +8,7 @@ from sympy import Symbol
 from chr_notes.codegen import header
 from chr_notes.codegen.expressions import NumPy
 from chr_notes.codegen.lowering import Program, expressions
-from chr_notes.codegen.together import together
+from chr_notes.codegen.together import PRODUCTS, together
 from chr_notes.derivations.computation import Choice, Let
 
 NUMPY = NumPy()
@@ -21,9 +21,11 @@ def shape(elements: tuple[object, ...]) -> tuple[int, ...]:
 
 def module(programs: tuple[Program, ...]) -> str:
     """Print a module of functions of arrays, which write their result into an array."""
-    body = "\n\n\n".join(_function(program) for program in programs)
+    functions = [_function(program) for program in programs]
+    shared = [PRODUCTS] if any("products(" in function for function in functions) else []
+    body = "\n\n\n".join([*shared, *functions])
     head = '"""' + "\n".join(header.made_how(programs)) + '\n"""\n\n'
-    called = {name for name in re.findall(r"\b(\w+)\(", body) if hasattr(np, name)}
+    called = {name for name in re.findall(r"(?<!\.)\b(\w+)\(", body) if hasattr(np, name)}
     used = {"bool_", "float64", *called, *re.findall(r"\bnan\b", body)} - {"abs"}
     imports = [
         f"from numpy import {', '.join(sorted(used))}",

@@ -211,9 +211,7 @@ class NumPy(Spelling, NumPyPrinter):
     _print_Relational = Python._print_Relational  # noqa: SLF001 (SymPy's protocol)
 
     def _print_products(self, value: Basic) -> str:
-        # `matmul` of one row gives other last digits than of many.
-        matrix, vector = map(self._print, value.args)
-        return f'einsum("...ij,...j", {matrix}, {vector})'
+        return f"products({', '.join(map(self._print, value.args))})"
 
     def _print_And(self, value: And) -> str:
         return " & ".join(self.parenthesize(part, PRECEDENCE["Atom"]) for part in value.args)

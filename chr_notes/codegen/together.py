@@ -8,7 +8,16 @@ from chr_notes.derivations.computation import Let
 _AXES = 3
 
 
-class products(Function):  # noqa: N801 (a function in formulas)
+PRODUCTS = '''
+def products(matrix: Floats, vector: Floats) -> Floats:
+    """Multiply vectors by one matrix for all, which BLAS does fast, or by one for each."""
+    one = matrix.size == 9
+    found: Floats = vector @ matrix.reshape(3, 3).T if one else einsum("...ij,...j", matrix, vector)
+    return found
+'''.strip()
+
+
+class products(Function):  # noqa: N801 (its name in Python)
     """Vectors times a matrix."""
 
 

@@ -10,6 +10,13 @@ Floats = NDArray[float64]
 Told = tuple[NDArray[bool_] | None, Floats | None]
 
 
+def products(matrix: Floats, vector: Floats) -> Floats:
+    """Multiply vectors by one matrix for all, which BLAS does fast, or by one for each."""
+    one = matrix.size == 9
+    found: Floats = vector @ matrix.reshape(3, 3).T if one else einsum("...ij,...j", matrix, vector)
+    return found
+
+
 def accelerometer_at_rest(euler: Floats, gravity: Floats, out: Floats) -> Told:
     """Reading of an accelerometer at rest, m/s² (3).
 
@@ -46,7 +53,7 @@ def sensor_measures(
     Ledger: sensors.2.3, sensors.2.4.
     """
     own = actual*sensitivity - bias
-    out[...] = einsum("...ij,...j", misalignment, own)
+    out[...] = products(misalignment, own)
     return None, None
 
 
@@ -63,7 +70,7 @@ def sensor_corrected(
 
     Ledger: sensors.2.5, sensors.2.e, sensors.4.1.
     """
-    out[...] = (bias + einsum("...ij,...j", misalignment, measured))/sensitivity
+    out[...] = (bias + products(misalignment, measured))/sensitivity
     return None, None
 
 
@@ -88,8 +95,8 @@ def gyro_measures(
 
     Ledger: sensors.3.2.
     """
-    own = actual*sensitivity - bias + einsum("...ij,...j", g_sensitivity, accel)
-    out[...] = einsum("...ij,...j", misalignment, own)
+    own = actual*sensitivity - bias + products(g_sensitivity, accel)
+    out[...] = products(misalignment, own)
     return None, None
 
 
@@ -115,8 +122,7 @@ def gyro_corrected(
     Ledger: sensors.3.2.
     """
     out[...] = (
-        (bias - einsum("...ij,...j", g_sensitivity, accel) + einsum("...ij,...j", misalignment,
-            measured))/sensitivity
+        (bias - products(g_sensitivity, accel) + products(misalignment, measured))/sensitivity
     )
     return None, None
 
@@ -131,7 +137,7 @@ def iron_removed(soft_iron: Floats, hard_iron: Floats, field: Floats, out: Float
 
     Ledger: sensors.4.2.
     """
-    out[...] = -hard_iron + einsum("...ij,...j", soft_iron, field)
+    out[...] = -hard_iron + products(soft_iron, field)
     return None, None
 
 
@@ -145,7 +151,7 @@ def iron_added(soft_iron: Floats, hard_iron: Floats, actual: Floats, out: Floats
 
     Ledger: sensors.4.2.
     """
-    out[...] = einsum("...ij,...j", soft_iron, actual) + einsum("...ij,...j", soft_iron, hard_iron)
+    out[...] = products(soft_iron, actual) + products(soft_iron, hard_iron)
     return None, None
 
 
