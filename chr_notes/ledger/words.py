@@ -34,6 +34,21 @@ SIGNS: Final[Mapping[str, str]] = MappingProxyType(
         "roll|rolling": r"\\phi|roll",
         "pitch|pitching": r"\\theta|pitch|R_\{I\}\^\{B\}\\left\(",
         "yaw|yawing": r"\\psi|yaw",
+        "accelerometers?(?:'s)?": r"a\}?_\{?m|accel|a\}_B|g_\{xb\}|a_x",
+        "gyros?'?": r"gyro|p\\\\q|\\mathbf\{p\}|\\dot|S_g|b(?![a-z_])",
+        "magnetometers?(?:'s)?": r"M_|magnetometer|\\mathbf\{[bm]\}|S_b",
+        "velocity": r"v(?![a-z])",
+        "position": r"r(?![a-z])",
+        "bias": r"\\beta|bias|b(?![a-z_])",
+        "noise": r"\\operatorname\{var\}|sigma",
+        "gravity|gravities": r"g(?![a-z])",
+        "field(?:'s)?": r"M_|\\mathbf\{[bBMm]\}|b_",
+        "gain": r"L|gain",
+        "sine": r"\\sin",
+        "cosine": r"\\cos",
+        "tangent": r"\\tan",
+        "inverse": r"\^\{-1\}|inverse|- \\frac\{1\}",
+        "conjugate": r"\*\}",
         "inertial": r"I\}|\^I|_I|i\}|_i",
         "body frame|body to": r"B\}|\^B|_B|b\}|_b|m_",
         "vehicle-1": r"v_1|vehicle-1",
@@ -50,6 +65,16 @@ SIGNS: Final[Mapping[str, str]] = MappingProxyType(
     }
 )
 """Words, and the signs of which one is wanted."""
+
+FRAMES: Final[Mapping[str, str]] = MappingProxyType(
+    {"inertial": "[Ii]", "body": "[Bb]", "vehicle-1": "v_1", "vehicle-2": "v_2"}
+)
+"""Frames, and their index in a formula."""
+
+FROM_TO: Final = re.compile(
+    rf"({'|'.join(FRAMES)})(?: frame)? to (?:the )?({'|'.join(FRAMES)})(?![\w-])", re.IGNORECASE
+)
+VECTOR: Final = re.compile(r"\\mathbf\{\w\}_\{?([IiBb])|_\{x([ib])\}")
 
 WORDS: Final[Mapping[str, str]] = MappingProxyType(
     {
@@ -73,9 +98,15 @@ ELSEWHERE: Final[Mapping[str, frozenset[str]]] = MappingProxyType(
         "estimation.3.d": frozenset({"yaw"}),
         "validation.p": frozenset({"roll", "pitch"}),
         # A sameness, in words a denial.
-        "sensors.2.g": frozenset({"never"}),
         "estimation.3.b": frozenset({"not"}),
         "estimation.4.c": frozenset({"not"}),
+        # What is measured or estimated, and by what.
+        "euler.7.b": frozenset({"gyros"}),
+        "sensors.2.d": frozenset({"gravity"}),
+        "sensors.2.g": frozenset({"never", "gravity"}),
+        "estimation.4.a": frozenset({"gyros"}),
+        "dead_reckoning.4.f": frozenset({"accelerometer's"}),
+        "dead_reckoning.4.i": frozenset({"velocity", "position"}),
         "validation.k": frozenset({"cannot"}),
     }
 )
@@ -101,12 +132,29 @@ def misfits(name: str, says: str, formula: str, presumed: str = "") -> Iterator[
         for word in _met(words, says):
             if word.lower() not in elsewhere and not re.search(signs, formula + presumed):
                 yield f"“{word}” is said and does not show"
+    yield from _wrong_ways(says, formula)
     for word in re.findall(r"(?<![\w.-])(?<!Table )\d+(?:\.\d+)?(?![\w-])", says):
         if word not in elsewhere and not re.search(_written(word), formula + presumed):
             yield f"{word} is said and does not show"
     for sign, words in WORDS.items():
         if re.search(sign, formula) and not any(_met(words, says)):
             yield f"what {sign} shows is not said"
+
+
+def _wrong_ways(says: str, formula: str) -> Iterator[str]:
+    for source, target in FROM_TO.findall(says):
+        if not _leads(FRAMES[source.lower()], FRAMES[target.lower()], formula):
+            yield f"“from {source} to {target}” is said and does not show"
+
+
+def _leads(source: str, target: str, formula: str) -> bool:
+    """Whether a formula leads from one frame to another: by its vectors, else by its matrix."""
+    left, _, right = formula.partition(" = ")
+    for side, frame in ((left, target), (right, source)):
+        named = VECTOR.search(side)
+        if named is not None:
+            return re.fullmatch(frame, named[1] or named[2]) is not None
+    return re.search(rf"R_\{{{source}\}}\^\{{{target}\}}", formula) is not None
 
 
 def _met(words: str, says: str) -> list[str]:
