@@ -100,7 +100,7 @@ function mountDetective(element, opening, { now = {}, onChange = () => {}, linkT
     setTimeout(() => (link.textContent = "Copy link"), 1500);
   });
   const buttons = [button("clear", "Clear", () => changed({ ...start, ...Object.fromEntries(KINDS.map((kind) => [kind, []])), unit: "" })), button("reset", "Reset", () => changed(home)), ...(link ? [link] : [])];
-  const root = node("div", { class: "chr-demo chr-converter", role: "group", "aria-label": "Detective", "data-lm-suppress-shortcuts": "true" },
+  const root = node("div", { class: "chr-demo chr-converter chr-detective", role: "group", "aria-label": "Detective", "data-lm-suppress-shortcuts": "true" },
     node("p", { class: "chr-hint" }, node("b", {}, "Paste"), " what two programs say of the same rotation, each into its field, as printed. Several examples may follow one another."),
     node("div", { class: "chr-body" },
       node("div", { class: "chr-panel" }, ...KINDS.map((kind) => fields[kind].element),

@@ -151,6 +151,9 @@ PRESETS: dict[str, Convention] = {
     "SciPy": Convention("ZYX", matrix="to navigation", scalar_first=False, vectors="to navigation"),
     "PX4": Convention(matrix="to navigation"),
     "MATLAB": Convention("ZYX"),
+    "three.js": Convention(
+        "XYZ", matrix="to navigation", scalar_first=False, navigation="eus", body="rub"
+    ),
 }
 """Conventions of known systems, each held by a worked number of that system in a test.
 
@@ -160,13 +163,11 @@ PRESETS: dict[str, Convention] = {
 - `SciPy`: `Rotation`, with yaw, pitch, roll of "ZYX"; it leaves the axes open.
 - `PX4`: the matrix and the quaternion lead from body to navigation.
 - `MATLAB`: `angle2dcm` and `angle2quat`: yaw, pitch, roll, the matrix to the body.
+- `three.js`: `Euler` in its own order, `Quaternion`, `Matrix4`; a camera looks along -z, y is up.
 """
 DOCUMENTED: dict[str, Convention] = {
     "ArduPilot": Convention(matrix="to navigation"),
     "Eigen": Convention("ZYX", matrix="to navigation", scalar_first=False),
-    "three.js": Convention(
-        "XYZ", matrix="to navigation", scalar_first=False, navigation="eus", body="rub"
-    ),
     "Blender": Convention(matrix="to navigation", navigation="enu", body="lbu"),
     "Unity": Convention(
         "zxy",

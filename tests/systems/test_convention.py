@@ -63,6 +63,19 @@ def test_scipy() -> None:
     assert match.convention == replace(PRESETS["SciPy"], matrix="to body")
 
 
+def test_three_js() -> None:
+    # Computed by its release 187: Quaternion.setFromEuler and Matrix4.makeRotationFromEuler.
+    angles = [0.1, -0.3, 0.25]
+    q = [0.03042450650213978, -0.1542480354593522, 0.11571018945327342, 0.9807614618334669]
+    assert_allclose(within("three.js", angles, "quaternion"), q, atol=1e-15)
+    columns = [
+        [0.9256373912272359, 0.21758234839888901, 0.3096019083068793],
+        [-0.23635402982999043, 0.9713710029215775, 0.02398222813360712],
+        [-0.29552020666133955, -0.09537450575679464, 0.9505637859220633],
+    ]
+    assert_allclose(within("three.js", angles, "matrix"), np.transpose(columns), atol=1e-15)
+
+
 def test_ros() -> None:
     # From the documentation of tf.transformations: quaternion_from_euler(1, 2, 3, 'ryxz').
     own = replace(PRESETS["ROS"], sequence="YXZ")
