@@ -17,7 +17,7 @@ ALLOWED = {
     "palette": set(),
     "aircraft": set(),
     "plots": {"palette", "aircraft", "plots"},
-    "exercises": set(),
+    "lesson": {"palette", "lesson"},
     "printed": NOTATION | {"printed"},
     "derivations": NOTATION | {"derivations"},
     "typeset": set(),
@@ -38,7 +38,7 @@ ALLOWED = {
         "_arrays",
     },
     "book": NOTATION
-    | {"ledger", "conventions", "palette", "demos", "book"}
+    | {"ledger", "conventions", "palette", "demos", "lesson", "book"}
     | {"plots"}  # for the curves of the page on speed
     # One page follows a formula through these, and one says what the documents' symbols mean.
     | {"derivations", "codegen", "generated", "typeset", "printed"}

@@ -107,6 +107,7 @@ def _is_from(built: Path, made_by: str) -> bool:
 
 def _write_generated(book: Path) -> None:
     # Imported here, so that a missing package is reported in our words and not as an ImportError.
+    from chr_notes import lesson  # noqa: PLC0415
     from chr_notes.book import pages  # noqa: PLC0415
     from chr_notes.demos.base import page_script, styles  # noqa: PLC0415
 
@@ -116,7 +117,8 @@ def _write_generated(book: Path) -> None:
     for name, text in pages.generated().items():
         _write(generated / name, text)
     sheets = [(book / name).read_text(encoding="utf-8") for name in ("pages.css", "icons.css")]
-    _write(static / "pages.css", "".join([styles(), *sheets]))
+    _write(static / "pages.css", "".join([styles(), lesson.styles(), *sheets]))
+    _write(static / "lesson.js", lesson.script())
     shutil.copy2(book / "copy_formulas.js", static)
     _write(static / "pages.js", page_script())
     _write(static / "converter_page.js", page_script("converter"))

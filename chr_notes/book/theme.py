@@ -13,6 +13,7 @@ _ICONS: Final = ("fontawesome",)  # they are in book/icons.css
 _SEARCH: Final = ("searchtools", "language_data", "searchindex")  # for the page of the search
 _DEMOS: Final = ("pages",)  # for pages that have one
 _CONVERTER: Final = ("converter_page",)  # for the page that has it, and no other demo
+_LESSONS: Final = ("lesson",)  # for pages with answer boxes, and with code to show or hide
 
 _ICON_RULES: Final = re.compile(
     r"(?<=[}/])(?:(?:\.fa[-\w.:]*(?:>[\w.]+)?,?)+\{[^{}]*\}|:host,:root\{--fa-[^{}]*\})"
@@ -41,6 +42,7 @@ def _lighten(app: Sphinx, error: Exception | None) -> None:
         converts = 'data-demo="converter"' in text
         unused += [] if "data-demo" in text and not converts else _DEMOS
         unused += [] if converts else _CONVERTER
+        unused += [] if "chr-lesson" in text or "cell_input" in text else _LESSONS
         page.write_text(_without_scripts(text, unused), encoding="utf-8")
     styles = built / "_static" / "styles" / "pydata-sphinx-theme.css"
     text = styles.read_text(encoding="utf-8")

@@ -1,5 +1,6 @@
 """One entry of the ledger as a page shows it: formula, verdict, and what the verdict needs."""
 
+import html
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
@@ -38,11 +39,11 @@ class Card:
         return "\n".join(_card(self.entry))
 
     def _repr_markdown_(self) -> str:
-        return self.markdown()
+        return "\n".join(_chip(self.entry)) if _is_small(self.entry) else self.markdown()
 
 
 def show(name: str) -> Card:
-    """Show one entry of the ledger with its verdict.
+    """Show one entry of the ledger with its verdict; small print on a line that a click opens.
 
     Parameters
     ----------
@@ -68,7 +69,7 @@ class Cards:
         return "\n".join(map(repr, self.cards))
 
     def _repr_markdown_(self) -> str:
-        return "\n".join(card.markdown() for card in self.cards)
+        return "\n".join(card._repr_markdown_() for card in self.cards)
 
 
 def show_additions(document: str) -> Cards:
@@ -99,12 +100,33 @@ def display(latex: str) -> str:
     return f"$$\n{latex}\n$$\n"
 
 
+def _is_small(entry: Entry) -> bool:
+    """Tell whether a reader may pass it by: small print, and words that hold as they are."""
+    agreed = entry.kind == "claim" and entry.verdict in ("proved", "definition")
+    return entry.weight == "small print" or agreed
+
+
+def _chip(entry: Entry) -> Iterator[str]:
+    yield f'<details class="entry chip" id="entry-{entry.id}">\n<summary>'
+    yield f'<span class="entry-id">{entry.id}</span> {badge(entry.verdict)} '
+    words = "" if "$" in entry.says or "`" in entry.says else html.escape(entry.says, quote=False)
+    yield f'<span class="chip-says">{words}</span></summary>\n<div class="entry-body">\n'
+    yield f'<p class="entry-term">{_where(entry)}</p>\n'
+    yield from _body(entry)
+    yield "</div>\n</details>\n"
+
+
 def _card(entry: Entry) -> Iterator[str]:
     # Blank lines end an HTML block, so that what stands between is read as Markdown.
     yield f'<div class="entry" id="entry-{entry.id}">\n<div class="entry-head"><p>'
     yield f'<span class="entry-id">{entry.id}</span> <strong>{badge(entry.verdict)}</strong> '
     yield f'<span class="entry-kind">{_where(entry)}</span>'
     yield '</p></div>\n<div class="entry-body">\n'
+    yield from _body(entry)
+    yield "</div>\n</div>\n"
+
+
+def _body(entry: Entry) -> Iterator[str]:
     yield f"{entry.says}\n"
     # Words have no formula to print: what stands here is how they are read.
     term = "Read as" if entry.kind == "claim" else "As printed" if entry.witness else ""
@@ -130,7 +152,6 @@ def _card(entry: Entry) -> Iterator[str]:
             yield f"{words}\n"
             yield display(_once(latex))
         yield "</details>\n"
-    yield "</div>\n</div>\n"
 
 
 def _where(entry: Entry) -> str:

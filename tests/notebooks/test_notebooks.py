@@ -22,15 +22,6 @@ def test_few_outputs_go_unchecked() -> None:
     assert len(skipped) <= AT_MOST_SKIPPED, skipped
 
 
-@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
-def test_each_chapter_asks_before_it_tells_and_ends_with_exercises(path: Path) -> None:
-    cells = nbformat.read(path, as_version=4).cells
-    prose = "\n".join(cell.source for cell in cells if cell.cell_type == "markdown")
-    assert "**Predict.**" in prose
-    headings = re.findall(r"^## (.*)$", prose, flags=re.MULTILINE)
-    assert headings[headings.index("Exercises") + 1] == "Summary"
-
-
 def cell(source: str, count: int | None, *outputs: Node, tag: str = "") -> Node:
     metadata = {"tags": [tag] if tag else []}
     return new_code_cell(source, execution_count=count, outputs=[*outputs], metadata=metadata)

@@ -1,0 +1,108 @@
+"""What is right or wrong with a reader's answer, in words.
+
+`lesson.js` says the same in a page, with the same tables; `tests/lesson/answers.json` holds both to
+the same replies.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Final
+
+from chr_notes.lesson.reading import AnswerError, read
+from chr_notes.lesson.words import UNITS, WORDS
+
+__all__ = ["Expected", "compare", "judge"]
+
+_CLOSE: Final = 1.5
+_TEN: Final = 10.0
+
+
+@dataclass(frozen=True)
+class Expected:
+    """What an exercise takes for right, and what it recognises.
+
+    Attributes
+    ----------
+    values
+        The right numbers, in `unit`: one, or those of a vector.
+    unit
+        A key of `words.UNITS`; a number without a unit is read in it.
+    within
+        Largest error that still counts as right, as a share of the largest of the values.
+    wrong
+        Numbers that a usual mistake leads to, in `unit`, each with what to say of it.
+    """
+
+    values: tuple[float, ...]
+    unit: str = ""
+    within: float = 0.01
+    wrong: tuple[tuple[tuple[float, ...], str], ...] = ()
+
+
+def _near(values: Sequence[float], others: Sequence[float], within: float) -> bool:
+    if len(values) != len(others):
+        return False
+    margin = within * (max(map(abs, others)) or 1.0) + 1e-12
+    return all(abs(a - b) <= margin for a, b in zip(values, others, strict=True))
+
+
+def judge(text: str, expected: Expected) -> str:
+    """Say what is right or wrong with an answer; the solution itself is not given away.
+
+    Examples
+    --------
+    >>> turn = Expected((90.0,), "°", wrong=(((45.0,), "That is the half angle."),))
+    >>> judge("pi/2 rad", turn), judge("45", turn)
+    ('Right.', 'That is the half angle.')
+    """
+    try:
+        values, unit = read(text, expected.unit)
+    except AnswerError as error:
+        return str(error)
+    kind, factor = UNITS[expected.unit]
+    found, share = UNITS[unit or expected.unit]
+    if found != kind:
+        return WORDS["kind"].format(found, kind)
+    if len(values) != len(expected.values):
+        return WORDS["count"].format(len(expected.values))
+    answer = [value * share / factor for value in values]
+    known = [(expected.values, WORDS["right"]), *expected.wrong]
+    if not unit:
+        known += list(_in_other_units(expected))
+    known.append((tuple(-value for value in expected.values), WORDS["sign"]))
+    near = (words for numbers, words in known if _near(answer, numbers, expected.within))
+    return next(near, WORDS["not yet"])
+
+
+def _in_other_units(expected: Expected) -> Iterator[tuple[tuple[float, ...], str]]:
+    kind, factor = UNITS[expected.unit]
+    for name, (other, size) in UNITS.items():
+        if other == kind:
+            words = WORDS["other unit"].format(name or "plain numbers", expected.unit or "them")
+            yield tuple(value * factor / size for value in expected.values), words
+
+
+def compare(text: str, value: float, unit: str, shown: str) -> str:
+    """Say by how much a guess is off, and what it is.
+
+    Examples
+    --------
+    >>> compare("10", 300.0, "m", "300 m")
+    'It is 300 m: 30 times your guess.'
+    """
+    try:
+        values, written = read(text, unit)
+    except AnswerError as error:
+        return str(error)
+    kind, factor = UNITS[unit]
+    found, share = UNITS[written] if written else (kind, factor)
+    if found != kind:
+        return WORDS["kind"].format(found, kind)
+    guess = values[0] * share / factor
+    if guess * value <= 0:
+        return WORDS["far"].format(shown)
+    times = value / guess
+    if 1 / _CLOSE <= times <= _CLOSE:
+        return WORDS["close"].format(shown)
+    word, times = ("under", times) if times > 1 else ("over", 1 / times)
+    return WORDS[word].format(shown, f"{times:.0f}" if times >= _TEN else f"{times:.1f}")
