@@ -50,8 +50,9 @@ def kernel(name: str) -> Callable[..., Any] | None:
     """Find a kernel by the name of its function, None where NumPy has to do.
 
     It takes arrays, and None or an array for the result. It returns the result; or the result and
-    a byte for each row that is left to the general way; or None where the arrays are not of
-    float64 in C order, or would have to be broadcast.
+    a byte for each row that is left to the general way, of a filter's step for each sample that is
+    not a usual one; or None where the arrays are not of float64 in C order, nor rows of one, or
+    would have to be broadcast.
     """
     return getattr(_MODULE, name, None)
 
@@ -112,8 +113,13 @@ def all_of_it(done: tuple[Any, bytes] | None, *_: object) -> Any:  # noqa: ANN40
 
 
 def _by_numbers(step: Callable[..., Any], *given: Any) -> Any:  # noqa: ANN401 (arrays)
-    *arrays, _ = (each.tolist() if isinstance(each, np.ndarray) else (each,) for each in given)
-    return np.array(step(*chain.from_iterable(arrays)))
+    *taken, out = given
+    arrays = (each.tolist() if isinstance(each, np.ndarray) else (each,) for each in taken)
+    state = step(*chain.from_iterable(arrays))
+    if out is None:
+        return np.array(state)
+    out[:] = state
+    return out
 
 
 def sampled(step: Callable[..., Any], finish: Callable[..., Any]) -> Callable[..., Any] | None:

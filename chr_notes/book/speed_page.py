@@ -98,8 +98,8 @@ def choice(run: Mapping[str, Any]) -> Iterator[str]:
     for task in (task for task in found if task.startswith(OF_A_STREAM)):
         alike = task.replace(OF_A_STREAM, "samples ")
         yield (
-            f"Of {alike} one of a recording took {found[alike]:,.0f} ns and one of a stream "
-            f"{found[task]:,.0f} ns."
+            f"{alike[0].upper()}{alike[1:]}: {found[alike]:,.0f} ns for one of a recording, "
+            f"{found[task]:,.0f} ns for one of a stream."
         )
 
 

@@ -84,6 +84,7 @@ def _observed(
     longest, constant = float(settings.longest_step), float(settings.time_constant)
     fast, learn, angles = kernels_in_use(), of_arrays(bias_at_rest), way_of("quaternion").angles
     learnt, spare = np.concatenate([np.zeros(7), known]), np.empty(10)
+    at_rest, next_at_rest, turning = learnt[7:], spare[7:], np.empty(3)
     quick: Callable[..., Any] | None = None
     state, constants = np.empty(0), tuple[float, ...]()
     last, most = inf, 0.0
@@ -93,9 +94,10 @@ def _observed(
         if found is None:
             rates, force = one_vector("body_rates", rates), one_vector("accel", force)
             step = period(dt)
-            found = learn(learnt, rates, force, step, rest, longest, spare)
-        learnt, spare = found, learnt
-        turning, euler = rates - found[7:], None
+            learn(learnt, rates, force, step, rest, longest, spare)
+        learnt, spare, at_rest, next_at_rest = spare, learnt, next_at_rest, at_rest
+        np.subtract(rates, at_rest, turning)
+        euler = None
         if quick is not None:
             euler = quick(state, turning, force, *field, step, *constants)
         if euler is None or euler is False:
@@ -113,9 +115,8 @@ def _observed(
             elif euler is None:
                 state = advance(state, turning, force, *mag, step, *constants, None)
             euler = angles(state[:4])
-        numbers = state.tolist()
-        averaged = numbers[AVERAGED]
-        heading = numbers[HEADING_AVERAGED] if field else 0.0
+        averaged = state.item(AVERAGED)
+        heading = state.item(HEADING_AVERAGED) if field else 0.0
         if averaged != last:  # once it has run in, it is the same each time
             last, most = averaged, bound(averaged, constant, SPEED, BIAS)
         yield Averaged(euler, averaged, most, heading)

@@ -53,7 +53,7 @@ def test_a_run_told() -> None:
         "row; ours took 100 ns for plain numbers and 150 for such arrays."
     )
     assert streamed == (
-        "Of samples shaken one of a recording took 70 ns and one of a stream 1,234 ns."
+        "Samples shaken: 70 ns for one of a recording, 1,234 ns for one of a stream."
     )
     (filtered,) = [line for line in speed_page.filters(run) if "C" in line]
     assert filtered == "|  | C | 200 | 2.5 |"
