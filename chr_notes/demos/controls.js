@@ -9,6 +9,7 @@
  *   controls  one slider and field each, see `slider` in parts.js; or `choices`, see typed.js
  *   outputs   one readout each, see `readout` in parts.js
  *   python    the name of its class, for "Copy as Python"
+ *   extra     ({ put(state), signal }) => elements that stand below the buttons, if there are any
  *   start     the state, { control name: number }, where none is given
  *   viewpoint (state) => { heading, elevation } in degrees: from where the picture of a state that
  *             a page opens with is seen. A picture that has one can be turned by hand.
@@ -101,6 +102,9 @@ function mountDemo(element, definition, opening, { now = {}, onChange = () => {}
   });
   for (const button of copying(definition, linkTo, () => state, live))
     parts.buttons.append(button);
+
+  if (definition.extra)
+    parts.buttons.after(node("div", { class: "chr-buttons" }, ...definition.extra({ put: touched, signal: cleanup.signal })));
 
   function look(from) {
     if (!from) return;

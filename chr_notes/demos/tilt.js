@@ -6,6 +6,7 @@ import { mountOf } from "./controls.js";
 import { toParent } from "./draw.js";
 import { matrixFromEuler } from "../generated/javascript/attitude.mjs";
 import { rounded } from "./parts.js";
+import { phone } from "./phone.js";
 import { attitude, estimates, reading, unaccelerated } from "./tilt_estimates.js";
 import { draw, LEGEND } from "./tilt_picture.js";
 
@@ -88,6 +89,7 @@ const UPRIGHT = { ...PUSHED, roll: -180, pitch: 90, forward_acceleration: -10, l
 
 const definition = {
   python: "TiltDemo",
+  extra: phone,
   title: "Tilt from an accelerometer",
   hint: "Move the forward acceleration. Which of the two angles goes wrong? Then try the lateral one, and the vibration.",
   aspect: 1.12,
