@@ -54,7 +54,11 @@ EQUIVALENT: dict[tuple[str, str], str] = {
     **{
         ("sensors.4.f", f"transposed {n}"): "a diagonal matrix is its own transpose" for n in (1, 2)
     },
-    ("sensors.4.e", "swapped symbols, throughout 2"): "the same equation, solved for the vector",
+    ("sensors.2.j", "swapped symbols, throughout 1"): BOTH_WAYS,
+    **{
+        (f"sensors.4.{entry}", f"swapped symbols, throughout {n}"): "solved for the other vector"
+        for entry, n in (("3", 5), ("e", 2))
+    },
     ("sensors.4.g", "swapped symbols, throughout 3"): "a vector is as long as the opposite one",
     ("sensors.4.h", "transposed 1"): "the product of a matrix's transpose and itself is symmetric",
     ("sensors.2.g", "swapped symbols, throughout 1"): "the order of a sum does not matter",
