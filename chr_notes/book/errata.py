@@ -40,7 +40,8 @@ def by_root(ledger: Iterable[Entry]) -> dict[str, list[Entry]]:
     -------
     dict
         From root to its places: the heaviest error first, of equal weight the one with the most
-        places, then in the order of the documents.
+        equations that are wrong by it, for these are computed with, then the most places, then in
+        the order of the documents.
     """
     errors: dict[str, list[Entry]] = {root: [] for root in ROOTS}
     for entry in ledger:
@@ -50,7 +51,11 @@ def by_root(ledger: Iterable[Entry]) -> dict[str, list[Entry]]:
     return dict(
         sorted(
             ((root, places) for root, places in errors.items() if places),
-            key=lambda error: (weights.index(heaviest(error[1])), -len(error[1])),
+            key=lambda error: (
+                weights.index(heaviest(error[1])),
+                -sum(p.kind == "equation" and p.weight == weights[0] for p in error[1]),
+                -len(error[1]),
+            ),
         )
     )
 
@@ -78,7 +83,9 @@ def summary(ledger: Iterable[Entry]) -> str:
     return (
         f"The **{count}** entries that are qualified or corrected come from **{len(errors)}** "
         f"errors: one may show in many places. Of these errors {parts[0]}, {parts[1]}, and "
-        f"{parts[2]}. [The errata](errata.md) list them in this order.\n"
+        f"{parts[2]}. [The errata](errata.md) list them in this order. Which places belong to one "
+        "error, and what its weight is, we judge; that the places are alike and that the weight "
+        "fits what is wrong, a program checks.\n"
     )
 
 

@@ -29,12 +29,18 @@ def test_each_entry_that_is_not_right_stands_there_once_or_in_the_table() -> Non
         assert TEXT.count(f"**[{entry.id}](#{entry.id})**") == (entry.kind != "table cell")
 
 
-def test_of_equal_weight_the_error_with_most_places_comes_first() -> None:
+def test_of_equal_weight_the_error_with_most_wrong_equations_comes_first() -> None:
     places = Counter(heaviest(each) for each in by_root(entries()).values())
     assert min(places.values()) > 1
     for weight in HEADINGS:
-        counts = [len(each) for each in by_root(entries()).values() if heaviest(each) == weight]
+        counts = [
+            (sum(p.kind == "equation" and p.weight == "misleads" for p in each), len(each))
+            for each in by_root(entries()).values()
+            if heaviest(each) == weight
+        ]
         assert counts == sorted(counts, reverse=True)
+    first, *_ = by_root(entries()).values()
+    assert any(place.kind == "equation" for place in first)
 
 
 def test_an_error_weighs_as_much_as_its_worst_place() -> None:
