@@ -7,6 +7,7 @@ from sympy import (
     Eq,
     ImmutableMatrix,
     Rational,
+    Symbol,
     atan,
     cos,
     diag,
@@ -21,6 +22,7 @@ from sympy.codegen.cfunctions import hypot
 from sympy.logic.boolalg import Boolean
 
 from chr_notes.codegen.rewriting import root_of_squares
+from chr_notes.codegen.targets import TARGETS
 from chr_notes.derivations import calibration, validation
 from chr_notes.derivations.dead_reckoning import ACCELERATION, POSITION, VELOCITY, t, tilt_error
 from chr_notes.derivations.estimation import L
@@ -48,6 +50,12 @@ from chr_notes.symbols import (
 from .ties import Formula, States, Tie
 
 GIVEN = ImmutableMatrix(VECTOR)
+# Roll and pitch that an accelerometer sees, by the formula of the function for them.
+TILT = (
+    next(target for target in TARGETS if target.name == "tilt_from_accelerometer")
+    .formula()
+    .inlined(3, 0)
+)
 SENSITIVITY = ImmutableMatrix(diag(*calibration.SENSITIVITY))
 BIAS = ImmutableMatrix(calibration.BIAS)
 READING = ImmutableMatrix(ACCELEROMETER)
@@ -138,6 +146,7 @@ def _pitch_at_rest(formula: Formula, entry: Basic) -> Iterator[Boolean]:
     angle = put(entry.rhs, AT_REST)
     sine, cosine = formula[1].args
     yield Eq(sine, LENGTH * sin(angle), evaluate=False)
+    assert isinstance(cosine, hypot), "a root, which is not negative"
     squared = cosine.replace(hypot, root_of_squares) ** 2
     yield Eq(squared, LENGTH**2 * (1 - sin(angle) ** 2), evaluate=False)
 
@@ -168,11 +177,12 @@ def predicts(place: int) -> States:
 
 
 def updates(place: int, predicted: Basic, seen: Basic) -> States:
-    """Off the seam of the circle, where no turns are taken off, the update is the printed one."""
+    """The update is the printed one, with what is seen so many whole turns off."""
 
     def states(formula: Formula, entry: Basic) -> Iterator[Boolean]:
-        angle = formula[place].replace(floor, lambda _: 0 * m)
-        names = {predicted: angle.subs(L, 0), seen: angle.subs(L, 1)}
+        turns = Symbol("turns", integer=True)
+        angle = formula[place].replace(floor, lambda _: turns)
+        names = {predicted: angle.subs(L, 0), seen: TILT[place] - 2 * pi * turns}
         yield Eq(angle, put(entry.rhs, names), evaluate=False)
 
     return states

@@ -30,14 +30,16 @@ def test_the_function_computes_what_the_entry_says(name: str, entry: str) -> Non
     right = case.right if case.right is not None else case.printed.statement
     tie = TIES.get((name, entry), Tie())
     formula = BY_NAME[name].formula()
+    formulas = [formula]
     if isinstance(formula, Computation):
-        formula = formula.inlined(*tie.branches)
+        formulas = [formula.inlined(*branches) for branches in (tie.branches, *tie.others)]
     conditions = (*case.given, *([case.condition] if case.condition is not None else []))
-    relations = list(tie.states(formula, right))
-    assert relations
-    for relation in relations:
-        for finding in examine(relation, case.reading, *conditions):
-            assert finding.holds, finding.left_over()
+    for each in formulas:
+        relations = list(tie.states(each, right))
+        assert relations
+        for relation in relations:
+            for finding in examine(relation, case.reading, *conditions):
+                assert finding.holds, finding.left_over()
 
 
 def test_each_tie_is_of_a_function_that_names_the_entry() -> None:

@@ -7,11 +7,21 @@ it is right: printed, or corrected. `test_entries` proves it as the entry is rea
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
-from sympy import Abs, Basic, Eq, FiniteSet, ImmutableMatrix, Integer, MatrixBase, Symbol, sin
+from sympy import (
+    Abs,
+    Basic,
+    Eq,
+    FiniteSet,
+    ImmutableMatrix,
+    Integer,
+    MatrixBase,
+    Pow,
+    Symbol,
+    sin,
+)
 from sympy.logic.boolalg import Boolean
 
 from chr_notes.derivations import hamilton, quaternions
-from chr_notes.ledger.condition import Condition
 from chr_notes.ledger.quaternions_reading import NORM, UNIT_AXIS
 from chr_notes.printed import quaternions as printed
 from chr_notes.printed.hamilton import Conjugate, Pure
@@ -47,13 +57,13 @@ class Tie:
         Relations that hold if the function computes what the entry says.
     branches
         Which branch each choice of the computation takes where the entry speaks.
-    given
-        What the function's arguments meet where the entry speaks, beyond what the entry presumes.
+    others
+        Further such branches, of which the same is said.
     """
 
     states: States = right_side
     branches: tuple[int, ...] = ()
-    given: tuple[Condition, ...] = ()
+    others: tuple[tuple[int, ...], ...] = ()
 
 
 def element(place: int) -> States:
@@ -92,6 +102,7 @@ def _back_from_matrix(formula: Formula, entry: Basic) -> Iterator[Boolean]:
 def _same_sine(formula: Formula, entry: Basic) -> Iterator[Boolean]:
     sine, cosine = formula[1].args
     yield Eq(sine, sin(entry.rhs), evaluate=False)
+    assert all(isinstance(factor, Pow) for factor in cosine.args), "roots, which are not negative"
     yield Eq(cosine**2, NORM**2 - sin(entry.rhs) ** 2, evaluate=False)
 
 
@@ -149,7 +160,9 @@ ATTITUDES: dict[tuple[str, str], Tie] = {
     ("body_rates_from_euler_rates", "euler.7.a"): Tie(_gives_the_rates_back),
     ("euler_rates_matrix", "euler.7.d"): Tie(_of_roll_and_pitch_alone),
     ("matrix_from_quaternion", "quaternions.3.3"): Tie(_transposed),
-    ("quaternion_from_matrix", "quaternions.3.3"): Tie(_back_from_matrix, (0, 0)),
+    ("quaternion_from_matrix", "quaternions.3.3"): Tie(
+        _back_from_matrix, (0, 0), ((1, 0), (2, 1), (3, 1))
+    ),
     ("euler_from_quaternion", "quaternions.4.1"): Tie(element(0), (0,)),
     ("euler_from_quaternion", "quaternions.4.2"): Tie(_same_sine, (0,)),
     ("euler_from_quaternion", "quaternions.4.3"): Tie(element(2), (0,)),
