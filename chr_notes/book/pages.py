@@ -94,11 +94,18 @@ def _row(entry: Entry) -> Iterator[str]:
     yield f'<span id="{entry.id}"></span>\n'
     yield show(entry.id).markdown()
     yield f"::::{{dropdown}} {entry.method[0].upper()}{entry.method[1:]}."
-    shown = entry.printed_latex + (entry.correction_latex or "")
-    if entry.derived_latex is None:
-        yield "The statement was decided as a proposition; there is no formula to compare.\n"
-    elif entry.derived_latex in shown:
-        yield "The derivation gives the right-hand side that stands above.\n"
-    else:
-        yield f"What the derivation gives:\n\n{display(entry.derived_latex)}"
+    yield _derived(entry)
     yield "::::\n:::::\n"
+
+
+def _derived(entry: Entry) -> str:
+    """Say what the derivation has in place of what stands on the card."""
+    derived = entry.derived_latex
+    if derived is None and entry.kind == "claim":
+        return "The statement was decided as a proposition; there is no formula to compare.\n"
+    if derived is None:
+        return "It was decided on the equation itself; the derivation has no other form of it.\n"
+    ends = (f"= {derived}", f"= \\boxed{{{derived}}}")
+    if any(latex.endswith(ends) for latex in (entry.printed_latex, entry.correction_latex or "")):
+        return "The derivation gives the right-hand side that stands above.\n"
+    return f"What the derivation gives:\n\n{display(derived)}"

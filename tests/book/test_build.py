@@ -112,6 +112,19 @@ def test_counts_of_verdicts_are_those_of_the_ledger() -> None:
         assert f'<li><b>{count}</b> <span class="verdict verdict-{verdict}">' in text
 
 
+def test_each_entry_says_what_the_derivation_has() -> None:
+    text = "".join(text for name, text in pages.generated().items() if name.startswith("ledger/"))
+    for entry, said in {
+        "euler.3.1": "The derivation gives the right-hand side that stands above.",
+        "euler.6.e": "The derivation gives the right-hand side that stands above.",  # corrected
+        "validation.3": "What the derivation gives:",  # its angle stands inside the print
+        "validation.1": "It was decided on the equation itself",
+        "euler.2.a": "The statement was decided as a proposition",
+    }.items():
+        after = text.partition(f"({entry})=")[2].partition(":::::\n")[0]
+        assert f"\n{said}" in after, entry
+
+
 def test_every_colour_is_a_variable_in_both_themes() -> None:
     for name, colour in PALETTE.items():
         assert f"--chr-{name}: {colour.light};" in css()

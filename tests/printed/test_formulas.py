@@ -19,8 +19,15 @@ from chr_notes.typeset import latex
 
 from .terms import relations
 
-with (Path(__file__).parent / "formulas.tsv").open(encoding="utf-8") as _file:
-    FORMULAS = {row["id"]: row["latex"] for row in csv.DictReader(_file, delimiter="\t", quoting=3)}
+
+def written(name: str) -> dict[str, str]:
+    """The LaTeX of a file beside this one, by id."""
+    with (Path(__file__).parent / name).open(encoding="utf-8") as file:
+        return {row["id"]: row["latex"] for row in csv.DictReader(file, delimiter="\t", quoting=3)}
+
+
+FORMULAS = written("formulas.tsv")
+CLAIMS = written("claims.tsv")
 MORE = (
     euler_claims,
     quaternions_claims,
@@ -39,6 +46,12 @@ EQUATIONS = {name: each for name, each in STATEMENTS.items() if each.kind == "eq
 
 def test_there_is_a_formula_for_every_equation() -> None:
     assert FORMULAS.keys() == EQUATIONS.keys()
+
+
+def test_claims_read_as_they_were_written_down() -> None:
+    """What a claim is read as is our own: it is written twice, names and all, and compared."""
+    read = {each.id: each for each in STATEMENTS.values() if each.kind == "claim"}
+    assert {name: latex(each.statement, as_written=True) for name, each in read.items()} == CLAIMS
 
 
 @pytest.mark.parametrize("name", FORMULAS)
