@@ -136,7 +136,7 @@ def coasting_time(distance: float = 1.0, **errors: float) -> float:
     Raises
     ------
     ValueError
-        If the distance is not positive.
+        If the distance is not positive, or an error is not one number.
 
     Examples
     --------
@@ -151,6 +151,10 @@ def coasting_time(distance: float = 1.0, **errors: float) -> float:
     def off(time: float) -> float:
         return float(drift_budget(time, **errors).likely)
 
+    for name, error in errors.items():
+        if np.ndim(error) != 0 or np.isnan(error):
+            msg = f"{name}: expected a number, got {error}"
+            raise ValueError(msg)
     longest = 1.0
     while not off(longest) >= far:
         longest *= 2

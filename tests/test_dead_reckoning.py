@@ -264,6 +264,10 @@ def test_how_long_one_may_coast() -> None:
     assert coasting_time() == np.inf
     with pytest.raises(ValueError, match="distance: expected a positive number, got 0"):
         coasting_time(0.0)
+    with pytest.raises(ValueError, match="tilt: expected a number, got nan"):
+        coasting_time(tilt=np.nan)
+    with pytest.raises(ValueError, match=r"tilt: expected a number, got \[0.1, 0.2\]"):
+        coasting_time(tilt=[0.1, 0.2])  # type: ignore[arg-type]
 
 
 def test_a_body_that_stands_is_told_from_one_that_moves() -> None:

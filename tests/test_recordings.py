@@ -57,7 +57,7 @@ def test_a_recording_is_one_step_after_another(step: Callable[..., tuple[float, 
     expected = []
     now, take = state, of_arrays(step)
     for sample in range(30):
-        now = take(now, *(np.array(a[sample] if a.ndim else a) for a in inputs), None)
+        now = take(now, *(a[sample] if a.ndim else float(a) for a in inputs), None)
         expected.append(now)
     assert_array_equal(_recordings.run(step, state.tolist(), *inputs), np.array(expected))
 

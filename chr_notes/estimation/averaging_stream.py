@@ -87,7 +87,7 @@ def _observed(
     at_rest, next_at_rest, turning = learnt[7:], spare[7:], np.empty(3)
     quick: Callable[..., Any] | None = None
     state, constants = np.empty(0), tuple[float, ...]()
-    last, most = inf, 0.0
+    last, most, fields = inf, 0.0, 0
     for body_rates, accel, dt, *field in stream:
         rates, force, step = body_rates, accel, dt
         found = learn(learnt, rates, force, step, rest, longest, spare) if fast else None
@@ -97,6 +97,9 @@ def _observed(
             learn(learnt, rates, force, step, rest, longest, spare)
         learnt, spare, at_rest, next_at_rest = spare, learnt, next_at_rest, at_rest
         np.subtract(rates, at_rest, turning)
+        if len(state) and len(field) != fields:
+            msg = "stream: expected a magnetic field in each sample or in none, got both"
+            raise ValueError(msg)
         euler = None
         if quick is not None:
             euler = quick(state, turning, force, *field, step, *constants)
@@ -110,6 +113,7 @@ def _observed(
                 if not isfinite(tilt[0]):
                     continue
                 state = settings.begin((*tilt, 0.0), turning, force, *mag, heading=bool(field))
+                fields = len(field)
                 generated, constants = settings.step(heading=bool(field))
                 quick, advance = sampled(generated, euler_from_quaternion), of_arrays(generated)
             elif euler is None:

@@ -196,9 +196,10 @@ def unit_of_gyro(
             )
             raise ValueError(msg)
         return known, None
-    if known is None and fastest > _FASTEST:
+    told = known is None and (allowed is None or bool(like))  # else no unit fits the others
+    if told and fastest > _FASTEST:
         return Unit("deg/s", names["deg/s"], "found"), f"rates of {fastest:.4g}"
-    if known is None and noise is not None and (0 < noise < _NOISE[0] or noise > _NOISE[1]):
+    if told and noise is not None and (0 < noise < _NOISE[0] or noise > _NOISE[1]):
         name = "rad/s" if noise < _NOISE[0] else "deg/s"
         return Unit(name, names[name], "assumed"), f"a noise of {noise:.2g} at rest"
     seen = "" if allowed is None else f"; by how the others turn, {1 / allowed[0]:.4g} a rad/s"

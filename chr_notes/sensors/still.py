@@ -88,8 +88,8 @@ def static_intervals(
 
     What passes for still is found from the log itself: gyro and accelerometer may both vary up to
     three times as much as in the stillest window that there is, and the gyro's mean must be near
-    the one there, because a steady turn does not vary either. A glitch, or a missing row, neither
-    hides a stretch nor ends it; a gap in time does.
+    the least of theirs, because a steady turn does not vary either. A glitch, or a missing row,
+    neither hides a stretch nor ends it; a gap in time does.
 
     Parameters
     ----------
@@ -144,18 +144,20 @@ def static_intervals(
     whole = window_sums(gap, width) - gap[: count - width + 1] == 0
     whole &= window_sums(~known, width) <= _MISSING * width
     last = np.maximum.accumulate(np.where(known, np.arange(count), 0))
-    quiet, centre = whole, None
+    quiet = whole
     for readings, limit in ((rates, STILL_LIMIT), (forces, np.inf)):
         steady, _ = without_glitches(np.where(known[last, np.newaxis], readings[last], 0.0))
+        if readings is rates:
+            means = np.stack([window_sums(column, width) for column in steady.T], axis=1) / width
         spread = np.where(whole, np.sqrt(_variances(steady, width)), np.inf)
         noise = max(float(spread.min()), _resolution(steady))
         if not noise <= limit:
             return []
         quiet = quiet & (spread <= _ABOVE_NOISE * noise)
-        if centre is None:
-            means = np.stack([window_sums(column, width) for column in steady.T], axis=1) / width
-            centre = means[int(np.argmin(spread))]
-            quiet = quiet & (np.abs(means - centre).max(axis=1) <= _LARGEST_BIAS_CHANGE)
+    # Of a rest and a steady turn, in which nothing varies either, the rest has the lower rate.
+    size = np.where(quiet, np.linalg.norm(means, axis=1), np.inf)
+    bias = means[int(np.argmin(size))]
+    quiet &= np.abs(means - bias).max(axis=1) <= _LARGEST_BIAS_CHANGE
     return _stretches(quiet, gap, width, seconds / usual if usual > 0 else width)
 
 

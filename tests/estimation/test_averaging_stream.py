@@ -83,6 +83,10 @@ def test_what_looks_ahead_or_has_no_meaning_is_refused() -> None:
         next(observe_averaging([], bias=[1, 2]))
     with pytest.raises(ValueError, match="dt: expected seconds"):
         list(observe_averaging([([0, 0, 0], [0, 0, -9.8], -0.01)]))
+    first, then = ([0, 0, 0], [0, 0, -9.8], 0.01, [20, 0, 40]), ([0, 0, 0], [0, 0, -9.8], 0.01)
+    for samples in ([first, then], [then, first]):
+        with pytest.raises(ValueError, match="a magnetic field in each sample or in none"):
+            list(observe_averaging(samples))
 
 
 def test_lists_are_samples_too() -> None:

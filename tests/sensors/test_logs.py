@@ -225,6 +225,16 @@ def test_the_unit_of_a_gyro_at_rest_is_assumed_or_asked_for() -> None:
     assert read_log(loud, units={"gyro": "deg/s"}).report().units["gyro"] == "deg/s"
 
 
+@pytest.mark.parametrize("count", [16.4, 32.8, 131.0])
+def test_counts_of_a_gyro_that_no_name_tells_are_asked_for(log: Log, count: float) -> None:
+    """They are too fast for rad/s; the accelerometer says that they are no degrees either."""
+    names = [name for name in log if name.startswith("gyro")]
+    raw = {"gyro_" + name[5]: np.round(log[name] * count) for name in names}
+    rest = {name: values for name, values in log.items() if name not in names}
+    with pytest.raises(ValueError, match=r"gyro: cannot tell its unit; by how the others turn"):
+        read_log(rest | raw)
+
+
 def test_raw_counts(log: Log) -> None:
     counts = {f"{name[:5]}_raw": (16384 * log[name]).round() for name in ACCEL}
     counts = {name: np.nan_to_num(values) for name, values in counts.items()}

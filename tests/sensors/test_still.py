@@ -142,6 +142,18 @@ def test_a_motion_that_one_sensor_alone_sees_is_seen() -> None:
         ]
 
 
+@pytest.mark.parametrize("seed", [10, 13, 22, 51, 96])
+def test_rests_are_found_beside_turns_that_vary_as_little(seed: int) -> None:
+    """Six rests of three seconds, with a quarter of a turn at a steady rate after each."""
+    generator = np.random.default_rng(seed)
+    turning = np.arange(2400) % 400 >= 300
+    rates, angle = generator.normal(0, 0.001, (2400, 3)), np.cumsum(0.0157 * turning)
+    rates[turning, 0] += 1.57
+    up = np.stack([0 * angle, -np.sin(angle), -np.cos(angle)], axis=1)
+    found = static_intervals(rates, 9.8 * up + generator.normal(0, 0.003, (2400, 3)), 0.01)
+    assert [round(each.start, -1) for each in found] == [*range(0, 2400, 400)]
+
+
 def test_a_steady_turn_is_no_rest() -> None:
     rates, forces = moved()
     rates[800:1200, 2] += 0.5
