@@ -62,12 +62,14 @@ def refresh(document: str | None = None) -> int:
         Exit code: 1 if a case cannot be judged, else 0.
     """
     topics = [t for t in stored.DOCUMENTS if document in (None, t) and stored.is_stale(t)]
+    # Taken before: what is changed while it judges is judged again.
+    sources = {topic: stored.stamp(topic) for topic in topics}
     failed = False
     for topic, (entries, errors) in zip(topics, _judged(topics), strict=True):
         failed = failed or bool(errors)
         sys.stderr.writelines(f"{error}\n" for error in errors)
         if not errors:
-            stored.write(topic, entries)
+            stored.write(topic, entries, sources[topic])
             sys.stderr.write(f"{topic}: {len(entries)} entries stored\n")
     return int(failed)
 

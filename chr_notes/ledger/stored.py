@@ -72,10 +72,10 @@ def _imported(file: Path) -> tuple[str, ...]:
     return tuple(found)
 
 
-def write(document: str, entries: Iterable[Entry]) -> None:
-    """Store the verdicts on a document with the present stamp."""
+def write(document: str, entries: Iterable[Entry], sources: str) -> None:
+    """Store the verdicts on a document with the stamp of the sources that gave them."""
     rows = [dataclasses.asdict(entry) for entry in entries]
-    content = {"sources": stamp(document), "sympy": metadata.version("sympy"), "entries": rows}
+    content = {"sources": sources, "sympy": metadata.version("sympy"), "entries": rows}
     text = json.dumps(content, indent=1, ensure_ascii=False) + "\n"
     FOLDER.mkdir(exist_ok=True)
     (FOLDER / f"{document}.json").write_text(text, encoding="utf-8", newline="\n")

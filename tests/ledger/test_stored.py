@@ -10,6 +10,7 @@ import pytest
 
 from chr_notes.ledger import report, stored
 from chr_notes.ledger.cases import CASES
+from chr_notes.ledger.entry import Entry
 from chr_notes.ledger.judgement import judge
 
 
@@ -74,9 +75,25 @@ def test_what_is_written_is_read_back(monkeypatch: pytest.MonkeyPatch, tmp_path:
     entries = stored.read("quaternions")
     monkeypatch.setattr(stored, "FOLDER", tmp_path)
     stored.read.cache_clear()
-    stored.write("quaternions", entries)
+    stored.write("quaternions", entries, stored.stamp("quaternions"))
     assert stored.read("quaternions") == entries
     stored.read.cache_clear()
+
+
+def test_a_source_that_changes_while_it_is_judged_leaves_the_verdicts_stale(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    entries, stamp, changed = stored.read("quaternions"), stored.stamp, []
+
+    def judged(_: str) -> tuple[list[Entry], list[str]]:
+        changed.append("a source")
+        return [*entries], []
+
+    monkeypatch.setattr(stored, "FOLDER", tmp_path)
+    monkeypatch.setattr(stored, "stamp", lambda document: f"{stamp(document)} {changed}")
+    monkeypatch.setattr(report, "judged", judged)
+    assert report.refresh("quaternions") == 0
+    assert stored.is_stale("quaternions")
 
 
 def test_check_names_what_differs(
