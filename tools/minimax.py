@@ -85,6 +85,8 @@ def remez(wanted: Wanted) -> list[float]:
     middle = wanted.end / 2
     points = [middle - middle * mp.cos(mp.pi * (2 * i + 1) / (2 * count)) for i in range(count)]
     coefficients: list[Number] = []
+    grid = [wanted.end * k / GRID for k in range(GRID + 1)]
+    weighed = [(z, wanted.weight(z), wanted.value(z)) for z in grid]
     for _ in range(ROUNDS):
         rows, values = mp.matrix(count, count), mp.matrix(count, 1)
         for i, z in enumerate(points):
@@ -94,18 +96,22 @@ def remez(wanted: Wanted) -> list[float]:
             values[i] = wanted.value(z)
         solved = mp.lu_solve(rows, values)
         coefficients = [solved[power] for power in range(wanted.terms)]
-        points = _extremes(wanted, coefficients, count) or points
+        before, points = points, _extremes(weighed, coefficients, count) or points
+        if points == before:
+            break
     return [float(coefficient) for coefficient in coefficients]
 
 
-def _extremes(wanted: Wanted, coefficients: list[Number], count: int) -> list[Number]:
-    """Find where the error is largest, with alternating signs; nothing if there are too few."""
-    grid = [wanted.end * k / GRID for k in range(GRID + 1)]
-    errors = [
-        wanted.weight(z) * (wanted.value(z) - mp.polyval(coefficients[::-1], z)) for z in grid
-    ]
+def _extremes(
+    weighed: list[tuple[Number, Number, Number]], coefficients: list[Number], count: int
+) -> list[Number]:
+    """Find where the error is largest, with alternating signs; nothing if there are too few.
+
+    `weighed` has arguments, by what an error there counts, and what the polynomial is to be.
+    """
     found: list[tuple[Number, Number]] = []
-    for z, error in zip(grid, errors, strict=True):
+    for z, weight, value in weighed:
+        error = weight * (value - mp.polyval(coefficients[::-1], z))
         if found and found[-1][1] * error > 0:
             if abs(error) > abs(found[-1][1]):
                 found[-1] = z, error
