@@ -6,9 +6,15 @@ import subprocess
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
+from chr_notes import matrix_from_euler
 from chr_notes.demos.base import SOURCES
 from chr_notes.demos.converter import CONVENTIONS
 from chr_notes.demos.detective import DETECTIVE
+
+ROTATION = np.round(matrix_from_euler([0.1, 0.2, 0.3]), 6).tolist()
+"""A matrix to type and to paste, by rows."""
 
 CALL = """\
 import { readFileSync } from "node:fs";

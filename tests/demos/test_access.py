@@ -1,24 +1,18 @@
-"""Everyone can use each demo: by keyboard, by ear, in both themes, at any width."""
+"""Everyone can use each demo: by keyboard, by ear, with what fits the page."""
 
-import json
 import re
-from collections.abc import Callable
-from pathlib import Path
 
-import pytest
 from playwright.sync_api import Page, expect
 
-from chr_notes.demos import DriftDemo, GimbalLockDemo, QuaternionDemo, TiltDemo
-from chr_notes.demos.base import SOURCES, Demo
-from chr_notes.palette import PALETTE
+from chr_notes.demos import TiltDemo
+from chr_notes.demos.base import Demo
 
+from .colours import channels, contrast, of_palette
 from .parts import (
-    ALL,
     PageOf,
     Visit,
     each_demo,
     field,
-    output,
     picture,
     slider,
     state_of,
@@ -178,96 +172,7 @@ def everything_has_a_name(page: Page) -> None:
     assert all(label.endswith(endings) for label in labels), labels
 
 
-@pytest.mark.parametrize(
-    ("demo", "words"),
-    [
-        (GimbalLockDemo(yaw=-30, pitch=60), "yaw −30°, pitch 60°, roll 0°, nose up. The roll axis"),
-        (GimbalLockDemo(pitch=-90), "nose down. The yaw axis and the roll axis are one line"),
-        (
-            TiltDemo(roll=5, forward_acceleration=2),
-            "Roll 5°, pitch 0°. It accelerates by 2 m/s² forward and 0 m/s² to the right.",
-        ),
-        (
-            TiltDemo(forward_acceleration=2),
-            "The vertical that it believes in leans 11.53° from the real one.",
-        ),
-        (TiltDemo(vibration=2), "single readings scatter round it"),
-        (DriftDemo(time=600), "after 10 minutes it is 30.8 km away, out of the city"),
-        (
-            DriftDemo(view=1, time=600),
-            "At 10 minutes velocity is off by 102.6 m/s, position by 30.8 km",
-        ),
-        (
-            QuaternionDemo(angle=360, product=2),
-            "turned by 360° about an axis at yaw 40°, pitch 35°. Its quaternion is −1.000",
-        ),
-        (DriftDemo(angle_error=0), "off by 0°, it stays where it is"),
-        (DriftDemo(view=1, angle_error=0), "Without an error of angle it is empty."),
-    ],
-)
-def test_picture_is_told_in_words(visit: Visit, page_of: PageOf, demo: Demo, words: str) -> None:
-    picture_in_words = visit(page_of(demo)).get_by_role("img").get_attribute("aria-label")
-    assert words in str(picture_in_words)
-
-
 # ── by eye ─────────────────────────────────────────────────────────────────────────────────────
-
-
-def channels(colour: str) -> list[float]:
-    """The three numbers of `rgb(…)`, or of `#rrggbb`, from 0 to 1."""
-    if colour.startswith("#"):
-        return [int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5)]
-    return [float(part) / 255 for part in colour.strip("rgba()").split(",")[:3]]
-
-
-def of_palette(name: str, theme: str) -> list[float]:
-    return channels(str(getattr(PALETTE[name], theme)))
-
-
-def contrast(one: list[float], other: list[float]) -> float:
-    """As the Web Content Accessibility Guidelines define it."""
-    linear = [
-        [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in colour]
-        for colour in (one, other)
-    ]
-    low, high = sorted(0.2126 * r + 0.7152 * g + 0.0722 * b for r, g, b in linear)
-    return (high + 0.05) / (low + 0.05)
-
-
-WRITTEN = """() => [...document.querySelectorAll(".chr-demo *")].filter((each) =>
-  [...each.childNodes].some((child) => child.nodeType === 3 && child.data.trim() !== "")
-).map((each) => {
-  const opaque = (colour) => !colour.endsWith(", 0)");
-  let behind = each;
-  while (!opaque(getComputedStyle(behind).backgroundColor)) behind = behind.parentElement;
-  return [each.textContent, getComputedStyle(each).color, getComputedStyle(behind).backgroundColor];
-})"""
-
-
-@pytest.mark.parametrize("theme", ["light", "dark"])
-def test_words_and_edges_stand_out(visit: Visit, page_of: PageOf, theme: str) -> None:
-    page = visit(page_of(*(demo() for demo in ALL), TiltDemo(pitch=90), theme=theme))
-    written = page.evaluate(WRITTEN)
-    assert len(written) > 60
-    for text, colour, background in written:
-        assert contrast(channels(colour), channels(background)) >= 4.5, text
-    edges = page.locator("button").evaluate_all(
-        "(all) => all.map((each) => getComputedStyle(each).borderTopColor)"
-    )
-    assert min(contrast(channels(edge), of_palette("raised", theme)) for edge in edges) >= 3
-
-
-@pytest.mark.parametrize("theme", ["light", "dark"])
-def test_colours_of_pictures_stand_out(theme: str) -> None:
-    """What is written on a canvas, on its background, and what a slider is made of."""
-    for name in ("ink", "muted", "x", "y", "z", "alert", "accent", "proved", "corrected"):
-        assert contrast(of_palette(name, theme), of_palette("page", theme)) >= 4.5, name
-        assert contrast(of_palette(name, theme), of_palette("raised", theme)) >= 3, name
-    css = (SOURCES / "demos.css").read_text(encoding="utf-8")
-    assert ".chr-stage { background: var(--chr-page)" in css
-    for part in ("webkit-slider-runnable", "moz-range"):
-        rule = css.partition(f"::-{part}-track {{")[2].partition("}")[0]
-        assert "border: 1px solid var(--chr-muted)" in rule
 
 
 def the_picture_follows_the_theme(page: Page) -> None:
@@ -294,70 +199,3 @@ def the_reader_is_told_first_what_to_try(page: Page) -> None:
     root = page.locator(".chr-demo")
     assert str(root.text_content()).startswith("Try first. ")
     assert root.locator(".chr-hint ~ .chr-body canvas").count() == 1
-
-
-# ── beside each other, and as a page from anywhere ─────────────────────────────────────────────
-
-
-def test_several_demos_on_a_page_keep_apart(visit: Visit, page_of: PageOf) -> None:
-    others = (DriftDemo(time=60), GimbalLockDemo(pitch=60), TiltDemo(roll=10))
-    page = visit(page_of(TiltDemo(), *others, DriftDemo()))
-    for name in TiltDemo.controls:
-        slider(page, name).first.press("End")
-    _, drift, gimbal_lock, tilt, last = page.locator("[data-demo]").all()
-    slider(last, "time").press("End")
-    expect(output(drift, "velocity_error")).to_have_text("10.26")
-    expect(output(gimbal_lock, "determinant")).to_have_text("2")
-    expect(output(tilt, "roll_estimate")).to_have_text("10")
-    assert page.locator(".chr-demo [id]").count() == 0, "an id would stand twice"
-
-
-STRICT = "default-src 'self'; img-src 'self' data:; style-src 'self' 'unsafe-inline'"
-
-
-def test_demos_work_from_a_server_with_a_strict_policy(
-    visit: Visit, page_of: PageOf, serve: Callable[[Path], str], tmp_path: Path
-) -> None:
-    page_of(*(demo() for demo in ALL))
-    written = (tmp_path / "page.html").read_text(encoding="utf-8")
-    before, script, after = re.split(r"<script>(.*)</script>", written, flags=re.DOTALL)
-    (tmp_path / "pages.js").write_text(script, encoding="utf-8")
-    policy = f'<meta http-equiv="Content-Security-Policy" content="{STRICT}">'
-    strict = before.replace('<meta charset="utf-8">', f'<meta charset="utf-8">{policy}')
-    (tmp_path / "page.html").write_text(
-        f'{strict}<script src="pages.js"></script>{after}', encoding="utf-8"
-    )
-    page = visit(serve(tmp_path) + "page.html")
-    expect(page.locator(".chr-demo")).to_have_count(len(ALL))
-    assert picture(page.locator(".chr-demo").first) != ""
-
-
-def test_what_a_finger_hits_is_large_enough(visit: Visit, page_of: PageOf) -> None:
-    page = visit(page_of(*(demo() for demo in ALL)), width=390, has_touch=True, is_mobile=True)
-    sizes = page.evaluate(
-        "() => [...document.querySelectorAll('.chr-demo :is(input, button, select, textarea)')]"
-        ".filter((each) => !each.hidden)"
-        ".map((each) => each.getBoundingClientRect()).map(({ width, height }) => [width, height])"
-    )
-    assert len(sizes) > 60
-    assert min(min(size) for size in sizes) >= 44
-
-
-@pytest.mark.parametrize(
-    "demo",
-    [
-        GimbalLockDemo(yaw=-0.001, pitch=-0.001, roll=-0.001),
-        GimbalLockDemo(yaw=-180, pitch=90, roll=180),
-        TiltDemo(roll=-0.001, pitch=-0.001, forward_acceleration=-0.001),
-        TiltDemo(roll=180, pitch=-90, lateral_acceleration=-0.001),
-        DriftDemo(angle_error=0, time=1),
-        QuaternionDemo(axis_yaw=0, axis_pitch=0, angle=0),
-        QuaternionDemo(axis_yaw=-180, axis_pitch=-90, angle=720, product=2),
-    ],
-)
-def test_no_number_is_minus_zero(visit: Visit, page_of: PageOf, demo: Demo) -> None:
-    page = visit(page_of(demo))
-    html = page.locator(".chr-demo").evaluate("(each) => each.innerText + each.innerHTML")
-    assert MINUS_ZERO.search(str(html)) is None
-    assert MINUS_ZERO.search(demo.fallback()) is None
-    assert json.loads(str(page.locator(".chr-demo").get_attribute("data-state"))) == demo.state()

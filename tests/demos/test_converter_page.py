@@ -1,0 +1,78 @@
+"""The converter on a page."""
+
+import json
+import re
+
+import numpy as np
+import pytest
+from playwright.sync_api import Page, expect
+
+from chr_notes.demos import ConverterDemo
+from chr_notes.demos.converter import KINDS
+
+from .modules import ROTATION
+from .parts import PageOf, Visit, output
+
+
+def numbers(page: Page, name: str) -> list[float]:
+    text = str(output(page, name).text_content())
+    return [float(each) for each in re.split(r"[,\n]\s*", text)]
+
+
+def test_on_a_page_from_a_file(visit: Visit, page_of: PageOf) -> None:
+    page = visit(page_of(ConverterDemo()))
+    page.locator('textarea[name="matrix"]').fill(str(ROTATION).replace("-", "−"))
+    page.locator('select[name="target"]').select_option("SciPy")
+    expected = ConverterDemo(
+        kind="matrix", value=np.ravel(ROTATION).tolist(), target="SciPy", target_unit=""
+    ).readouts()
+    for kind in KINDS:
+        got = numbers(page, f"target_{kind.replace(' ', '_')}")
+        assert got == pytest.approx(expected[kind], abs=1e-13)
+    # What is no rotation is said, no number is left, and the nearest one is offered.
+    page.locator('textarea[name="matrix"]').fill(str(np.round(ROTATION, 2).tolist()))
+    expect(page.locator(".chr-fault")).to_contain_text("No rotation: R Rᵀ is off")
+    expect(output(page, "target_quaternion")).to_have_text("–")
+    page.get_by_role("button", name="Take the nearest rotation").click()
+    expect(page.locator(".chr-fault")).to_be_hidden()
+    assert numbers(page, "target_quaternion") == pytest.approx(expected["quaternion"], abs=5e-3)
+    # The address keeps all digits.
+    page.locator('textarea[name="quaternion"]').fill("0.5 0.1 0.2 0.3333333333333333")
+    page.wait_for_function("location.hash.includes('0.3333333333333333')")
+    before = numbers(page, "target_matrix")
+    page.reload()
+    assert numbers(page, "target_matrix") == before
+    page.get_by_role("button", name="Swap").click()
+    page.get_by_role("button", name="Swap").click()
+    assert numbers(page, "target_matrix") == pytest.approx(before, abs=1e-15)
+    page.get_by_role("button", name="Reset").click()
+    expect(page.locator('textarea[name="angles"]')).to_have_value("10, 20, 30")
+    page.locator('input[type="range"][name="turn_2"]').press("End")
+    expect(page.locator('textarea[name="angles"]')).to_have_value("10, 180, 30")
+    page.locator('textarea[name="angles"]').fill("10 90 30")
+    expect(output(page, "source_lock")).to_contain_text("At the lock")
+    expect(output(page, "target_lock")).to_contain_text("At the lock")
+
+
+def test_another_spelling_is_the_same_attitude(visit: Visit, page_of: PageOf) -> None:
+    page = visit(page_of(ConverterDemo()))
+    before = numbers(page, "target_matrix")
+    page.locator('select[name="source_unit"]').select_option("radians")
+    page.locator('select[name="source_sequence"]').select_option("ZXZ")
+    assert numbers(page, "target_matrix") == pytest.approx(before, abs=1e-14)
+    # Another system takes the numbers for its own.
+    page.locator('select[name="source"]').select_option("CHR")
+    page.locator('textarea[name="angles"]').fill("10, 20, 30")
+    page.locator('select[name="source"]').select_option("this book")
+    expect(page.locator('textarea[name="angles"]')).to_have_value("10, 20, 30")
+    assert numbers(page, "target_matrix") != pytest.approx(before, abs=1e-2)
+
+
+def test_an_address_that_means_nothing_changes_nothing(visit: Visit, page_of: PageOf) -> None:
+    address = page_of(ConverterDemo())
+    page = visit(address)
+    for query in ("kind=matrix&value=1,2,3", "value=a,b,c", "source=Excel", "target_sequence=ZZX"):
+        page.goto("about:blank")
+        page.goto(f"{address}#converter?{query}")
+        state = json.loads(str(page.locator(".chr-demo").get_attribute("data-state")))
+        assert state == ConverterDemo().state(), query
