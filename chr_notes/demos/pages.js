@@ -2,6 +2,7 @@
  * Demos on a page: one in every element with a `data-demo`. The state of one stands in the address,
  * `#tilt?roll=20&pitch=5`, so that it can be sent, and outlives a reload.
  */
+import { node } from "./parts.js";
 
 const WAIT = 250; // milliseconds without a change before the address follows
 
@@ -47,9 +48,30 @@ function mountNow(demos) {
     }
 }
 
+/**
+ * Beside the page's link that skips what stands before its text, one to each demo, in their order:
+ * so many presses of Tab lead there, however much there is before it.
+ */
+function linkToEach() {
+  const skips = document.querySelector(".skip-link");
+  for (const demo of skips ? document.querySelectorAll("[data-demo] > .chr-demo") : []) {
+    const link = node("a", { href: `#${demo.parentElement.dataset.demo}` }, `Skip to the demo “${demo.ariaLabel}”`);
+    link.addEventListener("click", (event) => {
+      event.preventDefault(); // the second demo of a name is not the one that an address means
+      demo.tabIndex = -1;
+      demo.focus();
+      demo.scrollIntoView();
+    });
+    skips.append(" ", link);
+  }
+}
+
 /** Mount them, by { name: mount }, once the page is there. */
 export function mountOn(demos) {
-  const mount = () => mountNow(demos);
+  const mount = () => {
+    mountNow(demos);
+    linkToEach();
+  };
   if (document.readyState === "loading") document.addEventListener("DOMContentLoaded", mount);
   else mount();
 }

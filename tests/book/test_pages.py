@@ -110,6 +110,39 @@ def test_demo_in_the_chapter_reacts_to_the_keyboard(visit: Visit, address: str) 
     expect(demo.locator("output[name=determinant]")).to_have_text("2")
 
 
+FOCUSED = """() => {
+  const each = document.activeElement;
+  return each.closest(".chr-demo") ? [...document.querySelectorAll(".chr-demo")]
+    .indexOf(each.closest(".chr-demo")) : -1;
+}"""
+
+
+def test_few_presses_of_tab_lead_to_each_demo(
+    visit: Visit, book: Path, record_property: Callable[[str, object], None]
+) -> None:
+    """To the n-th demo of a page n + 1: past the link to the text, and those before it."""
+    page = visit((book / "notebooks" / "euler.html").as_uri())
+    demos = page.locator(".chr-demo").count()
+    assert demos == 3
+    for nth in range(demos):
+        page.reload()
+        for _ in range(nth + 2):
+            page.keyboard.press("Tab")
+        page.keyboard.press("Enter")
+        assert page.evaluate(FOCUSED) == nth
+        expect(page.locator(".chr-demo").nth(nth)).to_be_in_viewport()
+        page.keyboard.press("Tab")  # and to the first of what it has
+        assert page.evaluate(FOCUSED) == nth
+    # Without the links too: a formula is a stop only where it must be scrolled.
+    page.reload()
+    presses = 0
+    while page.evaluate(FOCUSED) < 0:
+        presses += 1
+        page.keyboard.press("Tab")
+    record_property("measured", f"{presses} presses of Tab to the first demo without its link")
+    assert presses <= 60
+
+
 def test_reader_without_javascript_gets_the_numbers(book: Path) -> None:
     first = (book / "book" / "index.html").read_text(encoding="utf-8")
     assert GimbalLockDemo(yaw=30, pitch=60, roll=20).to_html() in first
