@@ -46,6 +46,7 @@ from chr_notes.symbols import (
     p,
     phi,
     pitch_rate,
+    psi,
     q,
     r,
     roll_rate,
@@ -245,7 +246,7 @@ SETTLED = (
     Case(
         "estimation.3.c",
         edits=(Edit(PROJECTIONS, MatMul(Inverse(AXES_OF_THE_TURNS), BODY)),),
-        witness={phi: 0, theta: 60 * DEGREE, p: 0, q: 0, r: 90 * DEGREE},
+        witness={phi: 0, theta: 60 * DEGREE, psi: 0, p: 0, q: 0, r: 90 * DEGREE},
         root="rates-by-projection",
         weight="misleads",
         steps=(

@@ -35,6 +35,7 @@ from chr_notes.ledger.domain import undefined_where
 from chr_notes.ledger.edits import in_order, marked
 from chr_notes.ledger.entry import Entry, Verdict
 from chr_notes.ledger.evaluation import evaluate, parts, work_out
+from chr_notes.ledger.files import see
 from chr_notes.ledger.generality import (
     check_condition,
     check_given,
@@ -78,8 +79,17 @@ def judge(case: Case) -> Entry:
     ------
     CannotJudgeError
         If the statement is not proved and what was brought does not settle it, or if a condition
-        or correction was brought although the statement is true as printed.
+        or correction was brought although the statement is true as printed. It says in which files
+        to look.
     """
+    try:
+        return _entry(case)
+    except CannotJudgeError as error:
+        msg = f"{error}; {see(case.id)}"
+        raise CannotJudgeError(msg) from error
+
+
+def _entry(case: Case) -> Entry:
     verdict, method, exact = _verdict(case)
     printed = case.printed
     failing = verdict in ("qualified", "corrected")

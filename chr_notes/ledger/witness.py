@@ -1,6 +1,6 @@
 """The witness that something fails: its check, and its numbers, typeset."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from itertools import repeat
 
 from sympy import (
@@ -40,7 +40,7 @@ def check_witness(case: Case) -> None:
     Its values are those of free quantities: another value for a name that is derived would make
     anything fail.
     """
-    statement, read, point = case.printed.statement, case.reading, case.witness
+    read, point = case.reading, case.witness
     read_otherwise = [
         name for name in point if isinstance(name, Basic) and work_out(name, read, {}) != name
     ]
@@ -59,20 +59,44 @@ def check_witness(case: Case) -> None:
     if any(excludes(given, point) for given in case.given):
         msg = f"{case.id}: the witness {point} lies outside what is given"
         raise CannotJudgeError(msg)
-    if not fails(statement, read, point):
+    if point and not point.keys() & _quantities(case, parts(case.printed.statement)):
+        msg = f"{case.id}: the witness {point} has nothing that the statement depends on"
+        raise CannotJudgeError(msg)
+    failing = _failing(case)
+    if not failing:
         msg = f"{case.id}: the witness {point} does not show that it fails as printed"
         raise CannotJudgeError(msg)
-    failing = [part for part in parts(statement) if fails(part, read, point)]
-    values = [side for part in failing for side in _sides(part, case, point)]
-    if point and any(value.free_symbols for value in values):
-        names = sorted(set().union(*(value.free_symbols for value in values)), key=str)
-        msg = f"{case.id}: expected a value for {names[0]} at the witness, got none"
+    missing = sorted(_quantities(case, failing) - point.keys(), key=str)
+    if missing:
+        msg = f"{case.id}: expected a value for {missing[0]} at the witness, got none"
         raise CannotJudgeError(msg)
     if all(
         _has_no_value(part, case, point) and not _has_no_value(part, case, {}) for part in failing
     ):
         msg = f"{case.id}: at the witness {point} it has no value; choose one where it is wrong"
         raise CannotJudgeError(msg)
+
+
+def _failing(case: Case) -> list[Basic]:
+    """List the parts of a statement that are false at its witness."""
+    try:
+        return [p for p in parts(case.printed.statement) if fails(p, case.reading, case.witness)]
+    except ValueError as error:
+        msg = f"{case.id}: at the witness {case.witness} it has no value: {error}"
+        raise CannotJudgeError(msg) from error
+
+
+def _quantities(case: Case, among: Iterable[Basic]) -> set[Basic]:
+    """List the free quantities of parts of the statement, of the condition, and of what is given.
+
+    Things that are named in words have no value.
+    """
+    own = () if case.condition is None else (case.condition,)
+    names = set().union(*(each.holds.free_symbols for each in (*case.given, *own)))
+    for part in among:
+        for side in part.args[:1] if isinstance(part, Approximately) else part.args:
+            names |= case.reading(side).free_symbols
+    return {name for name in names if not str(name).startswith(r"\text{")}
 
 
 def _is_exact(value: object, shape: tuple[Basic, ...]) -> bool:

@@ -211,8 +211,10 @@ def test_a_correction_that_says_nothing_is_refused(say: Say) -> None:
 def test_a_correction_of_matrices_that_says_nothing_is_refused(say: Say) -> None:
     one, other = (MatrixSymbol(name, 2, 2) for name in ("A", "B"))
     wrong = Eq(one, one + other, evaluate=False)
+    empty: Bring = {"edits": (Edit(one + other, MatMul(Identity(2), one, evaluate=False)),)}
+    point = dict.fromkeys((one, other), ImmutableMatrix([[1, 2], [3, 4]]))
     with pytest.raises(CannotJudgeError, match="says nothing"):
-        say(wrong, edits=(Edit(one + other, MatMul(Identity(2), one, evaluate=False)),), **ROOTED)
+        say(wrong, witness=point, **empty, **ROOTED)
 
 
 def test_a_witness_at_which_the_correction_fails_too_is_refused(say: Say) -> None:
