@@ -1,7 +1,7 @@
 """One entry of the ledger as a page shows it: formula, verdict, and what the verdict needs."""
 
 import html
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Final
@@ -26,9 +26,18 @@ LONG: Final = 150
 
 @dataclass(frozen=True)
 class Card:
-    """An entry that a notebook cell can show. Markdown serves JupyterLab and the book alike."""
+    """An entry that a notebook cell can show. Markdown serves JupyterLab and the book alike.
+
+    Attributes
+    ----------
+    entry
+        What is shown.
+    derived
+        Whether the steps of its derivation stand before it, instead of folded in.
+    """
 
     entry: Entry
+    derived: bool = False
 
     def __repr__(self) -> str:
         """Give id and verdict, where no Markdown can be shown."""
@@ -39,23 +48,34 @@ class Card:
         return "\n".join(_card(self.entry))
 
     def _repr_markdown_(self) -> str:
-        return "\n".join(_chip(self.entry)) if _is_small(self.entry) else self.markdown()
+        if not self.derived:
+            return "\n".join(_chip(self.entry)) if _is_small(self.entry) else self.markdown()
+        lines = (*steps(self.entry.derivation), *_card(self.entry, derived=True))
+        return "\n".join(lines)
 
 
-def show(name: str) -> Card:
+def show(name: str, *, derived: bool = False) -> Card:
     """Show one entry of the ledger with its verdict; small print on a line that a click opens.
 
     Parameters
     ----------
     name
         Its id, for example `"euler.5.5"`.
+    derived
+        Whether to go through its derivation first, step by step on the page. Else it is folded in.
 
     Raises
     ------
     KeyError
         If no document prints anything under that id.
+    ValueError
+        If there is no derivation to go through.
     """
-    return Card(judged(name))
+    entry = judged(name)
+    if derived and not entry.derivation:
+        msg = f"expected an entry with a derivation, {name} has none"
+        raise ValueError(msg)
+    return Card(entry, derived=derived)
 
 
 @dataclass(frozen=True)
@@ -83,6 +103,15 @@ def show_additions(document: str) -> Cards:
     from chr_notes.printed import ADDITIONS  # noqa: PLC0415 (cards of known ids need no SymPy)
 
     return Cards(tuple(show(printed.id) for printed in ADDITIONS[document]))
+
+
+def steps(derivation: Iterable[tuple[str, str]]) -> Iterator[str]:
+    """Go through a derivation, one numbered step after the other: words, and LaTeX."""
+    yield '<div class="chr-steps" role="group" aria-label="Derivation">\n'
+    for number, (words, latex) in enumerate(derivation, 1):
+        yield f'<span class="chr-step">{number}</span> {words}\n'
+        yield display(_once(latex))
+    yield "</div>\n"
 
 
 def badge(verdict: Verdict) -> str:
@@ -116,17 +145,17 @@ def _chip(entry: Entry) -> Iterator[str]:
     yield "</div>\n</details>\n"
 
 
-def _card(entry: Entry) -> Iterator[str]:
+def _card(entry: Entry, *, derived: bool = False) -> Iterator[str]:
     # Blank lines end an HTML block, so that what stands between is read as Markdown.
     yield f'<div class="entry" id="entry-{entry.id}">\n<div class="entry-head"><p>'
     yield f'<span class="entry-id">{entry.id}</span> <strong>{badge(entry.verdict)}</strong> '
     yield f'<span class="entry-kind">{_where(entry)}</span>'
     yield '</p></div>\n<div class="entry-body">\n'
-    yield from _body(entry)
+    yield from _body(entry, derived=derived)
     yield "</div>\n</div>\n"
 
 
-def _body(entry: Entry) -> Iterator[str]:
+def _body(entry: Entry, *, derived: bool = False) -> Iterator[str]:
     yield f"{entry.says}\n"
     # Words have no formula to print: what stands here is how they are read.
     term = "Read as" if entry.kind == "claim" else "As printed" if entry.witness else ""
@@ -146,7 +175,7 @@ def _body(entry: Entry) -> Iterator[str]:
     yield from _readings(entry)
     if entry.remark is not None:
         yield f"{entry.remark}\n"
-    if entry.derivation:
+    if entry.derivation and not derived:
         yield "<details>\n<summary>Derivation</summary>\n"
         for words, latex in entry.derivation:
             yield f"{words}\n"

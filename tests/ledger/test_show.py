@@ -2,6 +2,8 @@
 
 import re
 
+import pytest
+
 from chr_notes.ledger import entries
 from chr_notes.ledger.show import AND, LONG, display, show, show_additions
 from chr_notes.printed import ADDITIONS
@@ -50,3 +52,12 @@ def test_all_additions_of_a_document_are_shown_in_their_order() -> None:
     for document, additions in ADDITIONS.items():
         shown = [card.entry.id for card in show_additions(document).cards]
         assert shown == [printed.id for printed in additions]
+
+
+def test_a_derivation_is_gone_through_once() -> None:
+    shown = show("euler.7.2", derived=True)._repr_markdown_()
+    assert shown.index("chr-steps") < shown.index('id="entry-euler.7.2"')
+    assert shown.count("Each Euler rate is a turn about one known axis") == 1
+    assert "<summary>Derivation</summary>" not in shown
+    with pytest.raises(ValueError, match=r"euler\.2\.a has none"):
+        show("euler.2.a", derived=True)

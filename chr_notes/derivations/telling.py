@@ -1,0 +1,25 @@
+"""A derivation as a chapter tells it, where no document prints what it leads to."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from sympy import Basic
+
+from chr_notes.derivations.steps import Step
+
+
+@dataclass(frozen=True)
+class Told:
+    """Steps that a chapter shows one after the other.
+
+    Parameters
+    ----------
+    steps
+        In the order in which they are told.
+    stands
+        What each name in the steps stands for, from the derivations. A step holds if it is true of
+        these; a test proves each one.
+    """
+
+    steps: tuple[Step, ...]
+    stands: Mapping[Basic, Basic]
