@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 Bools = NDArray[np.bool_]
 Floats = NDArray[np.float64]
-_DOUBLE = np.dtype(np.float64)
+DOUBLE = np.dtype(np.float64)
 
 
 def floats(name: str, value: ArrayLike, *last: int) -> Floats:
@@ -29,7 +29,7 @@ def floats(name: str, value: ArrayLike, *last: int) -> Floats:
     TypeError
         If what is given are not real numbers.
     """
-    if type(value) is np.ndarray and value.dtype is _DOUBLE and value.flags.c_contiguous:
+    if type(value) is np.ndarray and value.dtype is DOUBLE and value.flags.c_contiguous:
         axes = value.ndim - len(last)
         if axes >= 0 and value.shape[axes:] == last:  # as is the rule, and quick to see
             return value
@@ -70,7 +70,7 @@ def _numbers(name: str, array: NDArray[Any]) -> Floats:
 
 
 def common_shape(
-    names: tuple[str, ...], arrays: list[Floats], axes: tuple[int, ...]
+    names: tuple[str, ...], arrays: tuple[Floats, ...], axes: tuple[int, ...]
 ) -> tuple[int, ...]:
     """Broadcast the leading axes of arguments.
 
@@ -87,14 +87,15 @@ def common_shape(
         If the leading axes do not fit each other.
     """
     leading = [a.shape[: a.ndim - last] for a, last in zip(arrays, axes, strict=True)]
-    if leading.count(leading[0]) == len(leading):
-        return leading[0]
+    several = [each for each in leading if each] or [()]
+    if several.count(several[0]) == len(several):
+        return several[0]
     try:
         return np.broadcast_shapes(*leading)
     except ValueError:
         # Those that have leading axes, one of a name.
-        several = zip(names, arrays, leading, strict=True)
-        told = {name: str(array.shape) for name, array, axes_of_it in several if axes_of_it}
+        whole = zip(names, arrays, leading, strict=True)
+        told = {name: str(array.shape) for name, array, axes_of_it in whole if axes_of_it}
         msg = (
             f"expected {' and '.join(told)} with leading axes that broadcast, got shapes "
             f"{' and '.join(told.values())}"

@@ -1,6 +1,6 @@
 """Functions that take each row of their arrays by itself: by a kernel, and by NumPy."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from math import prod
 from typing import Any, Literal
@@ -8,7 +8,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from chr_notes._arrays import Bools, Floats, check_out, common_shape, floats
+from chr_notes._arrays import DOUBLE, Bools, Floats, check_out, common_shape, floats
 from chr_notes._kernels import completed, kernel
 from chr_notes._odd_rows import WrongRow, check_rotations, rows_with_nan, scaled
 from chr_notes.generated.arrays.shapes import SHAPES
@@ -84,7 +84,10 @@ class Rows:
         arrays, self._result = SHAPES[self.name]
         self._lasts = tuple(arrays.values())
         self._names, self._checked = (*names, *tuple(arrays)[len(names) :]), checked
-        self._axes = tuple(map(len, self._lasts))
+        self._layout = tuple(
+            (last, slice(-len(last) or None), slice(-len(last) or 0, None if last else 0))
+            for last in self._lasts
+        )
         self._rotation, self._scaled, self._degree = rotation, scaled, degree
         self.use(kernel(self.name))
 
@@ -139,54 +142,60 @@ class Rows:
 
     def _finished(
         self,
-        done: tuple[Floats, bytes] | None,
+        done: Floats | tuple[Floats, bytes] | None,
         given: tuple[Any, ...],
         out: Floats | None,
         *,
         every_place: bool = False,
     ) -> tuple[Floats, Locked]:
         """Check and compute what the kernel has left: some rows, or all."""
-        arrays: list[Floats] = []
-        leading: tuple[int, ...] = ()
-        same = True
-        for place, last in enumerate(self._lasts):
-            array: Floats = given[place]
-            if place >= self._checked:
-                array = floats(self._names[place], array, *last)
-            arrays.append(array)
-            if own := array.shape[: array.ndim - len(last)]:
-                same, leading = same and (own == leading or not leading), own
-        if not same:
-            leading = common_shape(self._names, arrays, self._axes)
+        arrays, leading = given, self._leading(given)
+        if leading is None:
+            whole = zip(self._names, given, self._lasts, strict=True)
+            arrays = tuple(floats(name, value, *last) for name, value, last in whole)
+            leading = common_shape(self._names, arrays, tuple(map(len, self._lasts)))
         shape = leading + self._result
         if out is not None:
             check_out(out, shape)
-        now: Floats | tuple[Floats, bytes] | None = done
         if done is None and self._kernel is not None:
-            now = self._kernel(*self._as_rows(arrays, leading), None)
-        if isinstance(now, np.ndarray):
-            result, locked = now.reshape(shape), NONE_LOCKED
+            done = self._kernel(*self._as_rows(arrays, leading), None)
+        if isinstance(done, np.ndarray):
+            result, locked = done.reshape(shape), NONE_LOCKED
         else:
-            result, left = (
-                (np.empty(shape), None) if now is None else (now[0].reshape(shape), now[1])
-            )
+            result = np.empty(shape) if done is None else done[0].reshape(shape)
             with np.errstate(all="ignore"):
-                few = left is None and prod(leading) <= BLOCK
+                few = done is None and prod(leading) <= BLOCK
                 lock = self._at_once(arrays, result) if few else None
-                if lock is None:
-                    rows = self._as_rows(arrays, leading)
-                    locked = self._complete(result, left, rows, leading, every_place=every_place)
-                else:
+                if lock is not None:
                     locked = _places(lock, every_place=every_place)
+                else:
+                    left, rows = done and done[1], self._as_rows(arrays, leading)
+                    locked = self._complete(result, left, rows, leading, every_place=every_place)
         if out is None or out is result:
             return result, locked
         np.copyto(out, result)
         return out, locked
 
-    def _as_rows(self, arrays: list[Floats], leading: tuple[int, ...]) -> list[Floats]:
+    def _leading(self, given: tuple[Any, ...]) -> tuple[int, ...] | None:
+        """Tell the leading axes of arrays that are as they should be; None where one is not."""
+        leading: tuple[int, ...] = ()
+        for array, (last, before, behind) in zip(given, self._layout, strict=True):
+            if type(array) is not np.ndarray or array.dtype is not DOUBLE:
+                return None
+            shape = array.shape
+            if shape[behind] != last or not array.flags.c_contiguous:
+                return None
+            own = shape[before]
+            if own and own != leading:
+                if leading:
+                    return None
+                leading = own
+        return leading
+
+    def _as_rows(self, arrays: tuple[Floats, ...], leading: tuple[int, ...]) -> list[Floats]:
         return [_rows(a, leading, last) for a, last in zip(arrays, self._lasts, strict=True)]
 
-    def _at_once(self, parts: list[Floats], values: Floats) -> Bools | None:
+    def _at_once(self, parts: Sequence[Floats], values: Floats) -> Bools | None:
         """Compute rows of which none is odd.
 
         Returns
@@ -210,7 +219,7 @@ class Rows:
         if not whole < most:  # nor is NaN
             return None
         locked, guard = self._general(*parts, values)
-        if guard is not None and not np.minimum.reduce(guard, axis=None, initial=1.0) > least:
+        if guard is not None and guard.size and not guard.item(guard.argmin()) > least:
             return None
         return _NOWHERE if locked is None else locked
 

@@ -12,6 +12,27 @@ from chr_notes.codegen.together import PRODUCTS, together
 from chr_notes.derivations.computation import Choice, Let
 
 NUMPY = NumPy()
+PRINCIPAL = '''
+def less_turns(angle: Floats, turns: Floats) -> Floats:
+    """Take whole turns off: 2 pi is in three parts, whose first multiples are exact."""
+    rest: Floats = angle - turns*6.2831853069365025 - turns*2.4308402025215864e-10
+    return rest - turns*8.089064995183803e-21
+
+
+def principal(angle: Floats) -> Floats:
+    """Angle from -pi to pi less whole turns; one that lies there is left as it is."""
+    turns = rint(angle*0.15915494309189535)
+    found = less_turns(angle, turns)
+    beyond = abs(found) > 3.141592653589793
+    if count_nonzero(beyond):  # their number was rounded
+        found = less_turns(angle, turns + copysign(beyond, found))
+    large = abs(angle) >= 1e6
+    if count_nonzero(large):
+        found = where(large, arctan2(sin(angle), cos(angle)), found)
+    return found
+'''.strip()
+HELPERS = {"principal": PRINCIPAL, "products": PRODUCTS}
+"""Functions that stand once in a module, by their names."""
 
 
 def shape(elements: tuple[object, ...]) -> tuple[int, ...]:
@@ -22,7 +43,7 @@ def shape(elements: tuple[object, ...]) -> tuple[int, ...]:
 def module(programs: tuple[Program, ...]) -> str:
     """Print a module of functions of arrays, which write their result into an array."""
     functions = [_function(program) for program in programs]
-    shared = [PRODUCTS] if any("products(" in function for function in functions) else []
+    shared = [text for name, text in HELPERS.items() if any(f"{name}(" in f for f in functions)]
     body = "\n\n\n".join([*shared, *functions])
     head = '"""' + "\n".join(header.made_how(programs)) + '\n"""\n\n'
     called = {name for name in re.findall(r"(?<!\.)\b(\w+)\(", body) if hasattr(np, name)}

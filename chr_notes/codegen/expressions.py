@@ -210,8 +210,10 @@ class NumPy(Spelling, NumPyPrinter):
 
     _print_Relational = Python._print_Relational  # noqa: SLF001 (SymPy's protocol)
 
-    def _print_products(self, value: Basic) -> str:
-        return f"products({', '.join(map(self._print, value.args))})"
+    def _print_own(self, value: Basic) -> str:
+        return f"{type(value).__name__}({', '.join(map(self._print, value.args))})"
+
+    _print_principal = _print_products = _print_own
 
     def _print_And(self, value: And) -> str:
         return " & ".join(self.parenthesize(part, PRECEDENCE["Atom"]) for part in value.args)

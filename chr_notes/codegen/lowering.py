@@ -177,8 +177,10 @@ def _schedule(
     for step in steps:
         # What a step needs is put in order while its values are read, hence before it.
         if isinstance(step, Let):
-            value = ready(next(values))
-            ordered.append(Let(step.name, value))
+            value = next(values)
+            if value in waiting:
+                renamed[value], value = step.name, waiting.pop(value)
+            ordered.append(Let(step.name, ready(value)))
         else:
             ordered.append(map_step(step, ready))
     finished = tuple(ready(value) for value in values)

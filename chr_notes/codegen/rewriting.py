@@ -3,7 +3,24 @@
 from collections.abc import Callable
 from dataclasses import replace
 
-from sympy import Abs, Basic, Expr, Function, Pow, Symbol, Wild, atan2, cos, sin, sqrt, tan, true
+from sympy import (
+    Abs,
+    And,
+    Basic,
+    Expr,
+    Function,
+    Pow,
+    Symbol,
+    Wild,
+    atan2,
+    cos,
+    false,
+    pi,
+    sin,
+    sqrt,
+    tan,
+    true,
+)
 from sympy.codegen.cfunctions import hypot
 
 from chr_notes.codegen.names import name_of
@@ -41,40 +58,32 @@ def by_library(values: tuple[Basic, ...]) -> tuple[tuple[Let, ...], dict[Basic, 
     return tuple(lets), replaced
 
 
-def for_columns(values: tuple[Basic, ...]) -> tuple[tuple[Let, ...], dict[Basic, Expr]]:
-    """Do as `by_library`, with a quotient for the tangent and a root for `hypot`.
+class principal(Function):  # noqa: N801 (its name in C and NumPy)
+    """An angle less whole turns, from -pi to pi; one that lies there is left as it is."""
 
-    Both take several times as long as what stands for them, and need no care here: a row whose
+
+def for_columns(values: tuple[Basic, ...]) -> tuple[tuple[Let, ...], dict[Basic, Expr]]:
+    """Do as `by_library`, with functions that take less time for many rows.
+
+    A quotient stands for the tangent and a root for `hypot`. They need no care here: a row whose
     squares would overflow or vanish is scaled first, by the guard. So one of zeros is no matter.
+    Whole turns are taken off, instead of asking for the angle whose sine and cosine are those of
+    another, which costs five times as much.
     """
     tangents = {
         call: sin(call.args[0]) / cos(call.args[0]) for value in values for call in value.atoms(tan)
     }
-    lets, replaced = by_library(tuple(value.xreplace(tangents) for value in values))
-    replaced |= {call: value.xreplace(replaced) for call, value in tangents.items()}
+    turned: dict[Basic, Expr] = {}
+    for call in (call for value in values for call in value.atoms(atan2)):
+        angle = call.args[0].args[0] if isinstance(call.args[0], sin) else None
+        if angle is not None and call.args[1] == cos(angle):
+            turned |= {call: principal(angle), And(angle >= -pi, angle < pi): false}
+    lets, replaced = by_library(tuple(value.xreplace(tangents | turned) for value in values))
+    replaced |= {call: value.xreplace(replaced) for call, value in tangents.items()} | turned
     replaced[KNOWN] = true
     for value in values:
         replaced |= {call: root_of_squares(*call.args) for call in value.atoms(hypot)}
     return lets, replaced
-
-
-class principal(Function):  # noqa: N801 (its name in C)
-    """An angle less whole turns, from -pi to pi."""
-
-
-def for_kernels(values: tuple[Basic, ...]) -> tuple[tuple[Let, ...], dict[Basic, Expr]]:
-    """Do as `for_columns`, with whole turns taken off by the kernels' own function.
-
-    It costs a fifth of the angle whose sine and cosine are those of another.
-    """
-    turned = {
-        call: principal(call.args[0].args[0])
-        for value in values
-        for call in value.atoms(atan2)
-        if isinstance(call.args[0], sin) and call.args[1] == cos(call.args[0].args[0])
-    }
-    lets, replaced = for_columns(tuple(value.xreplace(turned) for value in values))
-    return lets, replaced | turned
 
 
 class cos_of_root(Function):  # noqa: N801 (its name in C)

@@ -2,7 +2,21 @@
 
 from functools import cache
 
-from sympy import Abs, And, Expr, ImmutableMatrix, Not, Symbol, atan2, expand, pi, sqrt, symbols
+from sympy import (
+    Abs,
+    And,
+    Expr,
+    ImmutableMatrix,
+    Not,
+    Symbol,
+    atan2,
+    collect,
+    expand,
+    pi,
+    sin,
+    sqrt,
+    symbols,
+)
 from sympy.codegen.cfunctions import hypot
 
 from chr_notes.derivations import estimation, validation
@@ -14,7 +28,7 @@ from chr_notes.derivations.computation import (
     Let,
     otherwise,
 )
-from chr_notes.symbols import ACCELEROMETER, MAGNETOMETER, Angle
+from chr_notes.symbols import ACCELEROMETER, MAGNETOMETER, Angle, theta
 
 SQUARED = Symbol("length_squared", real=True)
 KNOWN = Symbol("has_direction", real=True)
@@ -75,6 +89,7 @@ def heading() -> Computation:
     level_x, level_y, _ = validation.level_field()
     yaw = validation.heading().xreplace({level_x: along, level_y: across})
     choice, result = _if_known(yaw)
+    level_x = collect(expand(level_x), sin(theta))
     steps = (*with_direction(MAGNETOMETER), Let(along, level_x), Let(across, level_y))
     return Computation((*steps, choice), result, guard=SQUARED)
 

@@ -130,11 +130,13 @@ def euler_from_matrix() -> Computation:
     matrix = quaternions.MATRIX
     _, pitch, yaw = quaternions.euler_from_matrix(matrix)
     east, north = yaw.args
-    roll = atan2(
-        east * matrix[2, 0] - north * matrix[2, 1], north * matrix[1, 1] - east * matrix[1, 0]
+    parts = symbols("roll_sine roll_cosine", real=True)
+    lets = (
+        Let(parts[0], east * matrix[2, 0] - north * matrix[2, 1]),
+        Let(parts[1], north * matrix[1, 1] - east * matrix[1, 0]),
     )
-    angles = ImmutableMatrix([roll, atan2(pitch.args[0], hypot(north, east)), yaw])
-    return of_a_rotation(with_lock((), angles, quaternions.yaw_without_roll(matrix)))
+    angles = ImmutableMatrix([atan2(*parts), atan2(pitch.args[0], hypot(north, east)), yaw])
+    return of_a_rotation(with_lock(lets, angles, quaternions.yaw_without_roll(matrix)))
 
 
 @cache
@@ -144,7 +146,7 @@ def wrap_angle() -> Computation:
     The angle whose sine and cosine are these is right at every size, where taking multiples of a
     rounded 2 pi away is not.
     """
-    there, wrapped = symbols("principal wrapped", real=True)
+    there, wrapped = symbols("turned_back wrapped", real=True)
     within = And(ANGLE >= -pi, ANGLE < pi)  # noqa: SIM300 (an angle, no constant)
     return Computation(
         (

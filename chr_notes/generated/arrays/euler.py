@@ -3,11 +3,30 @@ From the derivations behind the ledger entries euler.5.2, euler.5.3, euler.7.2, 
 euler.7.a, euler.7.d.
 """
 
-from numpy import arctan2, bool_, cos, count_nonzero, float64, sin, sqrt, where
+from numpy import arctan2, bool_, copysign, cos, count_nonzero, float64, rint, sin, sqrt, where
 from numpy.typing import NDArray
 
 Floats = NDArray[float64]
 Told = tuple[NDArray[bool_] | None, Floats | None]
+
+
+def less_turns(angle: Floats, turns: Floats) -> Floats:
+    """Take whole turns off: 2 pi is in three parts, whose first multiples are exact."""
+    rest: Floats = angle - turns*6.2831853069365025 - turns*2.4308402025215864e-10
+    return rest - turns*8.089064995183803e-21
+
+
+def principal(angle: Floats) -> Floats:
+    """Angle from -pi to pi less whole turns; one that lies there is left as it is."""
+    turns = rint(angle*0.15915494309189535)
+    found = less_turns(angle, turns)
+    beyond = abs(found) > 3.141592653589793
+    if count_nonzero(beyond):  # their number was rounded
+        found = less_turns(angle, turns + copysign(beyond, found))
+    large = abs(angle) >= 1e6
+    if count_nonzero(large):
+        found = where(large, arctan2(sin(angle), cos(angle)), found)
+    return found
 
 
 def matrix_from_euler(euler: Floats, out: Floats) -> Told:
@@ -63,15 +82,17 @@ def euler_from_matrix(matrix: Floats, out: Floats) -> Told:
     r31 = matrix[..., 2, 0]
     r32 = matrix[..., 2, 1]
     r33 = matrix[..., 2, 2]
+    roll_sine = -r11*r32 + r12*r31
+    roll_cosine = r11*r22 - r12*r21
     r11_squared_plus_r12_squared = r11*r11 + r12*r12
     pitch = arctan2(-r13, sqrt(r11_squared_plus_r12_squared))
     locked = abs(pitch) > 1.5707963267948948
-    roll = arctan2(-r11*r32 + r12*r31, r11*r22 - r12*r21)
+    roll = arctan2(roll_sine, roll_cosine)
     yaw = arctan2(r12, r11)
     if count_nonzero(locked):
         roll = where(locked, 0.0, roll)
         yaw = where(locked, arctan2(-r21, r22), yaw)
-    determinant = r13*(r21*r32 - r22*r31) + r23*(-r11*r32 + r12*r31) + r33*(r11*r22 - r12*r21)
+    determinant = r13*(r21*r32 - r22*r31) + r23*roll_sine + r33*roll_cosine
     out[..., 0] = roll
     out[..., 1] = pitch
     out[..., 2] = yaw
@@ -195,12 +216,7 @@ def wrap_angle(angle: Floats, out: Floats) -> Told:
     angle: angle, radians, shape (...)
     out: for the result, shape (...)
     """
-    sin_angle = sin(angle)
-    cos_angle = cos(angle)
-    principal = arctan2(sin_angle, cos_angle)
-    wrapped = (
-        where((angle >= -3.141592653589793) & (angle < 3.141592653589793), angle, where(principal >=
-            3.141592653589793, -3.141592653589793, principal))
-    )
+    turned_back = principal(angle)
+    wrapped = where(turned_back >= 3.141592653589793, -3.141592653589793, turned_back)
     out[...] = wrapped
     return None, None

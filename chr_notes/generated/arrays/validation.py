@@ -34,7 +34,7 @@ def heading_from_magnetometer(mag: Floats, tilt: Floats, reference: Floats, out:
     sin_roll = sin(roll)
     cos_roll = cos(roll)
     length_squared = mag_x*mag_x + mag_y*mag_y + mag_z*mag_z
-    level_x = cos_pitch*mag_x + cos_roll*mag_z*sin_pitch + mag_y*sin_pitch*sin_roll
+    level_x = cos_pitch*mag_x + sin_pitch*(cos_roll*mag_z + mag_y*sin_roll)
     level_y = cos_roll*mag_y - mag_z*sin_roll
     result = arctan2(east*level_x - level_y*north, east*level_y + level_x*north)
     out[...] = result

@@ -66,11 +66,13 @@ int attitude_euler_from_matrix(double r11, double r12, double r13, double r21, d
 {
     (void)(r23);
     (void)(r33);
+    const double roll_sine = -r11*r32 + r12*r31;
+    const double roll_cosine = r11*r22 - r12*r21;
     const double pitch = atan2(-r13, hypot(r11, r12));
     const int locked = fabs(pitch) > 1.5707963267948948;
     double roll, yaw;
     if (!locked) {
-        roll = atan2(-r11*r32 + r12*r31, r11*r22 - r12*r21);
+        roll = atan2(roll_sine, roll_cosine);
         yaw = atan2(r12, r11);
     } else {
         roll = 0.0;
@@ -87,11 +89,13 @@ int attitude_euler_from_matrix_f(float r11, float r12, float r13, float r21, flo
 {
     (void)(r23);
     (void)(r33);
+    const float roll_sine = -r11*r32 + r12*r31;
+    const float roll_cosine = r11*r22 - r12*r21;
     const float pitch = atan2f(-r13, hypotf(r11, r12));
     const int locked = fabsf(pitch) > 1.5707953731205802f;
     float roll, yaw;
     if (!locked) {
-        roll = atan2f(-r11*r32 + r12*r31, r11*r22 - r12*r21);
+        roll = atan2f(roll_sine, roll_cosine);
         yaw = atan2f(r12, r11);
     } else {
         roll = 0.0f;
@@ -257,14 +261,14 @@ double attitude_wrap_angle(double angle)
 {
     const double sin_angle = sin(angle);
     const double cos_angle = cos(angle);
-    const double principal = atan2(sin_angle, cos_angle);
+    const double turned_back = atan2(sin_angle, cos_angle);
     double wrapped;
     if (angle >= -3.141592653589793 && angle < 3.141592653589793) {
         wrapped = angle;
-    } else if (principal >= 3.141592653589793) {
+    } else if (turned_back >= 3.141592653589793) {
         wrapped = -3.141592653589793;
     } else {
-        wrapped = principal;
+        wrapped = turned_back;
     }
     return wrapped;
 }
@@ -273,14 +277,14 @@ float attitude_wrap_angle_f(float angle)
 {
     const float sin_angle = sinf(angle);
     const float cos_angle = cosf(angle);
-    const float principal = atan2f(sin_angle, cos_angle);
+    const float turned_back = atan2f(sin_angle, cos_angle);
     float wrapped;
     if (angle >= -3.141592653589793f && angle < 3.141592653589793f) {
         wrapped = angle;
-    } else if (principal >= 3.141592653589793f) {
+    } else if (turned_back >= 3.141592653589793f) {
         wrapped = -3.141592653589793f;
     } else {
-        wrapped = principal;
+        wrapped = turned_back;
     }
     return wrapped;
 }
@@ -745,8 +749,7 @@ void attitude_quaternion_after_constant_rates(double a, double b, double c, doub
     const double half_turn = 0.5*dt*sqrt(p*p + q*q + r*r);
     const double sin_half_turn = sin(half_turn);
     const double ratio = half_turn > 0.0 ? sin_half_turn/half_turn : 1.0;
-    const double cos_half_turn = cos(half_turn);
-    const double turn_a = cos_half_turn;
+    const double turn_a = cos(half_turn);
     const double common_2 = 0.5*dt*ratio;
     const double turn_b = common_2*p;
     const double turn_c = common_2*q;
@@ -763,8 +766,7 @@ void attitude_quaternion_after_constant_rates_f(float a, float b, float c, float
     const float half_turn = 0.5f*dt*sqrtf(p*p + q*q + r*r);
     const float sin_half_turn = sinf(half_turn);
     const float ratio = half_turn > 0.0f ? sin_half_turn/half_turn : 1.0f;
-    const float cos_half_turn = cosf(half_turn);
-    const float turn_a = cos_half_turn;
+    const float turn_a = cosf(half_turn);
     const float common_2 = 0.5f*dt*ratio;
     const float turn_b = common_2*p;
     const float turn_c = common_2*q;
@@ -2179,8 +2181,7 @@ void attitude_gyro_turn(double a, double b, double c, double d, double p, double
     const double half_turn = 0.5*dt*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
     const double sin_half_turn = sin(half_turn);
     const double ratio = half_turn > 0.0 ? sin_half_turn/half_turn : 1.0;
-    const double cos_half_turn = cos(half_turn);
-    const double turn_a = cos_half_turn;
+    const double turn_a = cos(half_turn);
     const double common_5 = 0.5*dt*ratio;
     const double turn_b = common_5*rate_x;
     const double turn_c = common_5*rate_y;
@@ -2213,8 +2214,7 @@ void attitude_gyro_turn_f(float a, float b, float c, float d, float p, float q, 
     const float half_turn = 0.5f*dt*sqrtf(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
     const float sin_half_turn = sinf(half_turn);
     const float ratio = half_turn > 0.0f ? sin_half_turn/half_turn : 1.0f;
-    const float cos_half_turn = cosf(half_turn);
-    const float turn_a = cos_half_turn;
+    const float turn_a = cosf(half_turn);
     const float common_5 = 0.5f*dt*ratio;
     const float turn_b = common_5*rate_x;
     const float turn_c = common_5*rate_y;
@@ -2247,8 +2247,7 @@ void attitude_observer_turn(double a, double b, double c, double d, double p, do
     const double half_turn = 0.5*dt*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
     const double sin_half_turn = sin(half_turn);
     const double ratio = half_turn > 0.0 ? sin_half_turn/half_turn : 1.0;
-    const double cos_half_turn = cos(half_turn);
-    const double turn_a = cos_half_turn;
+    const double turn_a = cos(half_turn);
     const double common_7 = 0.5*dt*ratio;
     const double turn_b = common_7*rate_x;
     const double turn_c = common_7*rate_y;
@@ -2321,8 +2320,7 @@ void attitude_observer_turn_f(float a, float b, float c, float d, float p, float
     const float half_turn = 0.5f*dt*sqrtf(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
     const float sin_half_turn = sinf(half_turn);
     const float ratio = half_turn > 0.0f ? sin_half_turn/half_turn : 1.0f;
-    const float cos_half_turn = cosf(half_turn);
-    const float turn_a = cos_half_turn;
+    const float turn_a = cosf(half_turn);
     const float common_7 = 0.5f*dt*ratio;
     const float turn_b = common_7*rate_x;
     const float turn_c = common_7*rate_y;
@@ -2414,8 +2412,7 @@ void attitude_observer_step(double roll, double pitch, double yaw, double p, dou
     const double half_turn = 0.5*dt*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
     const double sin_half_turn = sin(half_turn);
     const double ratio = half_turn > 0.0 ? sin_half_turn/half_turn : 1.0;
-    const double cos_half_turn = cos(half_turn);
-    const double turn_a = cos_half_turn;
+    const double turn_a = cos(half_turn);
     const double common_17 = 0.5*dt*ratio;
     const double turn_b = common_17*rate_x;
     const double turn_c = common_17*rate_y;
@@ -2540,8 +2537,7 @@ void attitude_observer_step_f(float roll, float pitch, float yaw, float p, float
     const float half_turn = 0.5f*dt*sqrtf(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
     const float sin_half_turn = sinf(half_turn);
     const float ratio = half_turn > 0.0f ? sin_half_turn/half_turn : 1.0f;
-    const float cos_half_turn = cosf(half_turn);
-    const float turn_a = cos_half_turn;
+    const float turn_a = cosf(half_turn);
     const float common_17 = 0.5f*dt*ratio;
     const float turn_b = common_17*rate_x;
     const float turn_c = common_17*rate_y;
@@ -2762,7 +2758,7 @@ double attitude_heading_from_magnetometer(double mag_x, double mag_y, double mag
     const double cos_roll = cos(roll);
     const double size = fabs(mag_x) + fabs(mag_y) + fabs(mag_z);
     const int has_direction = size <= 1.7976931348623157e+308 && size > 0.0;
-    const double level_x = cos_pitch*mag_x + cos_roll*mag_z*sin_pitch + mag_y*sin_pitch*sin_roll;
+    const double level_x = cos_pitch*mag_x + sin_pitch*(cos_roll*mag_z + mag_y*sin_roll);
     const double level_y = cos_roll*mag_y - mag_z*sin_roll;
     double result;
     if (has_direction) {
@@ -2782,7 +2778,7 @@ float attitude_heading_from_magnetometer_f(float mag_x, float mag_y, float mag_z
     const float cos_roll = cosf(roll);
     const float size = fabsf(mag_x) + fabsf(mag_y) + fabsf(mag_z);
     const int has_direction = size <= 3.4028234663852886e+38f && size > 0.0f;
-    const float level_x = cos_pitch*mag_x + cos_roll*mag_z*sin_pitch + mag_y*sin_pitch*sin_roll;
+    const float level_x = cos_pitch*mag_x + sin_pitch*(cos_roll*mag_z + mag_y*sin_roll);
     const float level_y = cos_roll*mag_y - mag_z*sin_roll;
     float result;
     if (has_direction) {
@@ -2940,8 +2936,7 @@ void attitude_monitored_turn(double a, double b, double c, double d, double abov
     const double half_turn = 0.5*dt*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
     const double sin_half_turn = sin(half_turn);
     const double ratio = half_turn > 0.0 ? sin_half_turn/half_turn : 1.0;
-    const double cos_half_turn = cos(half_turn);
-    const double turn_a = cos_half_turn;
+    const double turn_a = cos(half_turn);
     const double common_7 = 0.5*dt*ratio;
     const double turn_b = common_7*rate_x;
     const double turn_c = common_7*rate_y;
@@ -3063,8 +3058,7 @@ void attitude_monitored_turn_f(float a, float b, float c, float d, float above, 
     const float half_turn = 0.5f*dt*sqrtf(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
     const float sin_half_turn = sinf(half_turn);
     const float ratio = half_turn > 0.0f ? sin_half_turn/half_turn : 1.0f;
-    const float cos_half_turn = cosf(half_turn);
-    const float turn_a = cos_half_turn;
+    const float turn_a = cosf(half_turn);
     const float common_7 = 0.5f*dt*ratio;
     const float turn_b = common_7*rate_x;
     const float turn_c = common_7*rate_y;
@@ -3465,8 +3459,7 @@ void attitude_averaging_turn(double a, double b, double c, double d, double mean
     const double half_turn = 0.5*step_seen*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
     const double sin_half_turn = sin(half_turn);
     const double ratio = half_turn > 0.0 ? sin_half_turn/half_turn : 1.0;
-    const double cos_half_turn = cos(half_turn);
-    const double turn_a = cos_half_turn;
+    const double turn_a = cos(half_turn);
     const double common_7 = 0.5*ratio*step_seen;
     const double turn_b = common_7*rate_x;
     const double turn_c = common_7*rate_y;
@@ -3657,8 +3650,7 @@ void attitude_averaging_turn_f(float a, float b, float c, float d, float mean_le
     const float half_turn = 0.5f*step_seen*sqrtf(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
     const float sin_half_turn = sinf(half_turn);
     const float ratio = half_turn > 0.0f ? sin_half_turn/half_turn : 1.0f;
-    const float cos_half_turn = cosf(half_turn);
-    const float turn_a = cos_half_turn;
+    const float turn_a = cosf(half_turn);
     const float common_7 = 0.5f*ratio*step_seen;
     const float turn_b = common_7*rate_x;
     const float turn_c = common_7*rate_y;
@@ -3852,8 +3844,7 @@ void attitude_averaging_heading_turn(double a, double b, double c, double d, dou
     const double half_turn = 0.5*step_seen*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
     const double sin_half_turn = sin(half_turn);
     const double ratio = half_turn > 0.0 ? sin_half_turn/half_turn : 1.0;
-    const double cos_half_turn = cos(half_turn);
-    const double turn_a = cos_half_turn;
+    const double turn_a = cos(half_turn);
     const double common_9 = 0.5*ratio*step_seen;
     const double turn_b = common_9*rate_x;
     const double turn_c = common_9*rate_y;
@@ -4122,10 +4113,8 @@ void attitude_averaging_heading_turn(double a, double b, double c, double d, dou
         heading_averaged_after = heading_time_constant;
     }
     const double half_heading_turn = 0.5*heading_off*heading_share;
-    const double cos_half_heading_turn = cos(half_heading_turn);
-    const double heading_a = cos_half_heading_turn;
-    const double sin_half_heading_turn = sin(half_heading_turn);
-    const double heading_d = sin_half_heading_turn;
+    const double heading_a = cos(half_heading_turn);
+    const double heading_d = sin(half_heading_turn);
     const double heading_d_squared = heading_d*heading_d;
     const double twice_heading_a_heading_d = 2.0*heading_a*heading_d;
     const double heading_a_squared = heading_a*heading_a;
@@ -4181,8 +4170,7 @@ void attitude_averaging_heading_turn_f(float a, float b, float c, float d, float
     const float half_turn = 0.5f*step_seen*sqrtf(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
     const float sin_half_turn = sinf(half_turn);
     const float ratio = half_turn > 0.0f ? sin_half_turn/half_turn : 1.0f;
-    const float cos_half_turn = cosf(half_turn);
-    const float turn_a = cos_half_turn;
+    const float turn_a = cosf(half_turn);
     const float common_9 = 0.5f*ratio*step_seen;
     const float turn_b = common_9*rate_x;
     const float turn_c = common_9*rate_y;
@@ -4451,10 +4439,8 @@ void attitude_averaging_heading_turn_f(float a, float b, float c, float d, float
         heading_averaged_after = heading_time_constant;
     }
     const float half_heading_turn = 0.5f*heading_off*heading_share;
-    const float cos_half_heading_turn = cosf(half_heading_turn);
-    const float heading_a = cos_half_heading_turn;
-    const float sin_half_heading_turn = sinf(half_heading_turn);
-    const float heading_d = sin_half_heading_turn;
+    const float heading_a = cosf(half_heading_turn);
+    const float heading_d = sinf(half_heading_turn);
     const float heading_d_squared = heading_d*heading_d;
     const float twice_heading_a_heading_d = 2.0f*heading_a*heading_d;
     const float heading_a_squared = heading_a*heading_a;
@@ -4500,8 +4486,7 @@ void attitude_observer_heading_turn(double a, double b, double c, double d, doub
     const double half_turn = 0.5*dt*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
     const double sin_half_turn = sin(half_turn);
     const double ratio = half_turn > 0.0 ? sin_half_turn/half_turn : 1.0;
-    const double cos_half_turn = cos(half_turn);
-    const double turn_a = cos_half_turn;
+    const double turn_a = cos(half_turn);
     const double common_9 = 0.5*dt*ratio;
     const double turn_b = common_9*rate_x;
     const double turn_c = common_9*rate_y;
@@ -4584,10 +4569,8 @@ void attitude_observer_heading_turn(double a, double b, double c, double d, doub
     const double heading_off = atan2(east*field_n - field_e*north, east*field_e + field_n*north);
     const double heading_share = field_heard ? heading_gain : 0.0;
     const double half_heading_turn = 0.5*heading_off*heading_share;
-    const double cos_half_heading_turn = cos(half_heading_turn);
-    const double heading_a = cos_half_heading_turn;
-    const double sin_half_heading_turn = sin(half_heading_turn);
-    const double heading_d = sin_half_heading_turn;
+    const double heading_a = cos(half_heading_turn);
+    const double heading_d = sin(half_heading_turn);
     out[0] = heading_a*level_attitude_a - heading_d*level_attitude_d;
     out[1] = heading_a*level_attitude_b - heading_d*level_attitude_c;
     out[2] = heading_a*level_attitude_c + heading_d*level_attitude_b;
@@ -4617,8 +4600,7 @@ void attitude_observer_heading_turn_f(float a, float b, float c, float d, float 
     const float half_turn = 0.5f*dt*sqrtf(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
     const float sin_half_turn = sinf(half_turn);
     const float ratio = half_turn > 0.0f ? sin_half_turn/half_turn : 1.0f;
-    const float cos_half_turn = cosf(half_turn);
-    const float turn_a = cos_half_turn;
+    const float turn_a = cosf(half_turn);
     const float common_9 = 0.5f*dt*ratio;
     const float turn_b = common_9*rate_x;
     const float turn_c = common_9*rate_y;
@@ -4701,10 +4683,8 @@ void attitude_observer_heading_turn_f(float a, float b, float c, float d, float 
     const float heading_off = atan2f(east*field_n - field_e*north, east*field_e + field_n*north);
     const float heading_share = field_heard ? heading_gain : 0.0f;
     const float half_heading_turn = 0.5f*heading_off*heading_share;
-    const float cos_half_heading_turn = cosf(half_heading_turn);
-    const float heading_a = cos_half_heading_turn;
-    const float sin_half_heading_turn = sinf(half_heading_turn);
-    const float heading_d = sin_half_heading_turn;
+    const float heading_a = cosf(half_heading_turn);
+    const float heading_d = sinf(half_heading_turn);
     out[0] = heading_a*level_attitude_a - heading_d*level_attitude_d;
     out[1] = heading_a*level_attitude_b - heading_d*level_attitude_c;
     out[2] = heading_a*level_attitude_c + heading_d*level_attitude_b;

@@ -80,10 +80,12 @@ EVERY_INSTRUCTION_SET static int64_t euler_from_matrix
             const double r31 = matrix_in[6][row];
             const double r32 = matrix_in[7][row];
             const double r33 = matrix_in[8][row];
+            const double roll_sine = -r11*r32 + r12*r31;
+            const double roll_cosine = r11*r22 - r12*r21;
             const double r11_squared_plus_r12_squared = r11*r11 + r12*r12;
             const double pitch = column_atan2(-r13, sqrt(r11_squared_plus_r12_squared));
             const int locked = fabs(pitch) > 1.5707963267948948;
-            const double roll = column_atan2(-r11*r32 + r12*r31, r11*r22 - r12*r21);
+            const double roll = column_atan2(roll_sine, roll_cosine);
             const double yaw = column_atan2(r12, r11);
             const double off_11 = r11_squared_plus_r12_squared - 1.0 + r13*r13;
             const double off_21 = r11*r21 + r12*r22 + r13*r23;
@@ -95,8 +97,7 @@ EVERY_INSTRUCTION_SET static int64_t euler_from_matrix
                 0.2222222222222222*(off_21*off_21) + 0.1111111111111111*(off_22*off_22) +
                 0.2222222222222222*(off_31*off_31) + 0.2222222222222222*(off_32*off_32) +
                 0.1111111111111111*(off_33*off_33);
-            const double determinant = r13*(r21*r32 - r22*r31) + r23*(-r11*r32 + r12*r31) +
-                r33*(r11*r22 - r12*r21);
+            const double determinant = r13*(r21*r32 - r22*r31) + r23*roll_sine + r33*roll_cosine;
             const int rotation = (squared_defect <= 1e-08) & (determinant >= 0.0);
             results[0][row] = roll;
             results[1][row] = pitch;
@@ -305,9 +306,9 @@ EVERY_INSTRUCTION_SET static int64_t wrap_angle
         LOAD(angle_in, 0, 1)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double angle = angle_in[0][row];
-            const double principal = column_principal(angle);
-            const double wrapped = (angle >= -3.141592653589793) & (angle < 3.141592653589793) ?
-                angle : principal >= 3.141592653589793 ? -3.141592653589793 : principal;
+            const double turned_back = column_principal(angle);
+            const double wrapped = turned_back >= 3.141592653589793 ? -3.141592653589793 :
+                turned_back;
             results[0][row] = wrapped;
             left[row] = !(FINITE(angle) & (fabs(angle) < LARGEST_ANGLE));
             some |= left[row];
@@ -1953,8 +1954,7 @@ EVERY_INSTRUCTION_SET static int64_t heading_from_magnetometer
             const double sin_roll = column_sin(roll);
             const double cos_roll = column_cos(roll);
             const double length_squared = mag_x*mag_x + mag_y*mag_y + mag_z*mag_z;
-            const double level_x = cos_pitch*mag_x + cos_roll*mag_z*sin_pitch +
-                mag_y*sin_pitch*sin_roll;
+            const double level_x = cos_pitch*mag_x + sin_pitch*(cos_roll*mag_z + mag_y*sin_roll);
             const double level_y = cos_roll*mag_y - mag_z*sin_roll;
             const double result = column_atan2(east*level_x - level_y*north, east*level_y +
                 level_x*north);
@@ -3232,10 +3232,8 @@ static int64_t averaging_heading_turn
         const double heading_averaged_after = !field_used ? heading_left : heading_length <=
             heading_time_constant ? heading_length : heading_time_constant;
         const double half_heading_turn = 0.5*heading_off*heading_share;
-        const double cos_half_heading_turn = step_cos(half_heading_turn);
-        const double heading_a = cos_half_heading_turn;
-        const double sin_half_heading_turn = step_sin(half_heading_turn);
-        const double heading_d = sin_half_heading_turn;
+        const double heading_a = step_cos(half_heading_turn);
+        const double heading_d = step_sin(half_heading_turn);
         const double heading_d_squared = heading_d*heading_d;
         const double twice_heading_a_heading_d = 2.0*heading_a*heading_d;
         const double heading_a_squared = heading_a*heading_a;
@@ -3374,10 +3372,8 @@ static int64_t observer_heading_turn
             field_n*north);
         const double heading_share = field_heard ? heading_gain : 0.0;
         const double half_heading_turn = 0.5*heading_off*heading_share;
-        const double cos_half_heading_turn = step_cos(half_heading_turn);
-        const double heading_a = cos_half_heading_turn;
-        const double sin_half_heading_turn = step_sin(half_heading_turn);
-        const double heading_d = sin_half_heading_turn;
+        const double heading_a = step_cos(half_heading_turn);
+        const double heading_d = step_sin(half_heading_turn);
         const double next_a = heading_a*level_attitude_a - heading_d*level_attitude_d;
         const double next_b = heading_a*level_attitude_b - heading_d*level_attitude_c;
         const double next_c = heading_a*level_attitude_c + heading_d*level_attitude_b;

@@ -61,11 +61,13 @@ export function matrixFromEuler(roll, pitch, yaw) {
  * @returns {[number, number, number, boolean]} last: whether at gimbal lock, where roll, the angle of the last turn, is set to 0
  */
 export function eulerFromMatrix(r11, r12, r13, r21, r22, r23, r31, r32, r33) {
+  const rollSine = -r11*r32 + r12*r31;
+  const rollCosine = r11*r22 - r12*r21;
   const pitch = Math.atan2(-r13, Math.hypot(r11, r12));
   const locked = Math.abs(pitch) > 1.5707963267948948;
   let roll, yaw;
   if (!locked) {
-    roll = Math.atan2(-r11*r32 + r12*r31, r11*r22 - r12*r21);
+    roll = Math.atan2(rollSine, rollCosine);
     yaw = Math.atan2(r12, r11);
   } else {
     roll = 0;
@@ -210,14 +212,14 @@ export function eulerRatesCondition(pitch) {
 export function wrapAngle(angle) {
   const sinAngle = Math.sin(angle);
   const cosAngle = Math.cos(angle);
-  const principal = Math.atan2(sinAngle, cosAngle);
+  const turnedBack = Math.atan2(sinAngle, cosAngle);
   let wrapped;
   if (angle >= -3.141592653589793 && angle < 3.141592653589793) {
     wrapped = angle;
-  } else if (principal >= 3.141592653589793) {
+  } else if (turnedBack >= 3.141592653589793) {
     wrapped = -3.141592653589793;
   } else {
-    wrapped = principal;
+    wrapped = turnedBack;
   }
   return wrapped;
 }
@@ -584,8 +586,7 @@ export function quaternionAfterConstantRates(a, b, c, d, p, q, r, dt) {
   const halfTurn = 0.5*dt*Math.sqrt(p*p + q*q + r*r);
   const sinHalfTurn = Math.sin(halfTurn);
   const ratio = halfTurn > 0 ? sinHalfTurn/halfTurn : 1;
-  const cosHalfTurn = Math.cos(halfTurn);
-  const turnA = cosHalfTurn;
+  const turnA = Math.cos(halfTurn);
   const common2 = 0.5*dt*ratio;
   const turnB = common2*p;
   const turnC = common2*q;
@@ -1667,8 +1668,7 @@ export function gyroTurn(a, b, c, d, p, q, r, dt) {
   const halfTurn = 0.5*dt*Math.sqrt(rateX*rateX + rateY*rateY + rateZ*rateZ);
   const sinHalfTurn = Math.sin(halfTurn);
   const ratio = halfTurn > 0 ? sinHalfTurn/halfTurn : 1;
-  const cosHalfTurn = Math.cos(halfTurn);
-  const turnA = cosHalfTurn;
+  const turnA = Math.cos(halfTurn);
   const common5 = 0.5*dt*ratio;
   const turnB = common5*rateX;
   const turnC = common5*rateY;
@@ -1719,8 +1719,7 @@ export function observerTurn(a, b, c, d, p, q, r, accelX, accelY, accelZ, dt, ga
   const halfTurn = 0.5*dt*Math.sqrt(rateX*rateX + rateY*rateY + rateZ*rateZ);
   const sinHalfTurn = Math.sin(halfTurn);
   const ratio = halfTurn > 0 ? sinHalfTurn/halfTurn : 1;
-  const cosHalfTurn = Math.cos(halfTurn);
-  const turnA = cosHalfTurn;
+  const turnA = Math.cos(halfTurn);
   const common7 = 0.5*dt*ratio;
   const turnB = common7*rateX;
   const turnC = common7*rateY;
@@ -1826,8 +1825,7 @@ export function observerStep(roll, pitch, yaw, p, q, r, accelX, accelY, accelZ, 
   const halfTurn = 0.5*dt*Math.sqrt(rateX*rateX + rateY*rateY + rateZ*rateZ);
   const sinHalfTurn = Math.sin(halfTurn);
   const ratio = halfTurn > 0 ? sinHalfTurn/halfTurn : 1;
-  const cosHalfTurn = Math.cos(halfTurn);
-  const turnA = cosHalfTurn;
+  const turnA = Math.cos(halfTurn);
   const common17 = 0.5*dt*ratio;
   const turnB = common17*rateX;
   const turnC = common17*rateY;
@@ -2009,7 +2007,7 @@ export function headingFromMagnetometer(magX, magY, magZ, roll, pitch, north, ea
   const cosRoll = Math.cos(roll);
   const size = Math.abs(magX) + Math.abs(magY) + Math.abs(magZ);
   const hasDirection = size <= 1.7976931348623157e+308 && size > 0;
-  const levelX = cosPitch*magX + cosRoll*magZ*sinPitch + magY*sinPitch*sinRoll;
+  const levelX = cosPitch*magX + sinPitch*(cosRoll*magZ + magY*sinRoll);
   const levelY = cosRoll*magY - magZ*sinRoll;
   let result;
   if (hasDirection) {
@@ -2181,8 +2179,7 @@ export function monitoredTurn(
   const halfTurn = 0.5*dt*Math.sqrt(rateX*rateX + rateY*rateY + rateZ*rateZ);
   const sinHalfTurn = Math.sin(halfTurn);
   const ratio = halfTurn > 0 ? sinHalfTurn/halfTurn : 1;
-  const cosHalfTurn = Math.cos(halfTurn);
-  const turnA = cosHalfTurn;
+  const turnA = Math.cos(halfTurn);
   const common7 = 0.5*dt*ratio;
   const turnB = common7*rateX;
   const turnC = common7*rateY;
@@ -2598,8 +2595,7 @@ export function averagingTurn(
   const halfTurn = 0.5*stepSeen*Math.sqrt(rateX*rateX + rateY*rateY + rateZ*rateZ);
   const sinHalfTurn = Math.sin(halfTurn);
   const ratio = halfTurn > 0 ? sinHalfTurn/halfTurn : 1;
-  const cosHalfTurn = Math.cos(halfTurn);
-  const turnA = cosHalfTurn;
+  const turnA = Math.cos(halfTurn);
   const common7 = 0.5*ratio*stepSeen;
   const turnB = common7*rateX;
   const turnC = common7*rateY;
@@ -2843,8 +2839,7 @@ export function averagingHeadingTurn(
   const halfTurn = 0.5*stepSeen*Math.sqrt(rateX*rateX + rateY*rateY + rateZ*rateZ);
   const sinHalfTurn = Math.sin(halfTurn);
   const ratio = halfTurn > 0 ? sinHalfTurn/halfTurn : 1;
-  const cosHalfTurn = Math.cos(halfTurn);
-  const turnA = cosHalfTurn;
+  const turnA = Math.cos(halfTurn);
   const common9 = 0.5*ratio*stepSeen;
   const turnB = common9*rateX;
   const turnC = common9*rateY;
@@ -3085,10 +3080,8 @@ export function averagingHeadingTurn(
     headingAveragedAfter = headingTimeConstant;
   }
   const halfHeadingTurn = 0.5*headingOff*headingShare;
-  const cosHalfHeadingTurn = Math.cos(halfHeadingTurn);
-  const headingA = cosHalfHeadingTurn;
-  const sinHalfHeadingTurn = Math.sin(halfHeadingTurn);
-  const headingD = sinHalfHeadingTurn;
+  const headingA = Math.cos(halfHeadingTurn);
+  const headingD = Math.sin(halfHeadingTurn);
   const headingDSquared = headingD*headingD;
   const twiceHeadingAHeadingD = 2*headingA*headingD;
   const headingASquared = headingA*headingA;
@@ -3156,8 +3149,7 @@ export function observerHeadingTurn(
   const halfTurn = 0.5*dt*Math.sqrt(rateX*rateX + rateY*rateY + rateZ*rateZ);
   const sinHalfTurn = Math.sin(halfTurn);
   const ratio = halfTurn > 0 ? sinHalfTurn/halfTurn : 1;
-  const cosHalfTurn = Math.cos(halfTurn);
-  const turnA = cosHalfTurn;
+  const turnA = Math.cos(halfTurn);
   const common9 = 0.5*dt*ratio;
   const turnB = common9*rateX;
   const turnC = common9*rateY;
@@ -3236,10 +3228,8 @@ export function observerHeadingTurn(
   const headingOff = Math.atan2(east*fieldN - fieldE*north, east*fieldE + fieldN*north);
   const headingShare = fieldHeard ? headingGain : 0;
   const halfHeadingTurn = 0.5*headingOff*headingShare;
-  const cosHalfHeadingTurn = Math.cos(halfHeadingTurn);
-  const headingA = cosHalfHeadingTurn;
-  const sinHalfHeadingTurn = Math.sin(halfHeadingTurn);
-  const headingD = sinHalfHeadingTurn;
+  const headingA = Math.cos(halfHeadingTurn);
+  const headingD = Math.sin(halfHeadingTurn);
   return [
     headingA*levelAttitudeA - headingD*levelAttitudeD,
     headingA*levelAttitudeB - headingD*levelAttitudeC,

@@ -113,8 +113,7 @@ def gyro_turn(
         ratio = sin_half_turn/half_turn
     else:
         ratio = 1.0
-    cos_half_turn = cos(half_turn)
-    turn_a = cos_half_turn
+    turn_a = cos(half_turn)
     common_5 = 0.5*dt*ratio
     turn_b = common_5*rate_x
     turn_c = common_5*rate_y
@@ -178,8 +177,7 @@ def observer_turn(
         ratio = sin_half_turn/half_turn
     else:
         ratio = 1.0
-    cos_half_turn = cos(half_turn)
-    turn_a = cos_half_turn
+    turn_a = cos(half_turn)
     common_7 = 0.5*dt*ratio
     turn_b = common_7*rate_x
     turn_c = common_7*rate_y
@@ -293,8 +291,7 @@ def observer_step(
         ratio = sin_half_turn/half_turn
     else:
         ratio = 1.0
-    cos_half_turn = cos(half_turn)
-    turn_a = cos_half_turn
+    turn_a = cos(half_turn)
     common_17 = 0.5*dt*ratio
     turn_b = common_17*rate_x
     turn_c = common_17*rate_y
@@ -562,8 +559,7 @@ def averaging_turn(
         ratio = sin_half_turn/half_turn
     else:
         ratio = 1.0
-    cos_half_turn = cos(half_turn)
-    turn_a = cos_half_turn
+    turn_a = cos(half_turn)
     common_7 = 0.5*ratio*step_seen
     turn_b = common_7*rate_x
     turn_c = common_7*rate_y
@@ -806,8 +802,7 @@ def averaging_heading_turn(
         ratio = sin_half_turn/half_turn
     else:
         ratio = 1.0
-    cos_half_turn = cos(half_turn)
-    turn_a = cos_half_turn
+    turn_a = cos(half_turn)
     common_9 = 0.5*ratio*step_seen
     turn_b = common_9*rate_x
     turn_c = common_9*rate_y
@@ -1054,10 +1049,8 @@ def averaging_heading_turn(
     else:
         heading_averaged_after = heading_time_constant
     half_heading_turn = 0.5*heading_off*heading_share
-    cos_half_heading_turn = cos(half_heading_turn)
-    heading_a = cos_half_heading_turn
-    sin_half_heading_turn = sin(half_heading_turn)
-    heading_d = sin_half_heading_turn
+    heading_a = cos(half_heading_turn)
+    heading_d = sin(half_heading_turn)
     heading_d_squared = heading_d*heading_d
     twice_heading_a_heading_d = 2.0*heading_a*heading_d
     heading_a_squared = heading_a*heading_a
@@ -1144,8 +1137,7 @@ def observer_heading_turn(
         ratio = sin_half_turn/half_turn
     else:
         ratio = 1.0
-    cos_half_turn = cos(half_turn)
-    turn_a = cos_half_turn
+    turn_a = cos(half_turn)
     common_9 = 0.5*dt*ratio
     turn_b = common_9*rate_x
     turn_c = common_9*rate_y
@@ -1227,10 +1219,8 @@ def observer_heading_turn(
     heading_off = atan2(east*field_n - field_e*north, east*field_e + field_n*north)
     heading_share = heading_gain if field_heard else 0.0
     half_heading_turn = 0.5*heading_off*heading_share
-    cos_half_heading_turn = cos(half_heading_turn)
-    heading_a = cos_half_heading_turn
-    sin_half_heading_turn = sin(half_heading_turn)
-    heading_d = sin_half_heading_turn
+    heading_a = cos(half_heading_turn)
+    heading_d = sin(half_heading_turn)
     return (
         heading_a*level_attitude_a - heading_d*level_attitude_d,
         heading_a*level_attitude_b - heading_d*level_attitude_c,

@@ -67,10 +67,12 @@ def euler_from_matrix(
 
     Right for rotations alone.
     """
+    roll_sine = -r11*r32 + r12*r31
+    roll_cosine = r11*r22 - r12*r21
     pitch = atan2(-r13, hypot(r11, r12))
     locked = abs(pitch) > 1.5707963267948948
     if not locked:
-        roll = atan2(-r11*r32 + r12*r31, r11*r22 - r12*r21)
+        roll = atan2(roll_sine, roll_cosine)
         yaw = atan2(r12, r11)
     else:
         roll = 0.0
@@ -218,11 +220,11 @@ def wrap_angle(angle: float) -> float:
     """
     sin_angle = sin(angle)
     cos_angle = cos(angle)
-    principal = atan2(sin_angle, cos_angle)
+    turned_back = atan2(sin_angle, cos_angle)
     if angle >= -3.141592653589793 and angle < 3.141592653589793:
         wrapped = angle
-    elif principal >= 3.141592653589793:
+    elif turned_back >= 3.141592653589793:
         wrapped = -3.141592653589793
     else:
-        wrapped = principal
+        wrapped = turned_back
     return wrapped

@@ -378,8 +378,7 @@ def quaternion_after_constant_rates(
         ratio = sin_half_turn/half_turn
     else:
         ratio = 1.0
-    cos_half_turn = cos(half_turn)
-    turn_a = cos_half_turn
+    turn_a = cos(half_turn)
     common_2 = 0.5*dt*ratio
     turn_b = common_2*p
     turn_c = common_2*q

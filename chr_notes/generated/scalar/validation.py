@@ -27,7 +27,7 @@ def heading_from_magnetometer(
     cos_roll = cos(roll)
     size = abs(mag_x) + abs(mag_y) + abs(mag_z)
     has_direction = size <= 1.7976931348623157e+308 and size > 0.0
-    level_x = cos_pitch*mag_x + cos_roll*mag_z*sin_pitch + mag_y*sin_pitch*sin_roll
+    level_x = cos_pitch*mag_x + sin_pitch*(cos_roll*mag_z + mag_y*sin_roll)
     level_y = cos_roll*mag_y - mag_z*sin_roll
     if has_direction:
         result = atan2(east*level_x - level_y*north, east*level_y + level_x*north)
@@ -184,8 +184,7 @@ def monitored_turn(
         ratio = sin_half_turn/half_turn
     else:
         ratio = 1.0
-    cos_half_turn = cos(half_turn)
-    turn_a = cos_half_turn
+    turn_a = cos(half_turn)
     common_7 = 0.5*dt*ratio
     turn_b = common_7*rate_x
     turn_c = common_7*rate_y
