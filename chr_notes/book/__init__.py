@@ -119,7 +119,8 @@ def _write_generated(book: Path) -> None:
     sheets = [(book / name).read_text(encoding="utf-8") for name in ("pages.css", "icons.css")]
     _write(static / "pages.css", "".join([styles(), lesson.styles(), *sheets]))
     _write(static / "lesson.js", lesson.script())
-    shutil.copy2(book / "copy_formulas.js", static)
+    for script in sorted(book.glob("*.js")):
+        shutil.copy2(script, static)
     _write(static / "pages.js", page_script())
     _write(static / "converter_page.js", page_script("converter"))
 

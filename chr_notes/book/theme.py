@@ -1,4 +1,4 @@
-"""What a page loads and does not need, taken out of the built book: a Sphinx extension."""
+"""The built pages, without what they load and do not need, and mended: a Sphinx extension."""
 
 import re
 import shutil
@@ -6,6 +6,8 @@ from pathlib import Path
 from typing import Any, Final
 
 from sphinx.application import Sphinx
+
+from chr_notes.book.access import mended
 
 __all__ = ["setup"]
 
@@ -43,7 +45,7 @@ def _lighten(app: Sphinx, error: Exception | None) -> None:
         unused += [] if "data-demo" in text and not converts else _DEMOS
         unused += [] if converts else _CONVERTER
         unused += [] if "chr-lesson" in text or "cell_input" in text else _LESSONS
-        page.write_text(_without_scripts(text, unused), encoding="utf-8")
+        page.write_text(mended(_without_scripts(text, unused)), encoding="utf-8")
     styles = built / "_static" / "styles" / "pydata-sphinx-theme.css"
     text = styles.read_text(encoding="utf-8")
     styles.write_text(_ICON_RULES.sub("", text), encoding="utf-8")

@@ -51,6 +51,13 @@ TOO_WIDE = """() => [...document.querySelectorAll(".bd-article *")].filter((elem
 }).map((element) => element.outerHTML.slice(0, 80))"""
 
 
+OUT_OF_REACH = """() => [...document.querySelectorAll(".bd-article *")].filter((element) =>
+  element.scrollWidth > element.clientWidth + 1
+  && /auto|scroll/.test(getComputedStyle(element).overflowX)
+  && element.tabIndex < 0 && !element.querySelector("a, button, input, [tabindex='0']")
+).map((element) => element.outerHTML.slice(0, 80))"""
+
+
 def test_each_chapter_is_a_page_and_nothing_else_is(book: Path) -> None:
     built = {path.relative_to(book) for path in book.rglob("*.html")}
     built = {str(path) for path in built if path.parts[0] != "_static"}
@@ -82,6 +89,8 @@ def test_page_stands_by_itself(
         page.set_viewport_size({"width": width, "height": 900})
         assert page.evaluate("document.documentElement.scrollWidth") <= width
         assert page.evaluate(TOO_WIDE) == []
+        page.evaluate("new Promise(requestAnimationFrame)")  # the page has seen its width
+        assert page.evaluate(OUT_OF_REACH) == []
 
 
 @pytest.mark.parametrize("name", FROM_DISK)

@@ -1,0 +1,61 @@
+"""Each part of a page has the name that its words are, and each button one at all."""
+
+import itertools
+import re
+from pathlib import Path
+
+import pytest
+
+from chr_notes.book.access import mended
+
+SUMMARY = re.compile(r"<summary([^>]*)>(.*?)</summary>", re.DOTALL)
+BUTTON = re.compile(r"<button([^>]*)>(.*?)</button>", re.DOTALL)
+# A kbd is in the name as well; its own words are enough here.
+TAGS = re.compile(r"<[^>]*>")
+
+
+@pytest.fixture(scope="module")
+def texts(book: Path) -> dict[str, str]:
+    return {
+        str(path.relative_to(book)): path.read_text(encoding="utf-8")
+        for folder in ("book", "notebooks")
+        for path in (book / folder).rglob("*.html")
+    }
+
+
+def words(html: str) -> str:
+    return " ".join(TAGS.sub(" ", html).split()).lower()
+
+
+def test_a_name_has_the_words_that_are_seen(texts: dict[str, str]) -> None:
+    for page, text in texts.items():
+        for pattern in (SUMMARY, BUTTON):
+            for attributes, inside in pattern.findall(text):
+                label = re.search(r'aria-label="([^"]*)"', attributes)
+                seen = words(inside)
+                assert seen or label or " title=" in attributes, (page, attributes)
+                assert label is None or seen in label.group(1).lower(), (page, label)
+
+
+def test_all_that_is_seen_is_in_a_region(texts: dict[str, str]) -> None:
+    for page, text in texts.items():
+        (sidebar,) = re.findall(r'<div id="pst-primary-sidebar"[^>]*>', text)
+        assert 'role="region" aria-label="All pages"' in sidebar, page
+
+
+def test_pages_have_one_first_heading_and_leave_no_level_out(texts: dict[str, str]) -> None:
+    for page, text in texts.items():
+        article = text.partition('<article class="bd-article">')[2]
+        levels = [int(level) for level in re.findall(r"<h([1-6])\b", article)]
+        assert levels.count(1) == 1, page
+        assert all(b <= a + 1 for a, b in itertools.pairwise(levels)), page
+
+
+def test_what_is_mended_stays() -> None:
+    page = (
+        '<div id="pst-primary-sidebar" class="bd-sidebar-primary bd-sidebar">'
+        '<a href="x">The ledger</a><details><summary><i></i></summary></details></div>'
+    )
+    once = mended(page)
+    assert '<summary aria-label="Pages of The ledger">' in once
+    assert mended(once) == once
