@@ -8,6 +8,7 @@ import numpy as np
 
 from chr_notes._arrays import Floats
 from chr_notes._samples import WILD_RATE, complete, lengths
+from chr_notes._turning import in_doubt
 from chr_notes.errors import UnitWarning
 
 ENOUGH = 100
@@ -31,6 +32,27 @@ def warn_of_force(forces: Floats, gravity: float) -> None:
         )
 
 
+def warn_of_angles(accelerations: Floats, by_degrees: Floats, gravity: float) -> None:
+    """Notice angles by which gravity is not taken off, and as degrees would be.
+
+    Parameters
+    ----------
+    accelerations, by_degrees
+        What is left of a specific force by the angles as radians, and as degrees, shape (N, 3).
+    gravity
+        Its magnitude.
+    """
+    known = complete(accelerations)
+    if known.sum() < ENOUGH:
+        return
+    left, by_other = (float(np.median(lengths(a[known]))) for a in (accelerations, by_degrees))
+    if left > gravity / 4 and by_other < left / 4:
+        _warn(
+            f"euler: expected radians, by which gravity is taken off, got mostly {left:.3g} left "
+            f"of it, and {by_other:.3g} if they were degrees: are they in °?"
+        )
+
+
 def warn_of_steps(steps: Floats, count: int, inner: int = 0) -> None:
     """Notice a recording whose time steps are long.
 
@@ -50,8 +72,10 @@ def warn_of_steps(steps: Floats, count: int, inner: int = 0) -> None:
         _warn(f"dt: expected seconds, got mostly {usual:.4g}: are they milliseconds?", inner)
 
 
-def warn_of_rates(rates: Floats, steps: Floats, longest: float = inf, *, inner: int = 0) -> None:
-    """Notice a recording whose rates are faster than gyros, or than the sampling can follow.
+def warn_of_rates(
+    rates: Floats, steps: Floats, *vectors: Floats, longest: float = inf, inner: int = 0
+) -> None:
+    """Notice a recording whose rates are faster than gyros, than the sampling, or than the body.
 
     Parameters
     ----------
@@ -59,6 +83,8 @@ def warn_of_rates(rates: Floats, steps: Floats, longest: float = inf, *, inner: 
         Of the gyros, rad/s, shape (N, 3).
     steps
         Seconds, shape () or (N,).
+    *vectors
+        What accelerometer and magnetometer read, shape (N, 3), which turn as the body does.
     longest
         A longer step is a gap, through which no rate is held.
     inner
@@ -69,6 +95,15 @@ def warn_of_rates(rates: Floats, steps: Floats, longest: float = inf, *, inner: 
     most = sqrt(3) * float(max(rates.max(), -rates.min()))  # or NaN, of which the rest can tell
     if most < FAST and most * float(steps.max()) < pi:
         warn_of_steps(steps, len(rates), inner + 1)
+        for vector in vectors:
+            doubt = in_doubt(rates, vector, steps)
+            if doubt:
+                _warn(
+                    "body_rates: expected rad/s, got readings that another factor lets turn the "
+                    f"other sensor's readings as they do: {doubt}",
+                    inner,
+                )
+                return
         return
     sizes = lengths(np.where(complete(rates, WILD_RATE)[:, np.newaxis], rates, 0.0))
     if len(sizes) >= ENOUGH and np.mean(sizes > FAST) > _SELDOM:

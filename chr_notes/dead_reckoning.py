@@ -10,7 +10,7 @@ from chr_notes._arrays import Floats, floats, handed_out
 from chr_notes._recordings import run
 from chr_notes._rows import Rows
 from chr_notes._samples import complete, number, periods, same_length, samples, start
-from chr_notes._units import warn_of_force, warn_of_steps
+from chr_notes._units import warn_of_angles, warn_of_force, warn_of_steps
 from chr_notes.conventions import NOTES_GRAVITY, STANDARD_GRAVITY
 from chr_notes.generated.arrays import dead_reckoning as generated
 from chr_notes.generated.scalar.dead_reckoning import dead_reckoning_held
@@ -164,8 +164,9 @@ def dead_reckon(  # noqa: PLR0913 (an initial value for each integral)
     -----
     UnitWarning
         If the accelerometer, over 100 samples or more, mostly reads less than half or more than
-        twice the gravity, as it does in g, or in counts; or most time steps are above 1 s, as they
-        are in milliseconds.
+        twice the gravity, as it does in g, or in counts; if the attitude leaves more than a quarter
+        of gravity in most of them, and in degrees would leave less than a quarter of that; or most
+        time steps are above 1 s, as they are in milliseconds.
 
     Notes
     -----
@@ -193,6 +194,11 @@ def dead_reckon(  # noqa: PLR0913 (an initial value for each integral)
     warn_of_force(forces, magnitude)
     warn_of_steps(steps, count)
     accelerations = inertial_acceleration(forces, angles, magnitude)
+    some = slice(None, None, 1 + count // 2000)
+    with np.errstate(under="ignore"):
+        as_degrees = np.radians(angles[some])
+    by_degrees = inertial_acceleration(forces[some], as_degrees, magnitude)
+    warn_of_angles(accelerations[some], by_degrees, magnitude)
     missing = ~complete(accelerations)
     accelerations[missing] = np.nan
     if still is not None:

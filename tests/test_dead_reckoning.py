@@ -283,7 +283,7 @@ def test_a_body_that_stands_is_told_from_one_that_moves() -> None:
     with pytest.raises(ValueError, match="rate_limit: expected a positive number, got -1"):
         zero_velocity(rates, forces, 0.01, rate_limit=-1.0)
     with pytest.raises(ValueError, match=r"true or false for each sample, shape \(300,\)"):
-        dead_reckon(forces, rates, 0.01, still=still[1:])
+        dead_reckon(forces, np.zeros((300, 3)), 0.01, still=still[1:])
 
 
 def test_a_recorded_walk_ends_metres_off(recordings: Path) -> None:

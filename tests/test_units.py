@@ -110,6 +110,59 @@ def test_milliseconds_are_noticed() -> None:
     chr_notes.integrate_gyro(rates[1:], 10)  # too few to tell
 
 
+def turned_slowly(most: float, count: int = 6000) -> tuple[Floats, Floats, Floats]:
+    """A sensor turned by hand, in °/s at most, beside a bias and some noise; rates are rad/s."""
+    random, time = np.random.default_rng(3), 0.01 * np.arange(count)[:, np.newaxis]
+    rates = np.radians(most) * np.sin(time * [0.5, 0.3, 0.7] + [0.0, 1.6, 0.0])
+    euler = chr_notes.integrate_gyro(rates, 0.01, [0.1, 0.2, 0.0])
+    forces = chr_notes.accelerometer_at_rest(euler) + random.normal(0, 0.05, (count, 3))
+    field = chr_notes.matrix_from_euler(euler) @ [20.0, 0.0, 43.0]
+    return rates + random.normal(0, 0.002, (count, 3)) + 0.01, forces, field
+
+
+@pytest.mark.parametrize("most", [2.0, 60.0])
+def test_slow_turns_in_degrees_are_noticed_by_how_the_others_turn(most: float) -> None:
+    rates, forces, field = turned_slowly(most)
+    calls: list[Callable[[Floats], object]] = [
+        lambda w: chr_notes.fixed_gain_observer(w, forces, 0.01, 0.02),
+        lambda w: chr_notes.averaging_observer(w, forces, np.full(6000, 0.01), bias=0.0),
+        lambda w: chr_notes.averaging_observer(w, forces, 0.01, bias=0.0, mag=field),
+        lambda w: chr_notes.monitored_observer(
+            w, forces, field, 0.01, reference_down=0.9, monitor=MONITOR
+        ),
+    ]
+    for call in calls:
+        call(rates)
+        for factor, message in ((180 / np.pi, "are they in °/s"), (np.pi / 180, "rad/s before")):
+            with pytest.warns(UnitWarning, match=message) as told:
+                call(factor * rates)
+            assert [warning.filename for warning in told] == [__file__]
+
+
+def test_where_physics_cannot_tell_degrees_nothing_is_said() -> None:
+    rates, forces, _ = turned_slowly(0.0)  # a bias of 0.01 and noise are no turn
+    for count in (50, 6000):
+        for factor in (np.pi / 180, 1.0, 180 / np.pi):
+            part = factor * rates[:count], forces[:count]
+            chr_notes.fixed_gain_observer(*part, 0.01, 0.02)
+    # Noise in the rates of a slow turn makes the factor small, and a shaken body any.
+    random = np.random.default_rng(4)
+    rates, forces, _ = turned_slowly(0.5)
+    noise = random.normal(0, 0.1, (2, 6000, 3))
+    chr_notes.fixed_gain_observer(rates + noise[0], forces, 0.01, 0.02)
+    swing = 3 * np.sin(0.05 * np.arange(6000))[:, np.newaxis] * [1.0, 0.5, 0.2]
+    chr_notes.fixed_gain_observer(np.degrees(rates), forces + swing + noise[1], 0.01, 0.02)
+
+
+def test_angles_in_degrees_are_noticed_by_the_gravity_that_they_leave() -> None:
+    angles = np.radians([[2.0, -1.5, 40.0]] * ENOUGH)
+    forces = np.add(chr_notes.accelerometer_at_rest(angles), [0.1, 0.0, 0.2])
+    chr_notes.dead_reckon(forces, angles, 0.01)
+    with pytest.warns(UnitWarning, match=r"euler: expected radians.* are they in °\?") as told:
+        chr_notes.dead_reckon(forces, np.degrees(angles), 0.01)
+    assert [warning.filename for warning in told] == [__file__]
+
+
 def test_a_recording_is_told_from_itself_in_degrees(recordings: Path) -> None:
     log = chr_notes.read_log(recordings / "broad_06_fast_rotation_A_95hz_ned.csv")
     steps = np.diff(log.time, prepend=log.time[0])

@@ -194,7 +194,7 @@ def fixed_gain_observer(  # noqa: PLR0913 (a recording, and how to run through i
     Warns
     -----
     UnitWarning
-        As `integrate_gyro`.
+        As `integrate_gyro`, and as `averaging_observer` by the other sensors.
 
     See Also
     --------
@@ -228,7 +228,7 @@ def fixed_gain_observer(  # noqa: PLR0913 (a recording, and how to run through i
     field = [] if mag is None else [samples("mag", mag)]
     count = same_length(("body_rates", rates), ("accel", forces), *(("mag", f) for f in field))
     dt = periods(dt, count)
-    warn_of_rates(rates, dt)
+    warn_of_rates(rates, dt, forces, *field)
     step, constants, level = way.step, [share], (1.0, 0.0)
     if field:
         refuse_magnetometer(method)

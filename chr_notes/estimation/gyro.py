@@ -55,7 +55,8 @@ def integrate_gyro(
         If a sample turns by more than half a revolution within its time step, which nobody can tell
         from less; or if, of 100 samples or more, more than one in a hundred are faster than 70
         rad/s (4000 °/s), or most time steps are above 1 s. So it is with rates in °/s, with
-        milliseconds, and where a clock has jumped.
+        milliseconds, and where a clock has jumped. Slow turns in °/s look like fast ones in rad/s,
+        and nothing is said: filters that are given another sensor too compare it with them.
 
     See Also
     --------

@@ -207,7 +207,7 @@ def monitored_observer(  # noqa: PLR0913 (three sensors, and what they are measu
     count = same_length(("body_rates", rates), ("accel", forces), ("mag", field))
     down = part_down(number("reference_down", reference_down))
     dt = periods(dt, count)
-    warn_of_rates(rates, dt)
+    warn_of_rates(rates, dt, forces, field)
     begin, first = first_tilt(forces)
     watch = monitor.begin()
     if begin < count:
