@@ -10,7 +10,7 @@ NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)
 MISSING = frozenset(["", "nan", "na", "n/a", "null", "none", "nil", "-", "<na>", "#n/a"])
 """What stands, in small letters, where a log has no number."""
 
-_DATE = re.compile(
+DATE = re.compile(
     r"(\d{4}-\d\d-\d\d)[T ](\d\d:\d\d(?::\d\d(?:\.\d{1,9})?)?)(Z|[+-]\d\d:?\d\d)?", re.ASCII
 )
 _DIGITS = 15  # a double holds every number of so many
@@ -79,7 +79,7 @@ def since(first: Origin, text: str) -> float:
 
 
 def _date(text: str) -> np.datetime64 | None:
-    match = _DATE.fullmatch(text)
+    match = DATE.fullmatch(text)
     if not match:
         return None
     day, clock, zone = match.groups()

@@ -13,14 +13,16 @@ from chr_notes._arrays import Floats
 from chr_notes.sensors.column_names import SENSORS
 from chr_notes.sensors.columns import Selected
 from chr_notes.sensors.decimals import decimals
-from chr_notes.sensors.log_fields import BESIDE, Fields
+from chr_notes.sensors.log_fields import BESIDE, Fields, Letters, lines_of_words
 from chr_notes.sensors.log_header import COMMENTS, Columns, Head, head, is_beside, split
 from chr_notes.sensors.log_numbers import Origin, number, origin, since
+from chr_notes.sensors.log_since import since_first
 from chr_notes.sensors.log_text import LONGEST, Readable, blocks, opened
 
 _MARKS = [mark[:1].encode() for mark in COMMENTS]
 _COMMENT = re.compile(rb"^\s*(#|%|//)", re.MULTILINE)
 _COMMA = bytes.maketrans(b",.", b".?")  # a point between thousands is none of a number
+Divide = Callable[[Letters, int, int], Fields | None]
 LARGEST = 1e15
 """No sensor reads as much, in whatever unit."""
 
@@ -126,11 +128,11 @@ class _Rows:
         block = block if ended else block + b"\n"
         rows = block.count(b"\n")
         commented = any(mark in block for mark in _MARKS) and _COMMENT.search(block) is not None
-        plain = self.head.delimiter != " " and not commented
-        if not (plain and self._regular(block, [self.line], rows, ended=ended)):
+        divide = lines_of_words if self.head.delimiter == " " else self._divided
+        if commented or not self._regular(block, [self.line], rows, divide, ended=ended):
             kept, numbers = self._lines(block, ended=ended)
             if kept:
-                self._regular(b"".join(kept), numbers, len(kept), ended=ended)
+                self._regular(b"".join(kept), numbers, len(kept), self._divided, ended=ended)
         self.line += rows
 
     def _lines(self, block: bytes, *, ended: bool) -> tuple[list[bytes], list[int]]:
@@ -162,17 +164,15 @@ class _Rows:
             numbers.append(self.line + place)
         return kept, numbers
 
-    def _regular(self, block: bytes, numbers: list[int], rows: int, *, ended: bool) -> bool:
+    def _regular(
+        self, block: bytes, numbers: list[int], rows: int, divide: Divide, *, ended: bool
+    ) -> bool:
         """Read lines that have all as many fields; if not all have, say so and read none."""
         if self.head.decimal == ",":
             block = block.translate(_COMMA)
-        text = np.frombuffer(block, dtype=np.uint8)
-        ends = np.flatnonzero((text == ord(self.head.delimiter)) | (text == ord("\n")))
-        fields = self.head.fields
-        if len(ends) != rows * fields or (text[ends[fields - 1 :: fields]] != ord("\n")).any():
+        fields_of = divide(np.frombuffer(block, dtype=np.uint8), rows, self.head.fields)
+        if fields_of is None:
             return False
-        begins = np.concatenate([[0], ends[:-1] + 1])
-        fields_of = Fields(text, begins.reshape(rows, fields), ends.reshape(rows, fields))
         self._anchor(numbers, rows)
         self._grow(rows)
         self._keep(fields_of, bare=not any(letter in block for letter in BESIDE))
@@ -183,6 +183,14 @@ class _Rows:
             )
         return True
 
+    def _divided(self, text: Letters, rows: int, fields: int) -> Fields | None:
+        """Divide lines at each delimiter."""
+        ends = np.flatnonzero((text == ord(self.head.delimiter)) | (text == ord("\n")))
+        if len(ends) != rows * fields or (text[ends[fields - 1 :: fields]] != ord("\n")).any():
+            return None
+        begins = np.concatenate([[0], ends[:-1] + 1])
+        return Fields(text, begins.reshape(rows, fields), ends.reshape(rows, fields))
+
     def _keep(self, fields: Fields, *, bare: bool) -> None:
         """Read the fields of some lines, which may have nothing but numbers in them."""
         here = slice(self.count, self.count + len(fields.ends))
@@ -192,6 +200,7 @@ class _Rows:
             if not self.count:
                 self.origin = origin(times.text(0))
             if self.origin is not None:
+                times = times if bare else times.bare()
                 self.values["time"][here, 0] = self._long_times(times, self.origin)
                 columns = columns[1:]
         wanted = fields.of(columns)
@@ -227,8 +236,8 @@ class _Rows:
 
     def _long_times(self, times: Fields, first: Origin) -> Floats:
         """Count dates, and times of more digits than a double holds, from the first one."""
-        values = np.empty(len(times.ends))
-        for row in range(len(values)):
+        values, read = since_first(first, times)
+        for row in np.flatnonzero(~read).tolist():
             try:
                 values[row] = since(first, times.text(row))
             except ValueError as error:
