@@ -88,7 +88,8 @@ def averaging_observer(  # noqa: PLR0913 (a recording, and how to run through it
         Rates p, q, r about the body axes, rad/s, shape (N, 3).
     accel
         Specific force in any unit, shape (N, 3). What is more than 50 times the mean counts as so
-        much.
+        much, and what is less than a quarter of it, as in free fall, is not heard while the gyros
+        keep the vertical, which is 14 s at a time constant of 3 s.
     dt
         Time step before each sample, seconds: a number, or shape (N,).
     mag
@@ -114,7 +115,7 @@ def averaging_observer(  # noqa: PLR0913 (a recording, and how to run through it
     ndarray
         Roll and yaw in [-pi, pi), pitch in [-pi/2, pi/2], after each sample, shape (N, 3). A row
         whose rates hold NaN, or before the first force, comes out as NaN; one whose force does,
-        or reads zero, comes out as predicted.
+        or reads nearly zero, comes out as predicted.
 
     Raises
     ------
@@ -127,7 +128,8 @@ def averaging_observer(  # noqa: PLR0913 (a recording, and how to run through it
     UserWarning
         If the stillest two seconds are not still, or read more than 0.05 rad/s.
     UnitWarning
-        As `integrate_gyro`; a gap is no turn.
+        As `integrate_gyro`; a gap is no turn. And if accelerometer or magnetometer turn clearly
+        better by the rates as °/s: by a quarter of a second, and more than a bias explains.
 
     See Also
     --------
@@ -193,7 +195,7 @@ def averaged_attitude(  # noqa: PLR0913 (a recording, and how to run through it)
     >>> dt[400] = 1.0
     >>> found = averaged_attitude(np.zeros((600, 3)), np.full((600, 3), [0, 0, -9.8]), dt)
     >>> np.degrees(found.tilt_bound[[100, 399, 400, 599]]).round(1)
-    array([12. ,  3.5, 34.4,  5.7])
+    array([12.5,  3.5, 35.1,  5.9])
     """
     settings = Settings(time_constant, heading_time_constant, bias, field, longest_step)
     last = HEADING_AVERAGED if mag is not None else AVERAGED
@@ -221,7 +223,7 @@ def _run(
     count = same_length(*read)
     rates, forces, *field = (array for _, array in read)
     dt = _steps(dt, count, settings.longest_step)
-    warn_of_rates(rates, dt, settings.longest_step, inner=1)
+    warn_of_rates(rates, dt, forces, *field, longest=settings.longest_step, inner=1)
     begin, tilt = first_tilt(forces)
     ahead = min(begin + 1, count)
     rest = slice(ahead, None)

@@ -100,7 +100,7 @@ def test_levelling_is_the_derived_turn() -> None:
 
 def test_the_bound_is_that_of_motion_and_bias() -> None:
     real = {**TAU, derived.t: averaging.AVERAGED, g: averaging.SLOW[g]}
-    begun = derived.mean_motion_error() + derived.bias_error().subs(derived.tau, derived.t)
+    begun = derived.mean_motion_error() + derived.bias_error()
     run_in = derived.motion_error() + derived.bias_error()
     for branch, expected in ((1, begun), (2, run_in)):
         assert simplify(averaging.bound().inlined(branch, 1) - expected.xreplace(real)) == 0

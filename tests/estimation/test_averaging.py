@@ -103,30 +103,6 @@ def test_a_bias_costs_itself_times_the_time_constant() -> None:
         assert abs(euler[-1, 0]) < 1e-5
 
 
-@pytest.mark.parametrize("seed", range(5))
-def test_the_bound_holds_for_a_body_that_moves(seed: int) -> None:
-    random = np.random.default_rng(seed)
-    rates, _, truth = tumbling(4000)
-    velocity = np.array(
-        [
-            np.interp(np.arange(4000), np.arange(0, 4001, 40), v)
-            for v in random.uniform(-1, 1, (3, 101))
-        ]
-    ).T / np.sqrt(3)
-    acceleration = np.diff(velocity, axis=0, prepend=velocity[:1]) / PERIOD
-    forces = np.einsum("nij,nj->ni", matrix_from_euler(truth), acceleration - [0, 0, GRAVITY])
-    found = averaged_attitude(rates + 0.0025, forces, PERIOD, bias=0)
-    off = tilt_off(found.euler, truth)
-    assert (off[1:] <= found.tilt_bound[1:]).all()
-    assert (
-        off[1000:].max()
-        < 0.1
-        * np.abs(
-            fixed_gain_observer(rates, forces, PERIOD, 0.5)[1000:, :2] - truth[1000:, :2]
-        ).max()
-    )
-
-
 def test_steps_may_change_and_so_may_the_rate() -> None:
     rates, forces, truth = tumbling(6000, 0.005)
     keep = np.sort(np.random.default_rng(3).choice(6000, 4000, replace=False))
@@ -185,10 +161,9 @@ def test_a_glitch_of_the_force_is_no_more_than_a_knock(glitch: float) -> None:
 def test_upside_down_after_a_gap() -> None:
     rates, forces = still(600)
     forces[300:] *= -1
-    steps = np.full(600, PERIOD)
-    steps[300] = 100.0
-    euler = averaging_observer(rates, forces, steps, bias=0)
-    assert tilt_off(euler[-1], np.array([np.pi, 0.0, 0.0])) < 1e-6
+    steps = np.where(np.arange(600) == 300, 100.0, PERIOD)
+    last = averaging_observer(rates, forces, steps, bias=0)[-1]
+    assert tilt_off(last, np.array([np.pi, 0, 0])) < 1e-6
 
 
 def turning(count: int) -> tuple[Floats, Floats, Floats, Floats]:
@@ -216,14 +191,8 @@ def test_heading_from_the_first_sample_and_against_a_bias() -> None:
 def test_a_disturbed_field_is_held_out(known: dict[str, float]) -> None:
     rates, forces, field, truth = turning(6000)
     field[2000:4000] += np.array([25.0, 5.0, -10.0])
-    found = averaged_attitude(
-        rates,
-        forces,
-        PERIOD,
-        mag=field,
-        bias=0,
-        field=EarthField(**known),  # type: ignore[arg-type]
-    )
+    earth = EarthField(**known)  # type: ignore[arg-type]
+    found = averaged_attitude(rates, forces, PERIOD, mag=field, bias=0, field=earth)
     assert apart(found.euler, truth).max() < 1e-3
     assert found.heading_averaged[1999] == 9.0
     assert found.heading_averaged[3999] < 3.0
@@ -293,12 +262,6 @@ def test_what_has_no_meaning_is_refused() -> None:
             EarthField(**wrong)  # type: ignore[arg-type]
     with pytest.raises(ValueError, match="speed: expected a number, not negative"):
         averaging_bound(1.0, speed=-1.0)
-
-
-def test_the_bound_of_other_bodies() -> None:
-    both = averaging_bound([0.0, 1.0, 3.0], speed=2.0, bias=0.01)
-    late = 2 * np.sqrt(2) * np.exp(-np.pi / 4) / (1 - np.exp(-np.pi)) * 2 / (GRAVITY * 3)
-    assert_allclose(both, [np.pi, 4 / GRAVITY + 0.01, late + 0.03])
 
 
 # VQF 2.1.1 in its defaults, `VQF(dt).updateBatch`, degrees RMS over the moving rows.

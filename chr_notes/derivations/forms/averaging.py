@@ -6,12 +6,30 @@ long as the time constant, the low-pass goes on from there.
 
 What was not seen shortens the mean: its bound becomes that of a mean that is as much shorter, see
 `derivations.averaging.averaged_after`. A step longer than `LONGEST` is a gap: nobody knows how the
-body turned in it, and its sample counts for no more than `LONGEST`.
+body turned in it, and its sample counts for no more than `LONGEST`. The low-pass forgets such a
+turn by and by: what the bound is above that of the time constant decays as its weights do.
+
+A body in free fall reads next to nothing. A low-pass that hears it forgets gravity, and overshoots
+to its opposite. So while the mean is known, a force that is weak beside it is not heard.
 """
 
 from functools import cache
 
-from sympy import Abs, And, Expr, ImmutableMatrix, Integer, Rational, Symbol, exp, pi, sqrt, symbols
+from sympy import (
+    Abs,
+    And,
+    Expr,
+    ImmutableMatrix,
+    Integer,
+    Or,
+    Rational,
+    Symbol,
+    exp,
+    pi,
+    simplify,
+    sqrt,
+    symbols,
+)
 
 from chr_notes.derivations import averaging, hamilton, quaternions
 from chr_notes.derivations.computation import NOTHING, Choice, Computation, Let, otherwise
@@ -37,11 +55,17 @@ UNSEEN_BIAS = Rational(1, 200)
 MOST = Integer(50)
 """Times the mean, the three axes together count as no more: a sensor of ±16 g reads 48 g, and a
 glitch reads anything."""
+WEAK = Integer(4)
+"""Times the three axes together have to read to be as much as the mean: in free fall a sensor of
+±16 g reads less than this part of it, its own bias."""
+RUN_IN = Rational(99, 100)
+"""Of the time constant, which is all of it for a low-pass."""
 WILD_FORCE = Integer(10**12)
 """No accelerometer reads as much, nor as little as its inverse, in any unit."""
 
 COUNTED, HEARD, KNOWN = symbols("step_counted force_heard rates_known", real=True)
 LOW, LEFT, LENGTH_OF_MEAN = symbols("low_pass averaged_left length_of_mean", real=True)
+DECAY = Symbol("decay", real=True)
 ZERO, ONE = Integer(0), Integer(1)
 
 
@@ -82,9 +106,10 @@ def _forces(attitude: Names) -> tuple[Steps, Names]:
     reading = symbols("reading_x reading_y reading_z", real=True)
     found = symbols("force_n force_e force_d", real=True)
     scaled = tuple(scale * each for each in ACCELEROMETER)
+    told = Or(WEAK * size >= LENGTH, 2 * AVERAGED < TIME_CONSTANT)
     steps: Steps = (
         Let(size, sum(map(Abs, ACCELEROMETER))),
-        Let(HEARD, And(size > 1 / WILD_FORCE, size < WILD_FORCE)),
+        Let(HEARD, And(size > 1 / WILD_FORCE, size < WILD_FORCE, told)),
         Let(most, MOST * LENGTH),
         Choice((scale,), ((And(LENGTH > 0, size > most), (most / size,)), otherwise(ONE))),
         Choice(reading, ((HEARD, scaled), otherwise(ZERO, ZERO, ZERO))),
@@ -113,9 +138,9 @@ def _lengths() -> Steps:
 
 def _taken_in(forces: Names) -> tuple[Steps, Names, Names]:
     """Take the force into the mean, each axis by itself, by the low-pass or as a share."""
-    ratio, kept, share = symbols("periods decay share", real=True)
+    ratio, share = symbols("periods share", real=True)
     nearer, by_slope, bent, steeper = factors = symbols("nearer by_slope bent steeper", real=True)
-    mean, slope = averaging.low_pass_step().subs(T, averaging.tau * ratio).subs(exp(-ratio), kept)
+    mean, slope = averaging.low_pass_step().subs(T, averaging.tau * ratio).subs(exp(-ratio), DECAY)
     # The step is linear in the state and in how far the force is off.
     low_pass = (
         mean.diff(averaging.force),
@@ -134,7 +159,7 @@ def _taken_in(forces: Names) -> tuple[Steps, Names, Names]:
     before = (ZERO, ZERO, -LENGTH)
     steps: Steps = (
         Choice((ratio,), ((TIME_CONSTANT > 0, (COUNTED / TIME_CONSTANT,)), otherwise(NOTHING))),
-        Let(kept, exp(-ratio)),
+        Let(DECAY, exp(-ratio)),
         share_of_mean(share, COUNTED, LENGTH_OF_MEAN),
         Choice(factors, branches),
         *(Let(o, f - b) for o, f, b in zip(off, forces, before, strict=True)),
@@ -178,10 +203,14 @@ def turn() -> Computation:
     taken, means, slopes = _taken_in(force)
     levelled, state = _levelled(attitude, means, slopes)
     averaged, settled = symbols("averaged_after settled_after", real=True)
-    run_in = And(HEARD, LENGTH_OF_MEAN >= TIME_CONSTANT)
+    by_low_pass = Symbol("length_of_low_pass", real=True)
+    # So much more than that of the time constant is the bound of a shorter mean, and it decays.
+    more = (1 / LEFT - 1 / TIME_CONSTANT) * DECAY
+    shorter = simplify(1 / (1 / TIME_CONSTANT + more))
     branches = (
-        (run_in, (TIME_CONSTANT, ONE)),
-        (HEARD, (LENGTH_OF_MEAN, LOW)),
+        (And(HEARD, LOW > 0, by_low_pass < RUN_IN * TIME_CONSTANT), (by_low_pass, ONE)),
+        (And(HEARD, Or(LOW > 0, LENGTH_OF_MEAN >= TIME_CONSTANT)), (TIME_CONSTANT, ONE)),
+        (HEARD, (LENGTH_OF_MEAN, ZERO)),
         otherwise(LEFT, LOW),
     )
     return Computation(
@@ -191,6 +220,7 @@ def turn() -> Computation:
             *_lengths(),
             *taken,
             *levelled,
+            Choice((by_low_pass,), ((LEFT > 0, (shorter,)), otherwise(ZERO))),
             Choice((averaged, settled), branches),
             filters.is_usual(And(HEARD, KNOWN)),
         ),
@@ -207,7 +237,8 @@ def bound() -> Computation:
     """
     told, found = symbols("bound_told bound", real=True)
     run_in = averaging.motion_error() + averaging.bias_error()
-    begun = averaging.mean_motion_error() + averaging.bias_error().subs(averaging.tau, averaging.t)
+    # A mean that was shortened is as old as it was, so a bias turns it by as much.
+    begun = averaging.mean_motion_error() + averaging.bias_error()
     real = {averaging.tau: TIME_CONSTANT, averaging.t: AVERAGED, g: SLOW[g]}
     branches = (
         (AVERAGED <= 0, (pi,)),

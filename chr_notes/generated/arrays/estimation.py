@@ -76,8 +76,8 @@ def averaging_bound(
     """
     bound_told = (
         where(averaged <= 0.0, 3.141592653589793, where(averaged < time_constant,
-            averaged*bias_bound + 0.20394324259558566*speed/averaged, where(time_constant > 0.0,
-            bias_bound*time_constant + 0.13744070696307817*speed/time_constant, nan)))
+            bias_bound*time_constant + 0.20394324259558566*speed/averaged, where(time_constant >
+            0.0, bias_bound*time_constant + 0.13744070696307817*speed/time_constant, nan)))
     )
     bound = where(bound_told > 3.141592653589793, 3.141592653589793, bound_told)
     out[...] = bound

@@ -3470,7 +3470,8 @@ void attitude_averaging_turn(double a, double b, double c, double d, double mean
     const double predicted_c = a*turn_c - b*turn_d + c*turn_a + d*turn_b;
     const double predicted_d = a*turn_d + b*turn_c - c*turn_b + d*turn_a;
     const double force_size = fabs(accel_x) + fabs(accel_y) + fabs(accel_z);
-    const int force_heard = force_size > 1e-12 && force_size < 1000000000000.0;
+    const int force_heard = ((4.0*force_size >= mean_length) || (2.0*averaged < time_constant)) &&
+        force_size > 1e-12 && force_size < 1000000000000.0;
     const double largest_size = 50.0*mean_length;
     double force_scale;
     if (force_size > largest_size && mean_length > 0.0) {
@@ -3584,13 +3585,23 @@ void attitude_averaging_turn(double a, double b, double c, double d, double mean
         level_b = 0.0;
         level_c = 0.0;
     }
+    double length_of_low_pass;
+    if (averaged_left > 0.0) {
+        length_of_low_pass = averaged_left*time_constant/(averaged_left - decay*(averaged_left -
+            time_constant));
+    } else {
+        length_of_low_pass = 0.0;
+    }
     double averaged_after, settled_after;
-    if (force_heard && length_of_mean >= time_constant) {
+    if (force_heard && low_pass > 0.0 && length_of_low_pass < 0.99*time_constant) {
+        averaged_after = length_of_low_pass;
+        settled_after = 1.0;
+    } else if (force_heard && ((length_of_mean >= time_constant) || (low_pass > 0.0))) {
         averaged_after = time_constant;
         settled_after = 1.0;
     } else if (force_heard) {
         averaged_after = length_of_mean;
-        settled_after = low_pass;
+        settled_after = 0.0;
     } else {
         averaged_after = averaged_left;
         settled_after = low_pass;
@@ -3661,7 +3672,8 @@ void attitude_averaging_turn_f(float a, float b, float c, float d, float mean_le
     const float predicted_c = a*turn_c - b*turn_d + c*turn_a + d*turn_b;
     const float predicted_d = a*turn_d + b*turn_c - c*turn_b + d*turn_a;
     const float force_size = fabsf(accel_x) + fabsf(accel_y) + fabsf(accel_z);
-    const int force_heard = force_size > 1e-12f && force_size < 1000000000000.0f;
+    const int force_heard = ((4.0f*force_size >= mean_length) || (2.0f*averaged < time_constant)) &&
+        force_size > 1e-12f && force_size < 1000000000000.0f;
     const float largest_size = 50.0f*mean_length;
     float force_scale;
     if (force_size > largest_size && mean_length > 0.0f) {
@@ -3775,13 +3787,23 @@ void attitude_averaging_turn_f(float a, float b, float c, float d, float mean_le
         level_b = 0.0f;
         level_c = 0.0f;
     }
+    float length_of_low_pass;
+    if (averaged_left > 0.0f) {
+        length_of_low_pass = averaged_left*time_constant/(averaged_left - decay*(averaged_left -
+            time_constant));
+    } else {
+        length_of_low_pass = 0.0f;
+    }
     float averaged_after, settled_after;
-    if (force_heard && length_of_mean >= time_constant) {
+    if (force_heard && low_pass > 0.0f && length_of_low_pass < 0.99f*time_constant) {
+        averaged_after = length_of_low_pass;
+        settled_after = 1.0f;
+    } else if (force_heard && ((length_of_mean >= time_constant) || (low_pass > 0.0f))) {
         averaged_after = time_constant;
         settled_after = 1.0f;
     } else if (force_heard) {
         averaged_after = length_of_mean;
-        settled_after = low_pass;
+        settled_after = 0.0f;
     } else {
         averaged_after = averaged_left;
         settled_after = low_pass;
@@ -3855,7 +3877,8 @@ void attitude_averaging_heading_turn(double a, double b, double c, double d, dou
     const double predicted_c = a*turn_c - b*turn_d + c*turn_a + d*turn_b;
     const double predicted_d = a*turn_d + b*turn_c - c*turn_b + d*turn_a;
     const double force_size = fabs(accel_x) + fabs(accel_y) + fabs(accel_z);
-    const int force_heard = force_size > 1e-12 && force_size < 1000000000000.0;
+    const int force_heard = ((4.0*force_size >= mean_length) || (2.0*averaged < time_constant)) &&
+        force_size > 1e-12 && force_size < 1000000000000.0;
     const double largest_size = 50.0*mean_length;
     double force_scale;
     if (force_size > largest_size && mean_length > 0.0) {
@@ -3969,13 +3992,23 @@ void attitude_averaging_heading_turn(double a, double b, double c, double d, dou
         level_b = 0.0;
         level_c = 0.0;
     }
+    double length_of_low_pass;
+    if (averaged_left > 0.0) {
+        length_of_low_pass = averaged_left*time_constant/(averaged_left - decay*(averaged_left -
+            time_constant));
+    } else {
+        length_of_low_pass = 0.0;
+    }
     double averaged_after, settled_after;
-    if (force_heard && length_of_mean >= time_constant) {
+    if (force_heard && low_pass > 0.0 && length_of_low_pass < 0.99*time_constant) {
+        averaged_after = length_of_low_pass;
+        settled_after = 1.0;
+    } else if (force_heard && ((length_of_mean >= time_constant) || (low_pass > 0.0))) {
         averaged_after = time_constant;
         settled_after = 1.0;
     } else if (force_heard) {
         averaged_after = length_of_mean;
-        settled_after = low_pass;
+        settled_after = 0.0;
     } else {
         averaged_after = averaged_left;
         settled_after = low_pass;
@@ -4181,7 +4214,8 @@ void attitude_averaging_heading_turn_f(float a, float b, float c, float d, float
     const float predicted_c = a*turn_c - b*turn_d + c*turn_a + d*turn_b;
     const float predicted_d = a*turn_d + b*turn_c - c*turn_b + d*turn_a;
     const float force_size = fabsf(accel_x) + fabsf(accel_y) + fabsf(accel_z);
-    const int force_heard = force_size > 1e-12f && force_size < 1000000000000.0f;
+    const int force_heard = ((4.0f*force_size >= mean_length) || (2.0f*averaged < time_constant)) &&
+        force_size > 1e-12f && force_size < 1000000000000.0f;
     const float largest_size = 50.0f*mean_length;
     float force_scale;
     if (force_size > largest_size && mean_length > 0.0f) {
@@ -4295,13 +4329,23 @@ void attitude_averaging_heading_turn_f(float a, float b, float c, float d, float
         level_b = 0.0f;
         level_c = 0.0f;
     }
+    float length_of_low_pass;
+    if (averaged_left > 0.0f) {
+        length_of_low_pass = averaged_left*time_constant/(averaged_left - decay*(averaged_left -
+            time_constant));
+    } else {
+        length_of_low_pass = 0.0f;
+    }
     float averaged_after, settled_after;
-    if (force_heard && length_of_mean >= time_constant) {
+    if (force_heard && low_pass > 0.0f && length_of_low_pass < 0.99f*time_constant) {
+        averaged_after = length_of_low_pass;
+        settled_after = 1.0f;
+    } else if (force_heard && ((length_of_mean >= time_constant) || (low_pass > 0.0f))) {
         averaged_after = time_constant;
         settled_after = 1.0f;
     } else if (force_heard) {
         averaged_after = length_of_mean;
-        settled_after = low_pass;
+        settled_after = 0.0f;
     } else {
         averaged_after = averaged_left;
         settled_after = low_pass;
@@ -4842,7 +4886,7 @@ double attitude_averaging_bound(double averaged, double time_constant, double sp
     if (averaged <= 0.0) {
         bound_told = 3.141592653589793;
     } else if (averaged < time_constant) {
-        bound_told = averaged*bias_bound + 0.20394324259558566*speed/averaged;
+        bound_told = bias_bound*time_constant + 0.20394324259558566*speed/averaged;
     } else if (time_constant > 0.0) {
         bound_told = bias_bound*time_constant + 0.13744070696307817*speed/time_constant;
     } else {
@@ -4863,7 +4907,7 @@ float attitude_averaging_bound_f(float averaged, float time_constant, float spee
     if (averaged <= 0.0f) {
         bound_told = 3.141592653589793f;
     } else if (averaged < time_constant) {
-        bound_told = averaged*bias_bound + 0.20394324259558566f*speed/averaged;
+        bound_told = bias_bound*time_constant + 0.20394324259558566f*speed/averaged;
     } else if (time_constant > 0.0f) {
         bound_told = bias_bound*time_constant + 0.13744070696307817f*speed/time_constant;
     } else {

@@ -2368,8 +2368,9 @@ EVERY_INSTRUCTION_SET static int64_t averaging_bound
             const double speed = speed_in[0][row];
             const double bias_bound = bias_bound_in[0][row];
             const double bound_told = averaged <= 0.0 ? 3.141592653589793 : averaged < time_constant
-                ? averaged*bias_bound + 0.20394324259558566*speed/averaged : time_constant > 0.0 ?
-                bias_bound*time_constant + 0.13744070696307817*speed/time_constant : (double)NAN;
+                ? bias_bound*time_constant + 0.20394324259558566*speed/averaged : time_constant >
+                0.0 ? bias_bound*time_constant + 0.13744070696307817*speed/time_constant :
+                (double)NAN;
             const double bound = bound_told > 3.141592653589793 ? 3.141592653589793 : bound_told;
             results[0][row] = bound;
             left[row] = !(FINITE(averaged + time_constant + speed + bias_bound));
@@ -2905,7 +2906,8 @@ static int64_t averaging_turn
         const double predicted_c = (a*turn_c - b*turn_d) + (c*turn_a + d*turn_b);
         const double predicted_d = (a*turn_d + b*turn_c) + (-c*turn_b + d*turn_a);
         const double force_size = fabs(accel_x) + fabs(accel_y) + fabs(accel_z);
-        const int force_heard = (force_size > 1e-12) & (force_size < 1000000000000.0);
+        const int force_heard = (force_size > 1e-12) & (force_size < 1000000000000.0) &
+            ((4.0*force_size >= mean_length) || (2.0*averaged < time_constant));
         const double largest_size = 50.0*mean_length;
         const double force_scale = (force_size > largest_size) & (mean_length > 0.0) ?
             largest_size/force_size : 1.0;
@@ -2971,10 +2973,16 @@ static int64_t averaging_turn
             : 0.0;
         const double level_c = level_size > 0.0 ? mean_n/level_size : mean_length_after > 0.0 ? 0.0
             : 0.0;
-        const double averaged_after = (force_heard) & (length_of_mean >= time_constant) ?
-            time_constant : force_heard ? length_of_mean : averaged_left;
-        const double settled_after = (force_heard) & (length_of_mean >= time_constant) ? 1.0 :
-            force_heard ? low_pass : low_pass;
+        const double length_of_low_pass = averaged_left > 0.0 ?
+            averaged_left*time_constant/(averaged_left - decay*(averaged_left - time_constant)) :
+            0.0;
+        const double averaged_after = (force_heard) & (low_pass > 0.0) & (length_of_low_pass <
+            0.99*time_constant) ? length_of_low_pass : (force_heard) & ((length_of_mean >=
+            time_constant) || (low_pass > 0.0)) ? time_constant : force_heard ? length_of_mean :
+            averaged_left;
+        const double settled_after = (force_heard) & (low_pass > 0.0) & (length_of_low_pass <
+            0.99*time_constant) ? 1.0 : (force_heard) & ((length_of_mean >= time_constant) ||
+            (low_pass > 0.0)) ? 1.0 : force_heard ? 0.0 : low_pass;
         const int usual = (force_heard) & (moves) & (rates_known) & (3.141592653589793 > whole_turn)
             & (dt >= 0.0);
         const double level_a_squared = level_a*level_a;
@@ -3075,7 +3083,8 @@ static int64_t averaging_heading_turn
         const double predicted_c = (a*turn_c - b*turn_d) + (c*turn_a + d*turn_b);
         const double predicted_d = (a*turn_d + b*turn_c) + (-c*turn_b + d*turn_a);
         const double force_size = fabs(accel_x) + fabs(accel_y) + fabs(accel_z);
-        const int force_heard = (force_size > 1e-12) & (force_size < 1000000000000.0);
+        const int force_heard = (force_size > 1e-12) & (force_size < 1000000000000.0) &
+            ((4.0*force_size >= mean_length) || (2.0*averaged < time_constant));
         const double largest_size = 50.0*mean_length;
         const double force_scale = (force_size > largest_size) & (mean_length > 0.0) ?
             largest_size/force_size : 1.0;
@@ -3141,10 +3150,16 @@ static int64_t averaging_heading_turn
             : 0.0;
         const double level_c = level_size > 0.0 ? mean_n/level_size : mean_length_after > 0.0 ? 0.0
             : 0.0;
-        const double averaged_after = (force_heard) & (length_of_mean >= time_constant) ?
-            time_constant : force_heard ? length_of_mean : averaged_left;
-        const double settled_after = (force_heard) & (length_of_mean >= time_constant) ? 1.0 :
-            force_heard ? low_pass : low_pass;
+        const double length_of_low_pass = averaged_left > 0.0 ?
+            averaged_left*time_constant/(averaged_left - decay*(averaged_left - time_constant)) :
+            0.0;
+        const double averaged_after = (force_heard) & (low_pass > 0.0) & (length_of_low_pass <
+            0.99*time_constant) ? length_of_low_pass : (force_heard) & ((length_of_mean >=
+            time_constant) || (low_pass > 0.0)) ? time_constant : force_heard ? length_of_mean :
+            averaged_left;
+        const double settled_after = (force_heard) & (low_pass > 0.0) & (length_of_low_pass <
+            0.99*time_constant) ? 1.0 : (force_heard) & ((length_of_mean >= time_constant) ||
+            (low_pass > 0.0)) ? 1.0 : force_heard ? 0.0 : low_pass;
         const int usual = (force_heard) & (moves) & (rates_known) & (3.141592653589793 > whole_turn)
             & (dt >= 0.0);
         const double level_attitude_a = level_a*predicted_a - level_b*predicted_b -

@@ -2606,7 +2606,8 @@ export function averagingTurn(
   const predictedC = a*turnC - b*turnD + c*turnA + d*turnB;
   const predictedD = a*turnD + b*turnC - c*turnB + d*turnA;
   const forceSize = Math.abs(accelX) + Math.abs(accelY) + Math.abs(accelZ);
-  const forceHeard = forceSize > 1e-12 && forceSize < 1000000000000;
+  const forceHeard = (4*forceSize >= meanLength || 2*averaged < timeConstant) && forceSize > 1e-12
+      && forceSize < 1000000000000;
   const largestSize = 50*meanLength;
   let forceScale;
   if (forceSize > largestSize && meanLength > 0) {
@@ -2708,13 +2709,23 @@ export function averagingTurn(
     levelB = 0;
     levelC = 0;
   }
+  let lengthOfLowPass;
+  if (averagedLeft > 0) {
+    lengthOfLowPass = averagedLeft*timeConstant/(averagedLeft - decay*(averagedLeft -
+        timeConstant));
+  } else {
+    lengthOfLowPass = 0;
+  }
   let averagedAfter, settledAfter;
-  if (forceHeard && lengthOfMean >= timeConstant) {
+  if (forceHeard && lowPass > 0 && lengthOfLowPass < 0.99*timeConstant) {
+    averagedAfter = lengthOfLowPass;
+    settledAfter = 1;
+  } else if (forceHeard && (lengthOfMean >= timeConstant || lowPass > 0)) {
     averagedAfter = timeConstant;
     settledAfter = 1;
   } else if (forceHeard) {
     averagedAfter = lengthOfMean;
-    settledAfter = lowPass;
+    settledAfter = 0;
   } else {
     averagedAfter = averagedLeft;
     settledAfter = lowPass;
@@ -2850,7 +2861,8 @@ export function averagingHeadingTurn(
   const predictedC = a*turnC - b*turnD + c*turnA + d*turnB;
   const predictedD = a*turnD + b*turnC - c*turnB + d*turnA;
   const forceSize = Math.abs(accelX) + Math.abs(accelY) + Math.abs(accelZ);
-  const forceHeard = forceSize > 1e-12 && forceSize < 1000000000000;
+  const forceHeard = (4*forceSize >= meanLength || 2*averaged < timeConstant) && forceSize > 1e-12
+      && forceSize < 1000000000000;
   const largestSize = 50*meanLength;
   let forceScale;
   if (forceSize > largestSize && meanLength > 0) {
@@ -2952,13 +2964,23 @@ export function averagingHeadingTurn(
     levelB = 0;
     levelC = 0;
   }
+  let lengthOfLowPass;
+  if (averagedLeft > 0) {
+    lengthOfLowPass = averagedLeft*timeConstant/(averagedLeft - decay*(averagedLeft -
+        timeConstant));
+  } else {
+    lengthOfLowPass = 0;
+  }
   let averagedAfter, settledAfter;
-  if (forceHeard && lengthOfMean >= timeConstant) {
+  if (forceHeard && lowPass > 0 && lengthOfLowPass < 0.99*timeConstant) {
+    averagedAfter = lengthOfLowPass;
+    settledAfter = 1;
+  } else if (forceHeard && (lengthOfMean >= timeConstant || lowPass > 0)) {
     averagedAfter = timeConstant;
     settledAfter = 1;
   } else if (forceHeard) {
     averagedAfter = lengthOfMean;
-    settledAfter = lowPass;
+    settledAfter = 0;
   } else {
     averagedAfter = averagedLeft;
     settledAfter = lowPass;
@@ -3355,7 +3377,7 @@ export function averagingBound(averaged, timeConstant, speed, biasBound) {
   if (averaged <= 0) {
     boundTold = 3.141592653589793;
   } else if (averaged < timeConstant) {
-    boundTold = averaged*biasBound + 0.20394324259558566*speed/averaged;
+    boundTold = biasBound*timeConstant + 0.20394324259558566*speed/averaged;
   } else if (timeConstant > 0) {
     boundTold = biasBound*timeConstant + 0.13744070696307817*speed/timeConstant;
   } else {

@@ -570,7 +570,10 @@ def averaging_turn(
     predicted_c = a*turn_c - b*turn_d + c*turn_a + d*turn_b
     predicted_d = a*turn_d + b*turn_c - c*turn_b + d*turn_a
     force_size = abs(accel_x) + abs(accel_y) + abs(accel_z)
-    force_heard = force_size > 1e-12 and force_size < 1000000000000.0
+    force_heard = (
+        (4.0*force_size >= mean_length or 2.0*averaged < time_constant) and force_size > 1e-12 and
+            force_size < 1000000000000.0
+    )
     largest_size = 50.0*mean_length
     if force_size > largest_size and mean_length > 0.0:
         force_scale = largest_size/force_size
@@ -673,12 +676,21 @@ def averaging_turn(
         level_a = 1.0
         level_b = 0.0
         level_c = 0.0
-    if force_heard and length_of_mean >= time_constant:
+    if averaged_left > 0.0:
+        length_of_low_pass = (
+            averaged_left*time_constant/(averaged_left - decay*(averaged_left - time_constant))
+        )
+    else:
+        length_of_low_pass = 0.0
+    if force_heard and low_pass > 0.0 and length_of_low_pass < 0.99*time_constant:
+        averaged_after = length_of_low_pass
+        settled_after = 1.0
+    elif force_heard and (length_of_mean >= time_constant or low_pass > 0.0):
         averaged_after = time_constant
         settled_after = 1.0
     elif force_heard:
         averaged_after = length_of_mean
-        settled_after = low_pass
+        settled_after = 0.0
     else:
         averaged_after = averaged_left
         settled_after = low_pass
@@ -813,7 +825,10 @@ def averaging_heading_turn(
     predicted_c = a*turn_c - b*turn_d + c*turn_a + d*turn_b
     predicted_d = a*turn_d + b*turn_c - c*turn_b + d*turn_a
     force_size = abs(accel_x) + abs(accel_y) + abs(accel_z)
-    force_heard = force_size > 1e-12 and force_size < 1000000000000.0
+    force_heard = (
+        (4.0*force_size >= mean_length or 2.0*averaged < time_constant) and force_size > 1e-12 and
+            force_size < 1000000000000.0
+    )
     largest_size = 50.0*mean_length
     if force_size > largest_size and mean_length > 0.0:
         force_scale = largest_size/force_size
@@ -916,12 +931,21 @@ def averaging_heading_turn(
         level_a = 1.0
         level_b = 0.0
         level_c = 0.0
-    if force_heard and length_of_mean >= time_constant:
+    if averaged_left > 0.0:
+        length_of_low_pass = (
+            averaged_left*time_constant/(averaged_left - decay*(averaged_left - time_constant))
+        )
+    else:
+        length_of_low_pass = 0.0
+    if force_heard and low_pass > 0.0 and length_of_low_pass < 0.99*time_constant:
+        averaged_after = length_of_low_pass
+        settled_after = 1.0
+    elif force_heard and (length_of_mean >= time_constant or low_pass > 0.0):
         averaged_after = time_constant
         settled_after = 1.0
     elif force_heard:
         averaged_after = length_of_mean
-        settled_after = low_pass
+        settled_after = 0.0
     else:
         averaged_after = averaged_left
         settled_after = low_pass
@@ -1345,7 +1369,7 @@ def averaging_bound(
     if averaged <= 0.0:
         bound_told = 3.141592653589793
     elif averaged < time_constant:
-        bound_told = averaged*bias_bound + 0.20394324259558566*speed/averaged
+        bound_told = bias_bound*time_constant + 0.20394324259558566*speed/averaged
     elif time_constant > 0.0:
         bound_told = bias_bound*time_constant + 0.13744070696307817*speed/time_constant
     else:
