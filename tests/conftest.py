@@ -22,6 +22,7 @@ from playwright.sync_api import (
 from chr_notes import _recordings
 from chr_notes._kernels import kernel
 from chr_notes._rows import Rows
+from chr_notes.ledger.files import files_of
 
 # A first call compiles and caches; how long one example takes says nothing.
 settings.register_profile("project", deadline=None)
@@ -45,6 +46,31 @@ expect.set_options(timeout=PATIENCE)
 def pytest_configure(config: pytest.Config) -> None:
     """Let hypothesis try more with `--full`."""
     settings.load_profile("full" if config.getoption("full") else "project")
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport(
+    item: pytest.Function, call: pytest.CallInfo[None]
+) -> Iterator[pytest.TestReport]:
+    """Say, below what a test of an entry or of a derivation finds, in which files to look."""
+    report: pytest.TestReport = yield  # type: ignore[misc]
+    if report.failed and call.when == "call":
+        files = dict.fromkeys(files_to_mend(item))
+        if files:
+            report.sections.append(("where to mend it", "\n".join(files)))
+    return report
+
+
+def files_to_mend(item: pytest.Function) -> Iterator[str]:
+    """Name the files of the entry that a test is of, and of the derivations that it compares."""
+    callspec = getattr(item, "callspec", None)
+    for value in callspec.params.values() if callspec is not None else ():
+        if isinstance(value, str):
+            yield from files_of(value)
+    for name in item.function.__code__.co_names:
+        module = item.function.__globals__.get(name)
+        if isinstance(module, ModuleType) and module.__name__.startswith("chr_notes."):
+            yield f"{module.__name__.replace('.', '/')}.py"
 
 
 @pytest.fixture(scope="session")

@@ -7,9 +7,11 @@ import pytest
 
 from chr_notes import ledger
 from chr_notes.ledger.cases import CASES
+from chr_notes.ledger.files import see
 from chr_notes.ledger.roots import ROOTS
 
 INVENTORY = Path(__file__).parent / "inventory.tsv"
+ROWS = "tests/ledger/inventory.tsv"
 ENTRIES = {entry.id: entry for entry in ledger.entries()}
 FAILING = [name for name in CASES if ENTRIES[name].verdict in ("qualified", "corrected")]
 
@@ -17,7 +19,12 @@ FAILING = [name for name in CASES if ENTRIES[name].verdict in ("qualified", "cor
 def test_the_rows_of_the_inventory_are_the_entries() -> None:
     with INVENTORY.open(encoding="utf-8") as rows:
         kinds = {row["id"]: row["kind"] for row in csv.DictReader(rows, delimiter="\t")}
-    assert {name: case.printed.kind for name, case in CASES.items()} == kinds
+    found = {name: case.printed.kind for name, case in CASES.items()}
+    for name in found.keys() ^ kinds.keys():
+        assert name in kinds, f"{name} has no row in {ROWS}; {see(name)}"
+        assert name in found, f"{name} stands in {ROWS} and in no document of chr_notes/printed"
+    for name, kind in found.items():
+        assert kind == kinds[name], f"{name}: {ROWS} says {kinds[name]}; {see(name)}"
 
 
 @pytest.mark.parametrize("name", CASES)

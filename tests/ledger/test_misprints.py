@@ -8,6 +8,7 @@ from sympy import Basic
 from chr_notes.ledger import entry, proof, stored
 from chr_notes.ledger.case import CannotJudgeError
 from chr_notes.ledger.cases import CASES
+from chr_notes.ledger.files import see
 from chr_notes.ledger.judgement import judge
 from chr_notes.printed import BY_ID
 
@@ -59,7 +60,7 @@ def test_misprints_are_seen(name: str, pytestconfig: pytest.Config) -> None:
     survivors = [
         kind for kind, wrong in made if is_seen(name, wrong) == ((name, kind) in EQUIVALENT)
     ]
-    assert survivors == []
+    assert survivors == [], f"{name}: misprints that nobody sees; {see(name)}"
 
 
 def test_equivalents_are_misprints_that_exist() -> None:

@@ -8,12 +8,13 @@ import pytest
 from chr_notes import ledger, printed
 from chr_notes.ledger.case import CannotJudgeError
 from chr_notes.ledger.cases import CASES
+from chr_notes.ledger.files import see
 from chr_notes.ledger.judgement import judge
 from chr_notes.ledger.words import ELSEWHERE, FROM_TO, misfits
 
 from .meant import meant
 from .senses import TURNED, turned_by_a_stranger, wrong_senses
-from .test_ledger import INVENTORY
+from .test_ledger import INVENTORY, ROWS
 
 SAID = "what we say, word by word that carries sense"
 
@@ -68,7 +69,10 @@ def seen(entry: ledger.Entry, says: str) -> bool:
 
 
 def test_what_we_say_is_written_down_twice() -> None:
-    assert {entry.id: meant(entry.says) for entry in ENTRIES} == TWICE
+    for entry in ENTRIES:
+        says, twice = meant(entry.says), TWICE[entry.id]
+        assert says == twice, f"{entry.id}: {ROWS} has other words; {see(entry.id)}"
+    assert len(TWICE) == len(ENTRIES), ROWS
 
 
 def test_a_stranger_who_turns_words_is_seen() -> None:

@@ -8,6 +8,7 @@ import nbformat
 import pytest
 
 from chr_notes.ledger.cases import CASES
+from chr_notes.ledger.files import see
 
 FOLDER = Path(__file__).resolve().parents[2] / "notebooks"
 ANCHOR = re.compile(r'id="entry-([\w.]+)"')
@@ -24,4 +25,8 @@ def shown(chapter: str) -> Counter[str]:
 @pytest.mark.parametrize("chapter", sorted({c.printed.document for c in CASES.values()}))
 def test_each_entry_stands_once_in_the_chapter_of_its_document(chapter: str) -> None:
     own = [name for name, case in CASES.items() if case.printed.document == chapter]
-    assert shown(chapter) == Counter(own)
+    found = shown(chapter)
+    for name in {*own, *found}:
+        assert found[name] == own.count(name), (
+            f"{name} is shown {found[name]} times in notebooks/{chapter}.ipynb; {see(name)}"
+        )

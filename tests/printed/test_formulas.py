@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+from chr_notes.ledger.files import see
 from chr_notes.printed import (
     DOCUMENTS,
     dead_reckoning_claims,
@@ -45,13 +46,20 @@ EQUATIONS = {name: each for name, each in STATEMENTS.items() if each.kind == "eq
 
 
 def test_there_is_a_formula_for_every_equation() -> None:
-    assert FORMULAS.keys() == EQUATIONS.keys()
+    for name in FORMULAS.keys() ^ EQUATIONS.keys():
+        assert name in FORMULAS, f"{name} has no row in tests/printed/formulas.tsv; {see(name)}"
+        assert name in EQUATIONS, f"{name} of tests/printed/formulas.tsv is no printed equation"
 
 
 def test_claims_read_as_they_were_written_down() -> None:
     """What a claim is read as is our own: it is written twice, names and all, and compared."""
     read = {each.id: each for each in STATEMENTS.values() if each.kind == "claim"}
-    assert {name: latex(each.statement, as_written=True) for name, each in read.items()} == CLAIMS
+    for name in read.keys() ^ CLAIMS.keys():
+        assert name in CLAIMS, f"{name} has no row in tests/printed/claims.tsv; {see(name)}"
+        assert name in read, f"{name} of tests/printed/claims.tsv is no printed claim"
+    for name, each in read.items():
+        found = latex(each.statement, as_written=True)
+        assert found == CLAIMS[name], f"{name}: tests/printed/claims.tsv differs; {see(name)}"
 
 
 @pytest.mark.parametrize("name", FORMULAS)
@@ -61,7 +69,8 @@ def test_terms_stand_as_the_document_has_them(name: str) -> None:
     if isinstance(statement, Nearly):  # the words before the formula say so, not its sign
         assert printed[1] == "="
         printed[1] = r"\approx"
-    assert relations(latex(statement, as_written=True)) == printed
+    found = relations(latex(statement, as_written=True))
+    assert found == printed, f"{name}: tests/printed/formulas.tsv differs; {see(name)}"
 
 
 @pytest.mark.parametrize(

@@ -6,6 +6,8 @@ from types import ModuleType
 
 import pytest
 
+from chr_notes.ledger.files import see
+
 from .sources import places
 from .test_formulas import FORMULAS, STATEMENTS
 
@@ -124,10 +126,11 @@ def test_statements_stand_in_their_places(rules: ModuleType) -> None:
     rules.wait_for("../shared/sources")
     texts = places(Path(__file__).resolve().parents[3] / "shared" / "sources")
     for name, statement in STATEMENTS.items():
+        where = f"{name} does not stand in {statement.place}; {see(name)}"
         text = " ".join(texts[statement.document][statement.place].split())
         if statement.kind == "table cell":
-            assert f" {name.split('.', 2)[2].rpartition('.')[0]} " in text, name
+            assert f" {name.split('.', 2)[2].rpartition('.')[0]} " in text, where
         elif statement.kind == "equation":
-            assert FORMULAS[name] in text, name
+            assert FORMULAS[name] in text, where
         else:
-            assert WORDS[name] in text, name
+            assert WORDS[name] in text, where
