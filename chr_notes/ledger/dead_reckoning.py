@@ -16,7 +16,7 @@ from sympy import (
 from chr_notes.derivations import dead_reckoning as derived
 from chr_notes.derivations.steps import Step
 from chr_notes.ledger import table_1
-from chr_notes.ledger.case import DEGREE, Case, complete
+from chr_notes.ledger.case import Case, complete
 from chr_notes.ledger.condition import Condition
 from chr_notes.ledger.dead_reckoning_reading import (
     ACCELERATION_THEN,
@@ -28,7 +28,6 @@ from chr_notes.ledger.dead_reckoning_reading import (
     POSITION_RATE,
     READ,
     SUMMED_POSITION,
-    TILTED,
     VELOCITY_RATE,
     WEIGHT,
 )
@@ -54,12 +53,6 @@ RESIDUE_OF_TILT = Step(
     ),
 )
 
-ONLY_YAW = {
-    derived.tilt_error: 0,
-    derived.azimuth: 0,
-    derived.yaw_error: 5 * DEGREE,
-    g: table_1.PRINTED_G,
-}
 HELD = (
     "An estimate by Euler integration, as in the note on attitude estimation: the rate of change "
     "is held through the period. It is the better the shorter the period."
@@ -208,13 +201,9 @@ SETTLED = (
     ),
     Case(
         "dead_reckoning.4.g",
-        condition=TILTED,
-        witness=ONLY_YAW,
-        root="tilt-only",
-        weight="small print",
         steps=(RESIDUE_OF_TILT,),
-        remark="It takes an error of tilt. An error of yaw alone turns everything about the "
-        "vertical, and gravity with it into itself: at rest nothing is left over.",
+        remark="In general: here with some error of tilt. An error of yaw alone turns everything "
+        "about the vertical, and gravity with it into itself: at rest nothing is left over.",
     ),
     Case("dead_reckoning.4.h", reported=Le(claims.PRODUCT_ERROR, 2 * pi / 180, evaluate=False)),
     Case(

@@ -104,6 +104,7 @@ READ = reading(
         **table_1.MEANING,
     },
     presumed=(
+        Presumed(TILTED, "in general", "dead_reckoning.4.g"),
         Presumed(TILTED, "one of tilt at rest", "dead_reckoning.4.i"),
         Presumed(Condition(Ne(cos(derived.yaw_error), 1)), "one of yaw", "dead_reckoning.4.i"),
         Presumed(Condition(Ne(derived.ACCELERATION[0], 0)), "gathers speed", "dead_reckoning.4.i"),

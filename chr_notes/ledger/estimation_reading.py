@@ -11,12 +11,14 @@ from sympy import (
     Ne,
     Set,
     Symbol,
+    cos,
     pi,
     symbols,
 )
 
 from chr_notes.derivations import calibration
 from chr_notes.derivations import estimation as derived
+from chr_notes.derivations.calibration import COUPLING
 from chr_notes.derivations.euler import euler_rates
 from chr_notes.derivations.sensors import specific_force
 from chr_notes.ledger import ranges
@@ -116,6 +118,12 @@ READ = reading(
         Presumed(ranges.from_0_to_1(printed.L), "the gain L", "estimation.4.4"),
         Presumed(ranges.above_0_to_1(printed.L), "combined", "estimation.4.c"),
         Presumed(ranges.between_0_and_1(printed.L), "pull", "estimation.4.f"),
+        Presumed(
+            Condition(Eq(ImmutableMatrix(COUPLING), ImmutableMatrix.zeros(3, 3))),
+            "nominally",
+            "estimation.3.b",
+        ),
+        Presumed(Condition(Ne(cos(derived.omega * T), 1)), "in general more", "estimation.4.e"),
         Presumed(
             ranges.proper_fractions(printed.L_1, printed.L_2),
             "Of two gains, the larger",

@@ -28,16 +28,11 @@ ROOTS: Final[Mapping[str, str]] = MappingProxyType(
         "figure-without-a-number": "The text names another figure than the one that it means.",
         "gravity-alone": "No net force is said to mean that gravity alone acts; it means that "
         "something holds the sensor against it.",
-        "gyro-acceleration": "Gyros are said not to feel acceleration; a little of it couples in.",
-        "steady-force": "A larger gain is said to let more of all other forces in; one that stays "
-        "comes through whole with every gain.",
         "missing-half": "Position under a constant acceleration: the half in front of the time "
         "squared is missing.",
         "kilometre": "The 612 m of the note's own table are called almost a kilometre.",
         "cut-off": "Two numbers of Table 1 are cut off instead of rounded.",
         "local-gravity": "The gravity that is added is taken to be the local one.",
-        "tilt-only": "An error of orientation is said to show in the acceleration; one of yaw "
-        "alone does not, while the motion is steady.",
         "matrix-label": "The validation paper calls its matrix that from the inertial frame to the "
         "body and prints that of the way back.",
         "gravity-or-reading": "The validation paper takes what an accelerometer reads for gravity; "
@@ -54,8 +49,6 @@ ROOTS: Final[Mapping[str, str]] = MappingProxyType(
         "before, as if these had not changed.",
         "factor-needs-field": "The factor E is said to be zero with exact angles, whatever "
         "disturbs the field.",
-        "factor-blind": "The factor E is said to tell an error of the angles; most errors it does "
-        "not see.",
         "south-field": "The Earth's field is printed as if it pointed south.",
     }
 )

@@ -101,7 +101,7 @@ with as_printed():
             "dead_reckoning.4.g",
             "claim",
             "section 4, paragraph 4",
-            "With an error of orientation a body at rest seems to accelerate.",
+            "With an error of orientation a body at rest in general seems to accelerate.",
             Ne(RESIDUE, ZeroMatrix(3, 1)),
         ),
         *(

@@ -238,7 +238,7 @@ with as_printed():
             "claim",
             "section 4, paragraph 6",
             "Of two gains, the larger one makes the estimate less sensitive to bias and noise of "
-            "the gyro, and more to vibration and other forces.",
+            "the gyro, and in general more to vibration and other forces.",
             InOrder(
                 Lt(BIAS[1], BIAS[0]),
                 Lt(GYRO_NOISE[1], GYRO_NOISE[0]),

@@ -26,7 +26,7 @@ with as_printed():
             "estimation.3.b",
             "claim",
             "section 3, paragraph 1",
-            "Rate gyros are not affected by acceleration.",
+            "Rate gyros are nominally not affected by acceleration.",
             Eq(READING_ACCELERATED, READING),
         ),
         Printed(

@@ -127,7 +127,7 @@ with as_printed():
             "validation.g",
             "claim",
             "after equation 17, paragraph 1",
-            "E tells an error of the Euler angles: it grows with a small one.",
+            "E tells an error of the Euler angles: in general it grows with a small one.",
             Gt(GROWTH, 0),
         ),
     )
