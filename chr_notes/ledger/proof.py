@@ -3,14 +3,12 @@
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
-from itertools import chain, product
+from itertools import product
 
 from sympy import (
     Abs,
     Basic,
-    Dummy,
     Eq,
-    Expr,
     Ge,
     Gt,
     Le,
@@ -22,11 +20,7 @@ from sympy import (
     Or,
     Set,
     Symbol,
-    cancel,
-    fraction,
     simplify,
-    tan,
-    together,
 )
 from sympy.core.relational import Relational
 from sympy.logic.boolalg import BooleanFalse, BooleanTrue
@@ -42,6 +36,7 @@ from chr_notes.ledger.identities import (
     shape_of,
 )
 from chr_notes.ledger.reading import Read
+from chr_notes.ledger.vanishing import never_equal, some_cannot_vanish
 from chr_notes.printed.statement import Approximately
 from chr_notes.symbols import Angle
 
@@ -121,7 +116,7 @@ def _examined(
     if isinstance(relation, Eq):
         return _equality(relation, read, by)
     if isinstance(relation, Ne):
-        holds = _never_equal(relation, read, by, conditions)
+        holds = never_equal(relation, read, by, conditions)
         return Finding(
             holds,
             "a component of the difference cannot vanish",
@@ -143,7 +138,7 @@ def _examined(
             how = "the larger side less the smaller is a magnitude that cannot vanish"
             inside = (more - less).args
             return Finding(
-                _some_cannot_vanish(inside, read, by, conditions), how, lambda: _short(more - less)
+                some_cannot_vanish(inside, read, by, conditions), how, lambda: _short(more - less)
             )
     simplified = simplify(evaluate(relation, read, by))
     return Finding(
@@ -208,63 +203,6 @@ def _within_its_digits(relation: Approximately, read: Read, by: Mapping[Basic, B
     quantity = N(evaluate(relation.lhs, read, by), 30)
     tells = relation.rhs != 0 or quantity == 0  # a zero in place of something tells nothing
     return bool(tells and abs(quantity - relation.rhs) <= relation.unit / 2)
-
-
-def _never_equal(
-    relation: Ne, read: Read, by: Mapping[Basic, Basic], conditions: tuple[Condition, ...]
-) -> bool:
-    """Whether some component of the difference is one that is, or is presumed to be, not zero.
-
-    Of two sets, whether one has an element that the other lacks.
-    """
-    left, right = sides(relation, read, by)
-    if isinstance(left, Set) and isinstance(right, Set):
-        return (left ^ right).is_empty is False
-    return _some_cannot_vanish(difference(left, right), read, by, conditions)
-
-
-def _some_cannot_vanish(
-    components: tuple[Expr, ...],
-    read: Read,
-    by: Mapping[Basic, Basic],
-    conditions: tuple[Condition, ...],
-) -> bool:
-    # Of a condition that may be met in several ways each one must do.
-    ways = product(*(_excluded(condition, read, by) for condition in conditions))
-    return all(
-        any(
-            component.is_nonzero
-            or is_positive(component)
-            or is_positive(-component)
-            or _numerator_is_positive(component)
-            or any(_vanishes_only_with(component, other) for other in chain(*way))
-            for component in components
-        )
-        for way in ways
-    )
-
-
-def _excluded(condition: Condition, read: Read, by: Mapping[Basic, Basic]) -> list[list[Basic]]:
-    """List what a condition says not to be zero, for each way to meet it."""
-    holds = condition.holds
-    return [
-        [evaluate(each.lhs - each.rhs, read, by) for each in parts(way) if isinstance(each, Ne)]
-        for way in (holds.args if isinstance(holds, Or) else (holds,))
-    ]
-
-
-def _numerator_is_positive(component: Expr) -> bool:
-    """Whether a quotient cannot vanish; a tangent is any number at all."""
-    numbers = {call: Dummy(real=True) for call in component.atoms(tan)}
-    return is_positive(fraction(together(component.xreplace(numbers)))[0])
-
-
-def _vanishes_only_with(component: Expr, excluded: Expr) -> bool:
-    """Whether a component vanishes only where the excluded expression does."""
-    if any(is_zero(component - sign * excluded) for sign in (1, -1)):
-        return True
-    factor = cancel(component / excluded)
-    return bool(factor.is_nonzero and is_zero(component - factor * excluded))
 
 
 def excludes(condition: Condition, point: Mapping[Basic, Basic]) -> bool:

@@ -27,7 +27,7 @@ SIGNS: Final[Mapping[str, str]] = MappingProxyType(
         "larger one makes the estimate less": r"\(L_2\\right\) <",
         "smaller one makes the estimate less": r"\(L_1\\right\) <",
         "larger one makes the estimate more": r"bias.*\(L_2\\right\) > e",
-        "noise of the gyro, and less": r"vibration.*\(L_2\\right\) <",
+        "noise of the gyro, and in general less": r"vibration.*\(L_2\\right\) <",
         "upwards": r"- g",
         "downwards": r"\\\\ g",
         "zero|nothing": r"0",
