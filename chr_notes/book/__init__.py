@@ -108,8 +108,9 @@ def _is_from(built: Path, made_by: str) -> bool:
 def _write_generated(book: Path) -> None:
     # Imported here, so that a missing package is reported in our words and not as an ImportError.
     from chr_notes import lesson  # noqa: PLC0415
-    from chr_notes.book import pages  # noqa: PLC0415
+    from chr_notes.book import pages, search  # noqa: PLC0415
     from chr_notes.demos.base import page_script, styles  # noqa: PLC0415
+    from chr_notes.ledger import entries  # noqa: PLC0415
 
     generated = book / "_generated"
     static = generated / "static"
@@ -121,6 +122,8 @@ def _write_generated(book: Path) -> None:
     _write(static / "lesson.js", lesson.script())
     for script in sorted(book.glob("*.js")):
         shutil.copy2(script, static)
+    first = (book / "search_first.js").read_text(encoding="utf-8")
+    _write(static / "search_first.js", search.found_first(entries()) + first)
     _write(static / "pages.js", page_script())
     _write(static / "converter_page.js", page_script("converter"))
 

@@ -8,13 +8,20 @@ from typing import Any, Final
 from sphinx.application import Sphinx
 
 from chr_notes.book.access import mended
+from chr_notes.book.entry_links import from_cards, from_docstring
 
 __all__ = ["setup"]
 
 _ICONS: Final = ("fontawesome",)  # they are in book/icons.css
-_SEARCH: Final = ("searchtools", "language_data", "searchindex")  # for the page of the search
+_SEARCH: Final = (
+    "searchtools",
+    "language_data",
+    "searchindex",
+    "search_first",
+)  # for the page of the search
 _DEMOS: Final = ("pages",)  # for pages that have one
 _CONVERTER: Final = ("converter_page",)  # for the page that has it, and no other demo
+_FILTER: Final = ("ledger_filter",)  # for the table of all entries
 _LESSONS: Final = ("lesson",)  # for pages with answer boxes, and with code to show or hide
 
 _ICON_RULES: Final = re.compile(
@@ -45,6 +52,9 @@ def _lighten(app: Sphinx, error: Exception | None) -> None:
         unused += [] if "data-demo" in text and not converts else _DEMOS
         unused += [] if converts else _CONVERTER
         unused += [] if "chr-lesson" in text or "cell_input" in text else _LESSONS
+        unused += [] if "data-verdict" in text else _FILTER
+        if page.parent.name == "notebooks":
+            text = from_cards(text)
         page.write_text(mended(_without_scripts(text, unused)), encoding="utf-8")
     styles = built / "_static" / "styles" / "pydata-sphinx-theme.css"
     text = styles.read_text(encoding="utf-8")
@@ -59,7 +69,14 @@ def _lighten(app: Sphinx, error: Exception | None) -> None:
         source_map.unlink()
 
 
+def _link(
+    _app: Sphinx, _what: str, _name: str, _obj: object, _options: object, lines: list[str]
+) -> None:
+    from_docstring(lines)
+
+
 def setup(app: Sphinx) -> dict[str, Any]:
     """Register with Sphinx."""
     app.connect("build-finished", _lighten)
+    app.connect("autodoc-process-docstring", _link)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -161,14 +161,19 @@ def test_ledger_has_an_anchor_and_a_worded_verdict_for_each_entry(book: Path) ->
     overview = (book / "book" / "ledger.html").read_text(encoding="utf-8")
     for document in {entry.document for entry in entries()}:
         text = (book / "book" / "ledger" / f"{document}.html").read_text(encoding="utf-8")
+        text, _, table = text.partition('<div class="ledger-cells')
         rows = re.split(r'<div class="ledger-row', text)[1:]
-        expected = [entry for entry in entries() if entry.document == document]
+        own = [entry for entry in entries() if entry.document == document]
+        expected = [entry for entry in own if entry.kind != "table cell"]
         for entry, row in zip(expected, rows, strict=True):
-            anchor = f'<span id="{entry.id}"></span>'
             verdict = rf'class="verdict verdict-{entry.verdict}">.* {entry.verdict}</span>'
-            assert anchor in row
-            assert anchor in overview
+            assert f'<span id="{entry.id}"></span>' in row
             assert re.search(verdict, row)
+        for entry in own:
+            assert f'<span id="{entry.id}" data-verdict="{entry.verdict}"' in overview
+        for cell in (entry for entry in own if entry.kind == "table cell"):
+            found = table.partition(f'<span id="{cell.id}"></span>')[2].partition("</td>")[0]
+            assert f'aria-label="{cell.verdict}"' in found
 
 
 def test_link_to_an_entry_goes_there(visit: Visit, book: Path) -> None:

@@ -1,0 +1,19 @@
+/* An id of the ledger, or a word of the field, leads: FIRST, before this, has places and titles. */
+
+document.addEventListener("DOMContentLoaded", () => {
+  const asked = (new URLSearchParams(location.search).get("q") ?? "").trim().toLowerCase();
+  const results = document.getElementById("search-results");
+  if (!results || !Object.hasOwn(FIRST, asked)) return;
+  const list = document.createElement("ul");
+  list.className = "search found-first";
+  list.setAttribute("aria-label", "Found first");
+  for (const [place, words] of FIRST[asked]) {
+    const link = document.createElement("a");
+    link.href = place;
+    link.textContent = words;
+    const item = document.createElement("li");
+    item.append(link);
+    list.append(item);
+  }
+  results.before(list);
+});
