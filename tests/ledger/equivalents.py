@@ -3,6 +3,11 @@
 The test proves each one: what the print says with it is still what the ledger says of it.
 """
 
+from sympy import Add, Eq, pi
+
+from chr_notes.ledger.cases import CASES
+from chr_notes.symbols import Angle
+
 NOTHING = "minus nothing, and twice nothing, is nothing"
 VERTICAL = "a turn about the vertical, by yaw, leaves gravity as it is"
 RENAMED = "the elements of any quaternion are called otherwise, on both sides"
@@ -88,3 +93,19 @@ EQUIVALENT: dict[tuple[str, str], str] = {
     **{("validation.l", f"transposed {n}"): AXIS_STAYS for n in range(1, 4)},
     ("validation.k", "swapped symbols, throughout 1"): BOTH_WAYS,
 }
+
+# A whole turn more on the right side of an equation for an angle is the same angle: roll, pitch and
+# yaw are read up to whole turns (`same_angle`), so that no such change is a misprint; half a turn
+# more is one. Of any other quantity 2 pi more is another number.
+ANGLES = [
+    name
+    for name, case in CASES.items()
+    if isinstance(case.printed.statement, Eq) and isinstance(case.printed.statement.lhs, Angle)
+]
+
+
+def turned_further(name: str, half_turns: int) -> Eq:
+    """Print an angle so many half turns further."""
+    statement = CASES[name].printed.statement
+    more = Add(statement.rhs, half_turns * pi, evaluate=False)
+    return statement.func(statement.lhs, more, evaluate=False)

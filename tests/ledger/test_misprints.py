@@ -12,7 +12,7 @@ from chr_notes.ledger.files import see
 from chr_notes.ledger.judgement import judge
 from chr_notes.printed import BY_ID
 
-from .equivalents import EQUIVALENT
+from .equivalents import ANGLES, EQUIVALENT, turned_further
 from .misprints import misprints
 from .planting import planted
 
@@ -67,3 +67,15 @@ def test_equivalents_are_misprints_that_exist() -> None:
     for name in {name for name, _ in EQUIVALENT}:
         kinds = {kind for entry, kind in EQUIVALENT if entry == name}
         assert kinds <= {kind for kind, _ in misprints(BY_ID[name].statement)}
+
+
+# Without `--full` a few, one of each kind of angle.
+FEW = ("quaternions.4.1", "estimation.2.5", "estimation.3.2", "validation.3")
+
+
+@pytest.mark.parametrize(
+    "name", [pytest.param(n, marks=() if n in FEW else pytest.mark.full) for n in ANGLES]
+)
+def test_a_whole_turn_more_is_the_same_angle_and_half_a_turn_is_another(name: str) -> None:
+    assert not is_seen(name, turned_further(name, 2))
+    assert is_seen(name, turned_further(name, 1))
