@@ -19,7 +19,7 @@ _SELDOM = 0.01  # share of samples that damage may explain
 _SLOW = 1.0  # seconds from sample to sample, of which no inertial sensor takes more
 
 
-def warn_of_force(forces: Floats, gravity: float) -> None:
+def warn_of_force(forces: Floats, gravity: float, inner: int = 0) -> None:
     """Notice a recording of readings that gravity cannot explain."""
     sizes = lengths(forces[complete(forces)])
     if len(sizes) < ENOUGH or not gravity > 0:
@@ -28,7 +28,8 @@ def warn_of_force(forces: Floats, gravity: float) -> None:
     if not gravity / 2 <= usual <= 2 * gravity:
         _warn(
             f"accel: expected readings of about {gravity:.4g}, in the unit of gravity, got mostly "
-            f"{usual:.4g}: are they in g, or in counts?"
+            f"{usual:.4g}: are they in g, or in counts?",
+            inner,
         )
 
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from chr_notes._arrays import Floats
+from chr_notes._arrays import Floats, floats
 from chr_notes._rows import Rows
 from chr_notes._samples import positive
 from chr_notes.conventions import STANDARD_GRAVITY
@@ -94,7 +94,7 @@ def drift_budget(  # noqa: PLR0913 (an error for each cause)
     Raises
     ------
     ValueError
-        If a shape does not broadcast.
+        If a shape does not broadcast, or a time is negative.
 
     Notes
     -----
@@ -111,8 +111,12 @@ def drift_budget(  # noqa: PLR0913 (an error for each cause)
     >>> [round(float(part), 1) for part in (found.tilt, found.accel_bias, found.gyro_bias)]
     [154.0, 18.0, 61.6]
     """
+    passed = floats("time", time)
+    if (passed < 0).any():
+        msg = f"time: expected seconds, not negative, got {passed.min():g}"
+        raise ValueError(msg)
     constant = (tilt, accel_bias, gyro_bias, scale_error, acceleration)
-    found = _position_errors(*constant, accel_noise, gyro_noise, time, gravity)
+    found = _position_errors(*constant, accel_noise, gyro_noise, passed, gravity)
     by_tilt, by_accel, by_gyro, by_motion, *variances = map(np.asarray, np.moveaxis(found, -1, 0))
     noise = np.asarray(np.sqrt(sum(variances)))
     return DriftBudget(by_tilt, by_accel, by_gyro, by_motion, noise)

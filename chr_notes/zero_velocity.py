@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from chr_notes._samples import WILD_RATE, complete, lengths, periods, positive, same_length, samples
+from chr_notes._units import warn_of_force
 from chr_notes.conventions import STANDARD_GRAVITY
 from chr_notes.sensors.still import window_sums
 
@@ -50,6 +51,11 @@ def zero_velocity(  # noqa: PLR0913 (three thresholds)
     ValueError
         If a shape is wrong, a time step is negative, or a limit is not positive.
 
+    Warns
+    -----
+    UnitWarning
+        If the accelerometer mostly reads less than half or more than twice the gravity, as in g.
+
     Notes
     -----
     Both limits are those of Skog, Händel, Nilsson and Rantakokko, Zero-velocity detection, an
@@ -76,6 +82,7 @@ def zero_velocity(  # noqa: PLR0913 (three thresholds)
         ("gravity", gravity),
     ):
         positive(name, limit)
+    warn_of_force(forces, float(gravity))
     if not count:
         return np.zeros(0, dtype=np.bool_)
     usual = float(np.median(steps))

@@ -245,6 +245,11 @@ def test_the_budget_is_what_the_integrals_give(seed: int) -> None:
     assert_allclose(found.tilt, drift_from_tilt_error(tilt, time, G)[2])
 
 
+def test_the_budget_of_a_time_before_the_start_is_refused() -> None:
+    with pytest.raises(ValueError, match="time: expected seconds, not negative, got -2"):
+        drift_budget([1.0, -2.0], tilt=0.1)
+
+
 def test_the_noise_of_the_budget_is_what_repetition_shows() -> None:
     generator = np.random.default_rng(1)
     period, count, density = 0.01, 1000, 0.02

@@ -163,6 +163,22 @@ def test_angles_in_degrees_are_noticed_by_the_gravity_that_they_leave() -> None:
     assert [warning.filename for warning in told] == [__file__]
 
 
+def test_a_force_in_g_is_noticed_by_all_that_compare_it_with_gravity() -> None:
+    force = np.tile([0.0, 0.0, -1.0], (ENOUGH, 1))
+    still, mag = 0 * force, np.tile([20.0, 0.0, 43.0], (ENOUGH, 1))
+    calls: list[Callable[[], object]] = [
+        lambda: chr_notes.zero_velocity(still, force, 0.01),
+        lambda: chr_notes.accelerated(force, 0.01),
+        lambda: chr_notes.doubtful_sensors(
+            force, mag, still, 0.01, strength=47.4, reference_down=0.9
+        ),
+    ]
+    for call in calls:
+        with pytest.warns(UnitWarning, match="are they in g") as told:
+            call()
+        assert [warning.filename for warning in told] == [__file__]
+
+
 def test_a_recording_is_told_from_itself_in_degrees(recordings: Path) -> None:
     log = chr_notes.read_log(recordings / "broad_06_fast_rotation_A_95hz_ned.csv")
     steps = np.diff(log.time, prepend=log.time[0])

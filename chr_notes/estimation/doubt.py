@@ -7,9 +7,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from chr_notes._arrays import Floats
 from chr_notes._samples import complete, lengths, number, periods, positive, same_length, samples
+from chr_notes._units import warn_of_force
 from chr_notes.conventions import STANDARD_GRAVITY
 from chr_notes.estimation.earth_field import TOLERANCE
 from chr_notes.validation import part_down, validation_factor
+
+_LIMIT = 0.5  # of gravity
 
 
 class Doubts(NamedTuple):
@@ -35,7 +38,7 @@ def accelerated(
     accel: ArrayLike,
     dt: ArrayLike,
     *,
-    limit: float = 0.5,
+    limit: float = _LIMIT,
     patience: float = 1.0,
     gravity: float = STANDARD_GRAVITY,
 ) -> NDArray[np.bool_]:
@@ -69,6 +72,11 @@ def accelerated(
     ValueError
         If a shape is wrong, a time step is negative, or a limit is not positive.
 
+    Warns
+    -----
+    UnitWarning
+        If the accelerometer mostly reads less than half or more than twice the gravity, as in g.
+
     Notes
     -----
     Figures on three trials of the BROAD data set, roll and pitch of the fixed-gain observer with
@@ -91,8 +99,14 @@ def accelerated(
     [100, 219]
     >>> heard = np.where(accelerated(accel, 0.01)[:, np.newaxis], np.nan, accel)
     """
-    forces = samples("accel", accel)
-    pull = positive("gravity", gravity)
+    forces, pull = samples("accel", accel), positive("gravity", gravity)
+    warn_of_force(forces, pull)
+    return _accelerated(forces, dt, limit, patience, pull)
+
+
+def _accelerated(
+    forces: Floats, dt: ArrayLike, limit: float, patience: float, pull: float
+) -> NDArray[np.bool_]:
     sizes = lengths(np.where(complete(forces)[:, np.newaxis], forces, pull))
     off = complete(forces) & (np.abs(sizes - pull) > positive("limit", limit) * pull)
     return _lasting(off, periods(dt, len(forces)), patience)
@@ -171,7 +185,9 @@ def doubtful_sensors(  # noqa: PLR0913 (what is known of the field, and three li
     steps = periods(dt, count)
     whole, known = positive("strength", strength), complete(field)
     down = part_down(number("reference_down", reference_down))
-    shaken = accelerated(forces, steps, patience=patience, gravity=gravity)
+    pull = positive("gravity", gravity)
+    warn_of_force(forces, pull)
+    shaken = _accelerated(forces, steps, _LIMIT, patience, pull)
     sizes = lengths(np.where(known[:, np.newaxis], field, 0.0))
     iron = known & (np.abs(sizes - whole) > positive("strength_limit", strength_limit) * whole)
     factor = np.asarray(validation_factor(field, angles[:, :2], down))

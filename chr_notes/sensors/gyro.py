@@ -1,28 +1,36 @@
 """Calibration of gyros from a log: at rest, over temperature, and by turns of known angle."""
 
 from collections.abc import Sequence
+from operator import index
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from chr_notes._arrays import Floats, floats
-from chr_notes._samples import complete, periods, samples
+from chr_notes._samples import complete, periods, same_length, samples
 from chr_notes.sensors.calibration import fit_gyro_bias
 from chr_notes.sensors.models import RateGyroCalibration
-from chr_notes.sensors.still import STILL_LIMIT, static_interval, without_glitches
+from chr_notes.sensors.still import STILL_LIMIT, static_interval, steady_mean, without_glitches
 
 _LEAST_SPAN = 2.0  # °C, below which noise makes any slope
 _MOST_OFF = 0.3  # of a turn, that a wrong sensitivity explains
+_STILL_VERTICAL = np.radians(2.0)
+_PARTS = 20
 _NOTHING = np.zeros((3, 3))
 
 
 def fit_gyro_at_rest(
-    body_rates: ArrayLike, temperature: ArrayLike | None = None, *, degree: int = 2
+    body_rates: ArrayLike,
+    temperature: ArrayLike | None = None,
+    *,
+    degree: int = 2,
+    accel: ArrayLike | None = None,
 ) -> RateGyroCalibration:
     """Find the bias of a gyro that lies still, and how it depends on temperature.
 
     The calibration's `correct` makes the readings zero. Its bias is minus what the gyro read, for
-    the model of the notes subtracts it; `fit_gyro_bias` gives the same.
+    the model of the notes subtracts it; `fit_gyro_bias` gives the same. From rates alone nobody
+    tells a steady turn from a bias; an accelerometer does, unless the turn is about the vertical.
 
     Parameters
     ----------
@@ -32,6 +40,8 @@ def fit_gyro_at_rest(
         °C, shape (N,); without it the bias is one number an axis.
     degree
         Of the polynomial in temperature.
+    accel
+        What an accelerometer read meanwhile, any unit, shape (N, 3).
 
     Returns
     -------
@@ -42,7 +52,10 @@ def fit_gyro_at_rest(
     ------
     ValueError
         If the sensor moved: if the rates vary about the polynomial by more than 0.02 rad/s. If the
-        temperature changes by less than 2 °C, or the degree is negative.
+        temperature changes by less than 2 °C, or the degree is negative. If the accelerometer
+        turned by more than 2°.
+    TypeError
+        If the degree is no whole number.
 
     Notes
     -----
@@ -58,6 +71,8 @@ def fit_gyro_at_rest(
     [0.0, 0.0, 0.0]
     """
     rates = samples("body_rates", body_rates)
+    if accel is not None:
+        _refuse_turning(rates, samples("accel", accel))
     if temperature is None:
         return _gyro(np.eye(3), np.ones(3), fit_gyro_bias(rates))
     warmth = _temperatures(temperature, len(rates))
@@ -77,7 +92,7 @@ def fit_gyro_at_rest(
             f"about the {'xyz'[int(spread.argmax())]}-axis"
         )
         raise ValueError(msg)
-    return _gyro(np.eye(3), np.ones(3), -coefficients)
+    return _gyro(np.eye(3), np.ones(3), -coefficients, warmth)
 
 
 def fit_gyro_scale(  # noqa: PLR0913 (what was known before, and what of temperature)
@@ -155,7 +170,7 @@ def fit_gyro_scale(  # noqa: PLR0913 (what was known before, and what of tempera
         sensitivity = np.diagonal(matrix)
         misalignment = matrix / sensitivity
         bias = np.linalg.solve(misalignment, at_rest.bias.T).T
-        return _gyro(misalignment, sensitivity, bias)
+        return RateGyroCalibration(misalignment, sensitivity, bias, _NOTHING, at_rest.temperatures)
     means = np.array([warmth[part].mean() for part, _ in turns])
     coefficients = np.zeros((degree + 1, 3))
     coefficients[0] = 1.0
@@ -164,11 +179,15 @@ def fit_gyro_scale(  # noqa: PLR0913 (what was known before, and what of tempera
         own = largest == axis
         ratio = seen[own, axis] / angles[own, axis]
         coefficients[:, axis] = _over_temperature(means[own], ratio[:, np.newaxis], degree)[:, 0]
-    return _gyro(np.eye(3), coefficients, at_rest.bias)
+    told = np.concatenate([warmth[part] for part, _ in turns])
+    return _gyro(np.eye(3), coefficients, at_rest.bias, told)
 
 
-def _gyro(misalignment: Floats, sensitivity: Floats, bias: Floats) -> RateGyroCalibration:
-    return RateGyroCalibration(misalignment, sensitivity, bias, _NOTHING)
+def _gyro(
+    misalignment: Floats, sensitivity: Floats, bias: Floats, warmth: Floats | None = None
+) -> RateGyroCalibration:
+    span = None if warmth is None else (float(warmth.min()), float(warmth.max()))
+    return RateGyroCalibration(misalignment, sensitivity, bias, _NOTHING, span)
 
 
 def _turn(number: int, turn: ArrayLike) -> Floats:
@@ -177,6 +196,26 @@ def _turn(number: int, turn: ArrayLike) -> Floats:
         msg = f"turns: expected an axis times an angle, got {vector.tolist()} for turn {number}"
         raise ValueError(msg)
     return vector
+
+
+def _refuse_turning(rates: Floats, forces: Floats) -> None:
+    """Refuse a log in which the vertical turns in the axes of the sensor."""
+    same_length(("body_rates", rates), ("accel", forces))
+    known = forces[complete(forces)]
+    parts = np.array_split(known, max(1, min(_PARTS, len(known))))
+    means = np.array([steady_mean(part) for part in parts if len(part)]).reshape(-1, 3)
+    sizes = np.linalg.norm(means, axis=1)
+    if not (len(sizes) and (sizes > 0).all()):
+        msg = f"accel: expected readings of gravity, got {len(known)} whole ones, or zero"
+        raise ValueError(msg)
+    up = means / sizes[:, np.newaxis]
+    turned = float(2 * np.arcsin(np.linalg.norm(up - up[:1], axis=1).max() / 2))
+    if turned > _STILL_VERTICAL:
+        msg = (
+            "body_rates: expected a sensor at rest, got one whose accelerometer turned by "
+            f"{np.degrees(turned):.1f}° meanwhile; cut out a rest with static_intervals"
+        )
+        raise ValueError(msg)
 
 
 def _refuse_other_turns(seen: Floats, angles: Floats) -> None:
@@ -202,6 +241,7 @@ def _temperatures(value: ArrayLike, count: int) -> Floats:
 
 def _over_temperature(warmth: Floats, values: Floats, degree: int) -> Floats:
     """Fit a polynomial to each column; coefficients by power, shape (degree + 1, columns)."""
+    degree = index(degree)
     if degree < 0:
         msg = f"degree: expected 0 or more, got {degree}"
         raise ValueError(msg)

@@ -10,9 +10,10 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike
 
-from chr_notes._arrays import Floats, floats
+from chr_notes._arrays import Floats
 from chr_notes._rows import Rows
 from chr_notes.generated.arrays import sensors as generated
+from chr_notes.sensors.terms import at, finite, invertible, keep, polynomial, refuse_zeros
 
 # Terms have a row for each temperature, so an error about their shape is one about its.
 _TERMS = ("misalignment", "temperature", "temperature")
@@ -23,14 +24,12 @@ _gyro_corrected = Rows(generated.gyro_corrected, names=_TERMS, checked=4)
 _iron_added = Rows(generated.iron_added, checked=2)
 _iron_removed = Rows(generated.iron_removed, checked=2)
 
-_SINGULAR = 1e-12  # smallest singular value over the largest
-
 
 @dataclass(frozen=True, eq=False)
 class _Checked:
     """What is checked when it is made, and so when it is copied or read from a file too."""
 
-    def __reduce__(self) -> tuple[type, tuple[Floats, ...]]:
+    def __reduce__(self) -> tuple[type, tuple[object, ...]]:
         """Make it again from its fields."""
         return type(self), tuple(getattr(self, field.name) for field in fields(self))
 
@@ -73,10 +72,10 @@ class ThreeAxisCalibration(_Checked):
 
     def __post_init__(self) -> None:
         """Check the parameters and keep them as arrays."""
-        _keep(self, "misalignment", _invertible("misalignment", self.misalignment))
-        _keep(self, "sensitivity", _polynomial("sensitivity", self.sensitivity))
-        _keep(self, "bias", _polynomial("bias", self.bias))
-        _refuse_zeros(np.abs(self.sensitivity).max(axis=0))
+        keep(self, "misalignment", invertible("misalignment", self.misalignment))
+        keep(self, "sensitivity", polynomial("sensitivity", self.sensitivity))
+        keep(self, "bias", polynomial("bias", self.bias))
+        refuse_zeros(np.abs(self.sensitivity).max(axis=0))
 
     def measure(
         self,
@@ -106,7 +105,7 @@ class ThreeAxisCalibration(_Checked):
         ValueError
             If a shape is wrong, the temperature is missing, or a sensitivity is zero at it.
         """
-        sensitivity, bias = _at(self, temperature)
+        sensitivity, bias = at(self.sensitivity, self.bias, temperature)
         return _sensor_measures.compute(self.misalignment, sensitivity, bias, actual, out)
 
     def correct(
@@ -117,7 +116,7 @@ class ThreeAxisCalibration(_Checked):
         out: Floats | None = None,
     ) -> Floats:
         """Tell what is there from what the sensor reads; parameters and errors as in `measure`."""
-        sensitivity, bias = _at(self, temperature)
+        sensitivity, bias = at(self.sensitivity, self.bias, temperature)
         return _sensor_corrected.compute(self._inverse, sensitivity, bias, measured, out)
 
 
@@ -131,6 +130,9 @@ class RateGyroCalibration(_Checked):
         As for `ThreeAxisCalibration`.
     g_sensitivity
         C, reading before misalignment per m/s² along each axis, shape (3, 3).
+    temperatures
+        Lowest and highest from which the polynomials were fitted. Further than a tenth of the way
+        between them beyond, a `UserWarning` says that they are only continued.
 
     Raises
     ------
@@ -146,14 +148,15 @@ class RateGyroCalibration(_Checked):
     sensitivity: Floats
     bias: Floats
     g_sensitivity: Floats
+    temperatures: tuple[float, float] | None = None
 
     def __post_init__(self) -> None:
         """Check the parameters and keep them as arrays."""
-        _keep(self, "misalignment", _invertible("misalignment", self.misalignment))
-        _keep(self, "sensitivity", _polynomial("sensitivity", self.sensitivity))
-        _keep(self, "bias", _polynomial("bias", self.bias))
-        _keep(self, "g_sensitivity", _finite("g_sensitivity", self.g_sensitivity, 3, 3))
-        _refuse_zeros(np.abs(self.sensitivity).max(axis=0))
+        keep(self, "misalignment", invertible("misalignment", self.misalignment))
+        keep(self, "sensitivity", polynomial("sensitivity", self.sensitivity))
+        keep(self, "bias", polynomial("bias", self.bias))
+        keep(self, "g_sensitivity", finite("g_sensitivity", self.g_sensitivity, 3, 3))
+        refuse_zeros(np.abs(self.sensitivity).max(axis=0))
 
     def measure(
         self,
@@ -186,7 +189,7 @@ class RateGyroCalibration(_Checked):
         ValueError
             If a shape is wrong, the temperature is missing, or a sensitivity is zero at it.
         """
-        sensitivity, bias = _at(self, temperature)
+        sensitivity, bias = at(self.sensitivity, self.bias, temperature, self.temperatures)
         terms = self.misalignment, sensitivity, bias, self.g_sensitivity
         return _gyro_measures.compute(*terms, accel, actual, out)
 
@@ -199,7 +202,7 @@ class RateGyroCalibration(_Checked):
         out: Floats | None = None,
     ) -> Floats:
         """Tell the body rates from what the gyro reads; parameters and errors as in `measure`."""
-        sensitivity, bias = _at(self, temperature)
+        sensitivity, bias = at(self.sensitivity, self.bias, temperature, self.temperatures)
         terms = self._inverse, sensitivity, bias, self.g_sensitivity
         return _gyro_corrected.compute(*terms, accel, measured, out)
 
@@ -230,8 +233,8 @@ class MagnetometerCalibration(_Checked):
 
     def __post_init__(self) -> None:
         """Check the parameters and keep them as arrays."""
-        _keep(self, "soft_iron", _invertible("soft_iron", self.soft_iron))
-        _keep(self, "hard_iron", _finite("hard_iron", self.hard_iron, 3))
+        keep(self, "soft_iron", invertible("soft_iron", self.soft_iron))
+        keep(self, "hard_iron", finite("hard_iron", self.hard_iron, 3))
 
     def measure(self, actual: ArrayLike, *, out: Floats | None = None) -> Floats:
         """Tell what a magnetometer near the iron reads of a field, shape (..., 3)."""
@@ -240,66 +243,3 @@ class MagnetometerCalibration(_Checked):
     def correct(self, field: ArrayLike, *, out: Floats | None = None) -> Floats:
         """Tell the field without the iron from a reading, shape (..., 3)."""
         return _iron_removed.compute(self.soft_iron, self.hard_iron, field, out)
-
-
-def _keep(calibration: object, name: str, value: Floats) -> None:
-    # A frozen dataclass sets its fields so. Nobody may change what has been checked.
-    value.setflags(write=False)
-    object.__setattr__(calibration, name, value)
-
-
-def _finite(name: str, value: ArrayLike, *shape: int) -> Floats:
-    array = np.array(floats(name, value, *shape), dtype=np.float64)
-    if array.ndim != len(shape):
-        msg = f"{name}: expected shape {shape}, got {array.shape}"
-        raise ValueError(msg)
-    if not np.isfinite(array).all():
-        msg = f"{name}: expected finite numbers, got {array.tolist()}"
-        raise ValueError(msg)
-    return array
-
-
-def _invertible(name: str, value: ArrayLike) -> Floats:
-    matrix = _finite(name, value, 3, 3)
-    singular = np.linalg.svd(matrix, compute_uv=False)
-    if not singular[-1] > _SINGULAR * singular[0]:
-        msg = f"{name}: expected an invertible matrix, got a singular one: {matrix.tolist()}"
-        raise ValueError(msg)
-    return matrix
-
-
-def _polynomial(name: str, value: ArrayLike) -> Floats:
-    """Take coefficients by power of temperature and axis, shape (n, 3)."""
-    array = floats(name, value)
-    if array.ndim not in (1, 2) or array.shape[-1] != 3 or not array.size:  # noqa: PLR2004 (axes)
-        msg = f"{name}: expected shape (3,) or (n, 3), got {array.shape}"
-        raise ValueError(msg)
-    return np.atleast_2d(_finite(name, array, *array.shape))
-
-
-def _refuse_zeros(sensitivity: Floats, where: str = "") -> None:
-    for axis, name in enumerate("xyz"):
-        if not (sensitivity[..., axis] != 0).all():
-            msg = f"sensitivity: expected no zeros, got one on the {name}-axis{where}"
-            raise ValueError(msg)
-
-
-def _at(
-    calibration: ThreeAxisCalibration | RateGyroCalibration, temperature: ArrayLike | None
-) -> tuple[Floats, Floats]:
-    """Sensitivity and bias at a temperature, shapes (..., 3)."""
-    sensitivity, bias = calibration.sensitivity, calibration.bias
-    if len(sensitivity) == len(bias) == 1:
-        return sensitivity[0], bias[0]
-    if temperature is None:
-        msg = "temperature: expected one, because sensitivity or bias depends on it, got None"
-        raise ValueError(msg)
-    degrees = floats("temperature", temperature)
-    here = _evaluated(sensitivity, degrees)
-    _refuse_zeros(here, " at one of the temperatures")
-    return here, _evaluated(bias, degrees)
-
-
-def _evaluated(coefficients: Floats, temperature: Floats) -> Floats:
-    values = np.polynomial.polynomial.polyval(temperature, coefficients)
-    return np.asarray(np.moveaxis(values, 0, -1), dtype=np.float64)

@@ -203,6 +203,9 @@ def test_a_copy_is_as_guarded_as_what_it_was_made_of(
     found = copied(calibration)
     assert type(found) is type(calibration)
     for name, value in vars(calibration).items():
+        if name == "temperatures":
+            assert getattr(found, name) == value
+            continue
         assert_array_equal(getattr(found, name), value)
         with pytest.raises(ValueError, match="read-only"):
             getattr(found, name)[0] = 0.0

@@ -1,5 +1,6 @@
 """Calibration of accelerometers and gyros from logs, simulated and recorded."""
 
+import copy
 import json
 import warnings
 from pathlib import Path
@@ -13,11 +14,13 @@ from chr_notes import (
     CalibrationWarning,
     RateGyroCalibration,
     ThreeAxisCalibration,
+    accelerometer_at_rest,
     fit_accelerometer,
     fit_accelerometer_from_log,
     fit_gyro_at_rest,
     fit_gyro_bias,
     fit_gyro_scale,
+    integrate_gyro,
 )
 from chr_notes.derivations import calibration
 from chr_notes.simulation import Readings, at_rest, ideal_readings, minimum_jerk, trajectory
@@ -167,6 +170,8 @@ def test_temperatures_that_tell_nothing_are_refused() -> None:
     rates = np.random.default_rng(10).normal(0, 0.001, (100, 3))
     with pytest.raises(ValueError, match="a change of at least 2 °C, got"):
         fit_gyro_at_rest(rates, np.linspace(20, 20.5, 100))
+    with pytest.raises(TypeError, match="integer"):
+        fit_gyro_at_rest(rates, np.linspace(20, 30, 100), degree=1.5)  # type: ignore[arg-type]
     with pytest.raises(ValueError, match=r"temperature: expected shape \(100,\), got \(3,\)"):
         fit_gyro_at_rest(rates, [20.0, 21.0, 22.0])
     with pytest.raises(ValueError, match="degree: expected 0 or more, got -1"):
@@ -175,6 +180,29 @@ def test_temperatures_that_tell_nothing_are_refused() -> None:
         fit_gyro_at_rest(rates, np.repeat([20.0, 30.0], 50))
     with pytest.raises(ValueError, match=r"a sensor at rest, .* about a polynomial in temperature"):
         fit_gyro_at_rest(rates * 100, np.linspace(20, 30, 100))
+
+
+def test_temperatures_beyond_those_of_the_fit_are_noticed() -> None:
+    warmth = np.linspace(20, 40, 500)
+    found = fit_gyro_at_rest(0.001 * warmth[:, np.newaxis] * np.ones(3), warmth, degree=1)
+    assert found.temperatures == (20, 40)
+    for copied in (found, copy.deepcopy(found)):
+        copied.correct(np.zeros((2, 3)), np.zeros(3), [18.1, 41.9])
+        with pytest.warns(UserWarning, match=r"from 20 to 40, .*, got 43: its poly") as told:
+            copied.correct(np.zeros(3), np.zeros(3), 43.0)
+        assert [warning.filename for warning in told] == [__file__]
+
+
+def test_an_accelerometer_tells_a_slow_turn_from_a_bias() -> None:
+    rates = np.tile([0.02, 0.0, 0.0], (300, 1))
+    forces = accelerometer_at_rest(integrate_gyro(rates, 0.01))
+    forces[100, 2] = 1e7
+    with pytest.raises(ValueError, match=r"accelerometer turned by 3\.3°"):
+        fit_gyro_at_rest(rates, accel=forces)
+    still = np.tile([0.1, 0.2, -1.0], (300, 1))
+    assert fit_gyro_at_rest(rates, accel=still).bias[0] == pytest.approx([-0.02, 0, 0])
+    with pytest.raises(ValueError, match="accel: expected readings of gravity, got 0 whole ones"):
+        fit_gyro_at_rest(rates, accel=np.nan * still)
 
 
 AXES = np.array([[2, 0, 0.1], [0, -3, 0], [0.2, 0, 4], [1, 1, -1]]) * np.pi / 2
@@ -216,8 +244,8 @@ def test_the_sensitivity_over_temperature_is_found() -> None:
     readings = turns(gyro, warmth) * [0, 0, 1]
     found = fit_gyro_scale(readings, 0.01, known[2:], temperature=warmth)
     assert_allclose(found.sensitivity[:, 2], sensitivity[:, 2], rtol=0.1)
-    at_30 = found.correct([0, 0, 1.0], np.zeros(3), 30.0)
-    assert_allclose(at_30[2], (1.0 + 0.01) / (0.98 + 0.03), atol=1e-3)
+    at_33 = found.correct([0, 0, 1.0], np.zeros(3), 33.0)
+    assert_allclose(at_33[2], (1.0 + 0.01) / (0.98 + 0.033), atol=1e-3)
     assert_allclose(found.sensitivity[:, :2], [[1, 1], [0, 0]])
 
 
