@@ -236,7 +236,7 @@ def fixed_gain_observer(  # noqa: PLR0913 (a recording, and how to run through i
         step = steps.observer_heading_turn
         constants += map(np.array, (check_gain("heading_gain", heading_gain), *level))
     if initial is None:
-        begin, first = first_tilt(forces)
+        begin, first = first_tilt(forces, "; pass initial to do without")
         if field and count:
             first = with_heading(first, field[0][begin].tolist(), level)
         before = np.full((min(begin + 1, count), 3), np.nan)

@@ -13,13 +13,15 @@ from chr_notes.generated.scalar import estimation as steps
 from chr_notes.generated.scalar.validation import heading_from_magnetometer
 
 
-def first_tilt(forces: Floats) -> tuple[int, Sequence[float]]:
+def first_tilt(forces: Floats, advice: str = "") -> tuple[int, Sequence[float]]:
     """Find the first tilt that is known.
 
     Parameters
     ----------
     forces
         Specific force, shape (N, 3).
+    advice
+        What may be passed in its place.
 
     Returns
     -------
@@ -38,7 +40,11 @@ def first_tilt(forces: Floats) -> tuple[int, Sequence[float]]:
         if roll == roll:  # noqa: PLR0124 (NaN is not itself)
             return sample, (roll, pitch, 0.0)
     if len(forces):
-        msg = "accel: expected a sample that shows a tilt to start from, got none; pass initial"
+        found = "zero" if (forces == 0).all() else "zero, missing or infinite"
+        msg = (
+            "accel: expected a sample that shows a tilt to start from, got all "
+            f"{len(forces)} of them {found}{advice}"
+        )
         raise ValueError(msg)
     return 0, (0.0, 0.0, 0.0)
 

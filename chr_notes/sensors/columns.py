@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import combinations
 from typing import cast
 
 from chr_notes.sensors.column_names import (
@@ -73,6 +74,7 @@ def select(names: Sequence[str], given: Given | None = None) -> dict[str, Select
             msg = f"{quantity}: expected one unit for all three axes, got the columns {labels}"
             raise ValueError(msg)
         result[quantity] = Selected(tuple(places), units.pop())
+    _refuse_shared(names, {each: result[each].places for each in result if each in given})
     if result.keys().isdisjoint(SENSORS):
         msg = (
             "expected columns such as 'ax', 'acc_y' or 'Gyroscope Z (deg/s)', "
@@ -80,6 +82,14 @@ def select(names: Sequence[str], given: Given | None = None) -> dict[str, Select
         )
         raise ValueError(msg)
     return result
+
+
+def _refuse_shared(names: Sequence[str], given: Mapping[str, tuple[int, ...]]) -> None:
+    """Refuse a column that is given for two quantities."""
+    for one, other in combinations(given, 2):
+        for place in {*given[one]} & {*given[other]}:
+            msg = f"columns: expected each once, got {names[place]!r} for {one} and {other}"
+            raise ValueError(msg)
 
 
 def _unit(quantity: str, name: str, told: Meaning | None) -> str | None:
@@ -106,6 +116,9 @@ def _given(quantity: str, wanted: object, names: Sequence[str]) -> list[int]:
         else:
             msg = f"columns[{quantity!r}]: expected a column of {[*names]!r:.200}, got {name!r}"
             raise ValueError(msg)
+    if len({*places}) < len(places):
+        msg = f"columns[{quantity!r}]: expected {count} different columns, got {each!r:.100}"
+        raise ValueError(msg)
     return places
 
 

@@ -84,15 +84,7 @@ def head(lines: Sequence[str], columns: Columns | None) -> Head:
     """
     if isinstance(columns, Sequence):
         return _without_names(lines, [*columns])
-    best: tuple[int, int, str] | None = None
-    for place, line in enumerate(lines[:_PREAMBLE]):
-        for delimiter in _DELIMITERS:
-            names = split(line.strip().lstrip("#%/ "), delimiter)
-            told = _told(names, columns)
-            if told and (best is None or told > best[0]):
-                best = told, place, delimiter
-        if best is not None:
-            break
+    best = _names(lines, columns) or _names(lines, columns, faulty=True)
     if best is None:
         text = next((line for line in lines if line.strip()), "")
         msg = (
@@ -101,12 +93,37 @@ def head(lines: Sequence[str], columns: Columns | None) -> Head:
             "pass columns=[names] for a log without"
         )
         raise ValueError(msg)
-    _, place, delimiter = best
+    place, delimiter = best
     names = split(lines[place].strip().lstrip("#%/ "), delimiter)
     return _with_numbers(lines, place, names, delimiter, columns)
 
 
-def _told(names: list[str], columns: Given | None) -> int:
+def _names(
+    lines: Sequence[str], columns: Given | None, *, faulty: bool = False
+) -> tuple[int, str] | None:
+    """Find the first line of names and what divides it: one without a fault, or any."""
+    for place, line in enumerate(lines[:_PREAMBLE]):
+        # A comment may say "by", or "ax", and be none.
+        following = _next(lines, place + 1) if is_beside(line) and line.strip() else None
+        best = 0, ""
+        for delimiter in _DELIMITERS:
+            names = split(line.strip().lstrip("#%/ "), delimiter)
+            told = _told(names, columns, faulty=faulty)
+            if told > best[0] and (following is None or _fits(lines, following, delimiter, names)):
+                best = told, delimiter
+        if best[0]:
+            return place, best[1]
+    return None
+
+
+def _fits(lines: Sequence[str], place: int, delimiter: str, names: list[str]) -> bool:
+    """Say whether a line has as many fields as there are names, and is none of names itself."""
+    fields = split(lines[place], delimiter) if place < len(lines) else []
+    count = len(fields) - (len(fields) == len(names) + 1 and not fields[-1])
+    return count == len(names) and not _told(fields, None, faulty=True)
+
+
+def _told(names: list[str], columns: Given | None, *, faulty: bool) -> int:
     """Count the columns that a line tells of, if it is one of names."""
     if any(NUMBER.fullmatch(name) for name in names):
         return 0
@@ -117,13 +134,18 @@ def _told(names: list[str], columns: Given | None) -> int:
             [each] if isinstance(each, str) else each if isinstance(each, Sequence) else []
         )
     ]
-    if not {name for name in wanted if isinstance(name, str)} <= {*names}:
-        return 0
+    given = {name.strip() for name in wanted if isinstance(name, str)}
+    if not given <= {*names}:
+        if not faulty:
+            return 0
+        if not given & {*names}:
+            # Of which names one that is given is missing, is said of those that tell by themselves.
+            return _told(names, None, faulty=True)
     try:
         selected = select(names, columns)
     except ValueError as error:
         # Names of a sensor, if with a fault: that is for later to tell.
-        return 0 if str(error).startswith("expected columns") else len(names)
+        return 0 if not faulty or str(error).startswith("expected columns") else len(names)
     return sum(len(each.places) for each in selected.values())
 
 
@@ -198,9 +220,10 @@ def _are_units(fields: list[str], selected: dict[str, Selected]) -> bool:
 
 
 def _decimal(lines: Sequence[str], delimiter: str) -> str:
-    """Tell a decimal comma from a point."""
+    """Tell a decimal comma from a point; between commas one has to be quoted."""
     if delimiter == ",":
-        return "."
+        points = re.compile(r"(^|,)[ \t\"]*[+-]?\d*\.\d", re.ASCII)
+        lines = [] if any(map(points.search, lines)) else [line for line in lines if '"' in line]
     fields = (field for line in lines for field in split(line, delimiter) if "," in field)
     commas = re.compile(r"[+-]?\d*,\d+(e[+-]?\d+)?", re.ASCII | re.IGNORECASE)
     return "," if any(commas.fullmatch(field) for field in fields) else "."

@@ -124,7 +124,10 @@ def _accelerometer(table: Table, settings: Settings, said: Said) -> Rest | None:
         else log_checks.median_norm(accel)
     )
     if not norm > 0:
-        msg = f"accel: expected readings of gravity, got a median norm of {norm:g}"
+        msg = (
+            f"accel: expected readings of gravity, got a median norm of {norm:g}; pass readings "
+            "that still have gravity, or columns={'accel': None} to leave them out"
+        )
         raise ValueError(msg)
     known = known_unit(table, settings, "accel")
     some = accel[:: max(1, len(accel) // log_checks.LOOKED_AT)]

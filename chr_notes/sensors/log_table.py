@@ -157,6 +157,11 @@ class _Rows:
                     f"got {len(fields)}: {text.strip()!r:.80}"
                 )
                 raise ValueError(msg)
+            if self.head.decimal == delimiter:
+                fields = [each.replace(".", "?").replace(delimiter, ".") for each in fields]
+            for at in self.readings if delimiter != " " else ():
+                if delimiter in fields[at]:  # quoted
+                    self._refuse(f"line {self.line + place}", at, self._wrong(fields[at]))
             clean = delimiter.join(
                 each.replace(delimiter, "_").replace("\n", "_") for each in fields
             )
@@ -168,7 +173,7 @@ class _Rows:
         self, block: bytes, numbers: list[int], rows: int, divide: Divide, *, ended: bool
     ) -> bool:
         """Read lines that have all as many fields; if not all have, say so and read none."""
-        if self.head.decimal == ",":
+        if self.head.decimal == "," != self.head.delimiter:
             block = block.translate(_COMMA)
         fields_of = divide(np.frombuffer(block, dtype=np.uint8), rows, self.head.fields)
         if fields_of is None:
@@ -220,19 +225,30 @@ class _Rows:
         for each in np.flatnonzero(~read).tolist():
             try:
                 values[each] = number(fields.text(each))
-            except ValueError as error:
-                self._refuse(each, columns, error)
+            except ValueError:
+                self._refuse_field(each, columns, self._wrong(fields.text(each)))
         for each in np.flatnonzero(np.abs(values) > LARGEST).tolist():
             if columns[each % len(columns)] in self.readings:
-                self._refuse(each, columns, f"expected a reading, got {values[each]:g}")
+                self._refuse_field(each, columns, f"expected a reading, got {values[each]:g}")
         return values
 
-    def _refuse(self, each: int, columns: Sequence[int], reason: object) -> None:
-        row, place = divmod(each, len(columns))
-        column = columns[place]
-        where = f"{self.place(self.count + row)}, column {column + 1} ({self.head.names[column]})"
-        msg = f"{where}: {reason}"
+    def _wrong(self, text: str) -> str:
+        """Say what is wrong with a field, as it stands in the log."""
+        if self.head.decimal == ",":
+            text = text.replace(".", ",").replace("?", ".")
+        try:
+            number(text)
+        except ValueError as error:
+            return str(error)
+        return f"expected a number with a decimal comma, got {text!r:.40}"
+
+    def _refuse(self, line: str, column: int, reason: object) -> None:
+        msg = f"{line}, column {column + 1} ({self.head.names[column]}): {reason}"
         raise ValueError(msg)
+
+    def _refuse_field(self, each: int, columns: Sequence[int], reason: object) -> None:
+        row, place = divmod(each, len(columns))
+        self._refuse(self.place(self.count + row), columns[place], reason)
 
     def _long_times(self, times: Fields, first: Origin) -> Floats:
         """Count dates, and times of more digits than a double holds, from the first one."""
@@ -241,7 +257,7 @@ class _Rows:
             try:
                 values[row] = since(first, times.text(row))
             except ValueError as error:
-                self._refuse(row, self.head.selected["time"].places, error)
+                self._refuse_field(row, self.head.selected["time"].places, error)
         return values
 
     def _anchor(self, numbers: list[int], rows: int) -> None:
@@ -268,9 +284,8 @@ class _Rows:
         """Give all that was read."""
         for values in self.values.values():
             values.resize((self.count, values.shape[1]), refcheck=False)
-        notes = []
-        if self.head.decimal == ",":
-            notes.append("numbers are written with a decimal comma")
+        comma = self.head.decimal == ","
+        notes = ["numbers are written with a decimal comma"] if comma else []
         if self.head.line > 1:
             notes.append(
                 f"lines before line {self.head.line}, which has the names, were passed over"

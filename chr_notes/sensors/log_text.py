@@ -78,6 +78,7 @@ def _encoded(file: Readable) -> Iterator[bytes]:
             part = part.removeprefix("\ufeff") if first else part
             data = part.encode(errors="replace")
         elif first:
+            _refuse_other_kinds(part)
             encoding, mark = _encoding(part)
             decoder = codecs.getincrementaldecoder(encoding)("replace") if encoding else None
             data = part[mark:]
@@ -102,6 +103,14 @@ def _encoded(file: Readable) -> Iterator[bytes]:
         yield late.replace(b"\r", b"\n")
 
 
+def _refuse_other_kinds(start: bytes) -> None:
+    """Name a file that is packed or of another program, by its first bytes."""
+    for magic, kind, advice in _KINDS:
+        if start.startswith(magic):
+            msg = f"line 1, column 1: expected text, got {kind}; pass {advice}"
+            raise ValueError(msg)
+
+
 def _encoding(start: bytes) -> tuple[str | None, int]:
     """Tell what a file is written in, None for bytes that may stay, and how long its mark is."""
     for mark, encoding in _MARKS:
@@ -120,3 +129,12 @@ def _encoding(start: bytes) -> tuple[str | None, int]:
 
 
 _SAMPLE = 4096
+_KINDS = (
+    (b"\x1f\x8b", "a gzip file", "gzip.open(path)"),
+    (b"BZh", "a bzip2 file", "bz2.open(path)"),
+    (b"\xfd7zXZ", "an xz file", "lzma.open(path)"),
+    (b"PK\x03\x04", "a zip or xlsx file", "the text in it, or a DataFrame of pandas.read_excel"),
+    (b"PAR1", "a parquet file", "a DataFrame of pandas.read_parquet"),
+    (b"\x89HDF", "an HDF5 file", "a mapping from names to arrays"),
+    (b"MATLAB 5.0", "a MATLAB file", "what scipy.io.loadmat gives"),
+)

@@ -5,6 +5,7 @@ from collections.abc import Callable
 import numpy as np
 
 from chr_notes._arrays import Floats
+from chr_notes._turning import in_doubt
 from chr_notes.sensors import log_axes, log_checks, log_pairs, log_units
 from chr_notes.sensors.column_names import SENSORS
 from chr_notes.sensors.log_pairs import Pair
@@ -69,6 +70,8 @@ def _gyro(
         allowed = np.array(factors)[between.residuals.min(axis=1) < log_pairs.FITS]
     unit = _unit_of_gyro(known, gyro, allowed, rest, said)
     gyro *= float(unit.factor or 1.0)
+    if dt is not None and between is None and not certain:
+        _by_turning(values, dt, unit, said)
     if allowed is None and unit.how in ("given", "told"):
         said.cannot_tell.append(f"whether the gyro is in {unit.name}, as it is {unit.how}")
     pairs: dict[tuple[str, str], Pair] = {}
@@ -77,6 +80,21 @@ def _gyro(
     if between is not None and unit.factor in factors:
         pairs["accel", "gyro"] = between.pair(factors.index(unit.factor))
     return pairs
+
+
+def _by_turning(values: dict[str, Floats], dt: Floats, unit: Unit, said: Said) -> None:
+    """Refuse a unit that is wrong by 57, of a gyro of which no more than that can be told."""
+    for name in ("mag", "accel"):
+        doubt = in_doubt(values["gyro"], values[name], dt) if name in values else None
+        if doubt is not None:
+            right = {"rad/s": "deg/s", "deg/s": "rad/s"}.get(unit.name)
+            advice = f"pass units={{'gyro': {right!r}}}" if right else "pass units="
+            times = "a 57th of" if "°" in doubt else "57 times"
+            said.contradiction(
+                f"gyro: expected rates in {unit.name}, by the unit {unit.how}, got readings that "
+                f"turn {name} as it does turn if one is {times} that; {advice}"
+            )
+            return
 
 
 def _unit_of_gyro(
@@ -147,7 +165,7 @@ def _agreeing(matrix: Floats, up: Floats, where: str, said: Said) -> Floats:
         said.contradiction(
             f"axes: expected a specific force that points up of a level sensor, got "
             f"{np.array2string(matrix @ up, precision=2)} m/s² {where} in the axes given, "
-            f"{log_axes.named(matrix)}; pass axes='flu' for a sensor whose z points up, "
+            f"{log_axes.named(matrix)}; pass {_right_axes(up)}"
             "axes={'accel': '-x -y -z'} for one that reads gravity, or level=False if it does "
             "not lie level"
         )
@@ -155,6 +173,15 @@ def _agreeing(matrix: Floats, up: Floats, where: str, said: Said) -> Floats:
         said.warnings.append(f"the sensor does not lie level {where}")
         said.cannot_tell.append(_NEGATED)
     return matrix
+
+
+def _right_axes(up: Floats) -> str:
+    """Name the axes of a sensor that lies level, if z is its vertical one."""
+    found, _ = log_axes.levelled(up)
+    if found is None:
+        return ""
+    above = found[2, 2] < 0
+    return f"axes='{'flu' if above else 'frd'}', for its z points {'up' if above else 'down'}, or "
 
 
 def _level(up: Floats, where: str, said: Said) -> Floats:

@@ -25,6 +25,7 @@ _ANYHOW = 4.0  # and where it never rests
 _SAME = 5.0  # two factors between rates; 57 lie between radians and degrees
 _FASTEST = 80.0  # rad/s, 4600 deg/s: more than gyros on a chip measure
 _NOISE = (0.004, 0.03)  # at rest: a chip's in rad/s is below the first, in deg/s above the second
+_TAKEN_AWAY = 0.3  # of gravity, is left at most where a phone or a chip takes it away
 _COUNTS = 200.0  # the least raw counts of one gravity
 
 
@@ -136,7 +137,12 @@ def unit_of_accelerometer(
     limit = NEAR if rested else _ANYHOW
     if 1 / limit < ratio < limit:
         return known
-    advice = f"units={{'accel': {like!r}}}" if like else "units=, or gravity= for another gravity"
+    if like:
+        advice = f"units={{'accel': {like!r}}}"
+    elif ratio < _TAKEN_AWAY:
+        advice = "readings that still have gravity, for it seems to have been taken away, or units="
+    else:
+        advice = "units=, or gravity= for another gravity"
     msg = (
         f"accel: expected a norm of {gravity / known.factor:.4g} {known.name} "
         f"{'at rest' if rested else 'at the median'}, got {norm:.4g}; pass {advice}"

@@ -1,5 +1,7 @@
 """From the log of a sensor to a recording in the units and axes of this package."""
 
+from __future__ import annotations  # so that `help` shows short names of types
+
 from collections.abc import Mapping, Sequence
 from os import PathLike
 from typing import Literal
