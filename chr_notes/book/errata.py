@@ -5,8 +5,8 @@ from types import MappingProxyType
 from typing import Final, get_args
 
 from chr_notes.ledger import Entry, Weight
+from chr_notes.ledger.card import badge, display
 from chr_notes.ledger.roots import ROOTS
-from chr_notes.ledger.show import badge, display
 from chr_notes.ledger.table import show_table
 
 HEADINGS: Final[Mapping[Weight, tuple[str, str]]] = MappingProxyType(

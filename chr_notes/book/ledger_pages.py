@@ -8,7 +8,8 @@ from typing import Final
 
 import chr_notes
 from chr_notes.ledger import Entry
-from chr_notes.ledger.show import badge, display, show
+from chr_notes.ledger.card import badge, display
+from chr_notes.ledger.show import show
 from chr_notes.ledger.table import show_table
 
 __all__ = ["DOCUMENTS", "citation", "functions", "generated", "ledger_ids"]

@@ -18,7 +18,7 @@ from chr_notes.book.notation import notation
 from chr_notes.conventions import CONVENTIONS
 from chr_notes.demos import ConverterDemo, DetectiveDemo, GimbalLockDemo
 from chr_notes.ledger import Entry, Verdict, entries
-from chr_notes.ledger.show import badge
+from chr_notes.ledger.card import badge
 
 __all__ = ["generated"]
 

@@ -1,27 +1,11 @@
 """One entry of the ledger as a page shows it: formula, verdict, and what the verdict needs."""
 
-import html
-from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from types import MappingProxyType
-from typing import Final
 
 from chr_notes.ledger import entry as judged
-from chr_notes.ledger.entry import Entry, Verdict
-
-MARKS: Final[Mapping[Verdict, str]] = MappingProxyType(
-    {"definition": "≔", "proved": "✓", "qualified": "◐", "corrected": "✎", "reported": "❞"}
-)
-"""A sign beside each verdict's name, so that colour is not the only cue."""
-
-AND: Final = r" \quad\text{and}\quad "
-JOINTS: Final[Mapping[str, str]] = MappingProxyType(
-    {AND: r"\text{and}\quad ", r" \quad\Rightarrow\quad ": r"\Rightarrow\quad ", " {}= ": "= "}
-)
-"""What joins statements on one line, and what heads the second where each has its own."""
-EQUALS: Final = " = "
-LONG: Final = 150
-"""From this many characters of LaTeX on, statements that are joined stand on a line each."""
+from chr_notes.ledger.card import card, chip, is_small, steps, together
+from chr_notes.ledger.entry import Entry
+from chr_notes.ledger.harm import HARM
 
 
 @dataclass(frozen=True)
@@ -45,12 +29,12 @@ class Card:
 
     def markdown(self) -> str:
         """Return the card, for a page that is made from data."""
-        return "\n".join(_card(self.entry))
+        return "\n".join(card(self.entry))
 
     def _repr_markdown_(self) -> str:
         if not self.derived:
-            return "\n".join(_chip(self.entry)) if _is_small(self.entry) else self.markdown()
-        lines = (*steps(self.entry.derivation), *_card(self.entry, derived=True))
+            return "\n".join(chip(self.entry)) if is_small(self.entry) else self.markdown()
+        lines = (*steps(self.entry.derivation), *card(self.entry, derived=True))
         return "\n".join(lines)
 
 
@@ -89,7 +73,46 @@ class Cards:
         return "\n".join(map(repr, self.cards))
 
     def _repr_markdown_(self) -> str:
-        return "\n".join(card._repr_markdown_() for card in self.cards)
+        return "\n".join(each._repr_markdown_() for each in self.cards)
+
+
+@dataclass(frozen=True)
+class Places:
+    """The places of one error, which a notebook cell shows on one card."""
+
+    entries: tuple[Entry, ...]
+    derived: bool = False
+
+    def __repr__(self) -> str:
+        """Give ids and verdicts, where no Markdown can be shown."""
+        return "\n".join(f"{each.id}: {each.verdict}" for each in self.entries)
+
+    def _repr_markdown_(self) -> str:
+        return "\n".join(together(self.entries, derived=self.derived))
+
+
+def show_together(*names: str, derived: bool = False) -> Places:
+    """Show several places of one error that misleads on one card.
+
+    Parameters
+    ----------
+    *names
+        Their ids.
+    derived
+        As for `show`.
+
+    Raises
+    ------
+    KeyError
+        If no document prints anything under an id.
+    ValueError
+        If they are not places of one error, or none of them misleads.
+    """
+    places = tuple(map(judged, names))
+    if len({each.root for each in places}) != 1 or places[0].root not in HARM:
+        msg = f"expected places of one error that misleads, got {[each.root for each in places]}"
+        raise ValueError(msg)
+    return Places(places, derived=derived)
 
 
 def show_additions(document: str) -> Cards:
@@ -103,116 +126,3 @@ def show_additions(document: str) -> Cards:
     from chr_notes.printed import ADDITIONS  # noqa: PLC0415 (cards of known ids need no SymPy)
 
     return Cards(tuple(show(printed.id) for printed in ADDITIONS[document]))
-
-
-def steps(derivation: Iterable[tuple[str, str]]) -> Iterator[str]:
-    """Go through a derivation, one numbered step after the other: words, and LaTeX."""
-    yield '<div class="chr-steps" role="group" aria-label="Derivation">\n'
-    for number, (words, latex) in enumerate(derivation, 1):
-        yield f'<span class="chr-step">{number}</span> {words}\n'
-        yield display(_once(latex))
-    yield "</div>\n"
-
-
-def badge(verdict: Verdict) -> str:
-    """Return a verdict as HTML: colour, sign and word."""
-    mark = f'<span aria-hidden="true">{MARKS[verdict]}</span>'
-    return f'<span class="verdict verdict-{verdict}">{mark} {verdict}</span>'
-
-
-def display(latex: str) -> str:
-    """Return a formula on lines of its own, as Markdown."""
-    if len(latex) >= LONG and any(joint in latex for joint in JOINTS):
-        for joint, head in JOINTS.items():
-            latex = latex.replace(joint, rf" \\[0.6em] &{head}")
-        latex = rf"\begin{{aligned}}&{latex}\end{{aligned}}"
-    return f"$$\n{latex}\n$$\n"
-
-
-def _is_small(entry: Entry) -> bool:
-    """Tell whether a reader may pass it by: small print, and words that hold as they are."""
-    agreed = entry.kind == "claim" and entry.verdict in ("proved", "definition")
-    return entry.weight == "small print" or agreed
-
-
-def _chip(entry: Entry) -> Iterator[str]:
-    yield f'<details class="entry chip" id="entry-{entry.id}">\n<summary>'
-    yield f'<span class="entry-id">{entry.id}</span> {badge(entry.verdict)} '
-    words = "" if "$" in entry.says or "`" in entry.says else html.escape(entry.says, quote=False)
-    yield f'<span class="chip-says">{words}</span></summary>\n<div class="entry-body">\n'
-    yield f'<p class="entry-term">{_where(entry)}</p>\n'
-    yield from _body(entry)
-    yield "</div>\n</details>\n"
-
-
-def _card(entry: Entry, *, derived: bool = False) -> Iterator[str]:
-    # Blank lines end an HTML block, so that what stands between is read as Markdown.
-    yield f'<div class="entry" id="entry-{entry.id}">\n<div class="entry-head"><p>'
-    yield f'<span class="entry-id">{entry.id}</span> <strong>{badge(entry.verdict)}</strong> '
-    yield f'<span class="entry-kind">{_where(entry)}</span>'
-    yield '</p></div>\n<div class="entry-body">\n'
-    yield from _body(entry, derived=derived)
-    yield "</div>\n</div>\n"
-
-
-def _body(entry: Entry, *, derived: bool = False) -> Iterator[str]:
-    yield f"{entry.says}\n"
-    # Words have no formula to print: what stands here is how they are read.
-    term = "Read as" if entry.kind == "claim" else "As printed" if entry.witness else ""
-    yield from _formula(term, entry.printed_latex)
-    if entry.given is not None:
-        yield from _formula("Given", entry.given)
-    if entry.correction_latex is not None:
-        boxed = r"\boxed" in entry.correction_latex
-        term = "Right; what differs is in a box" if boxed else "Right"
-        yield from _formula(term, entry.correction_latex)
-    if entry.condition is not None:
-        yield from _formula("Holds exactly when" if entry.exact else "Holds if", entry.condition)
-    if entry.undefined is not None:
-        yield from _formula("Not defined where", entry.undefined)
-    if entry.witness is not None:
-        yield from _witness(entry)
-    yield from _readings(entry)
-    if entry.remark is not None:
-        yield f"{entry.remark}\n"
-    if entry.derivation and not derived:
-        yield "<details>\n<summary>Derivation</summary>\n"
-        for words, latex in entry.derivation:
-            yield f"{words}\n"
-            yield display(_once(latex))
-        yield "</details>\n"
-
-
-def _where(entry: Entry) -> str:
-    """Say what it is and where it stands; a numbered equation says both at once."""
-    return entry.place if entry.place.startswith(entry.kind) else f"{entry.kind}, {entry.place}"
-
-
-def _readings(entry: Entry) -> Iterator[str]:
-    if not entry.readings:
-        return
-    found = ", ".join(
-        f"{'right' if holds else 'wrong'} if ${convention}$" for convention, holds in entry.readings
-    )
-    yield f"The document contradicts itself; this is {found}. The first reading counts here.\n"
-
-
-def _formula(term: str, latex: str) -> Iterator[str]:
-    if term:
-        yield f'<p class="entry-term">{term}</p>\n'
-    yield display(latex)
-
-
-def _once(latex: str) -> str:
-    """Of an equation that has come to the same on both sides, leave one side."""
-    half = (len(latex) - len(EQUALS)) // 2
-    return latex[:half] if latex[:half] + EQUALS + latex[:half] == latex else latex
-
-
-def _witness(entry: Entry) -> Iterator[str]:
-    witness = entry.witness
-    if witness is None:
-        return
-    point = ", ".join(f"${symbol} = {value}$" for symbol, value in witness.at)
-    at = f" at {point}" if point else ""
-    yield f"Witness{at}: printed ${witness.printed}$, right ${witness.right}$.\n"

@@ -3,8 +3,8 @@
 from collections.abc import Iterator
 
 from chr_notes.ledger import entries
+from chr_notes.ledger.card import badge, display
 from chr_notes.ledger.entry import Entry
-from chr_notes.ledger.show import badge, display
 from chr_notes.ledger.table import Table
 
 __all__ = ["show_summary"]

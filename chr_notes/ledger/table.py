@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from chr_notes.ledger import entry
-from chr_notes.ledger.show import MARKS
+from chr_notes.ledger.card import MARKS
 from chr_notes.printed.table_1 import CELLS
 
 PREFIX = "dead_reckoning.t1"

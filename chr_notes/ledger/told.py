@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from chr_notes.derivations.telling import Told
-from chr_notes.ledger.show import steps
+from chr_notes.ledger.card import steps
 from chr_notes.typeset import latex
 
 __all__ = ["Steps", "show_steps"]

@@ -64,7 +64,8 @@ def judge(text: str, expected: Expected) -> str:
     if found != kind:
         return WORDS["kind"].format(found, kind)
     if len(values) != len(expected.values):
-        return WORDS["count"].format(len(expected.values))
+        word = "several" if len(expected.values) > 1 else "one"
+        return WORDS[word].format(len(expected.values), len(values))
     answer = [value * share / factor for value in values]
     known = [(expected.values, WORDS["right"]), *expected.wrong]
     if not unit:

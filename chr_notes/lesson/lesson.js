@@ -19,7 +19,7 @@
       this.rest = this.rest.slice(sign.length).trimStart();
       return true;
     }
-    unread() { return refuse("unread", this.rest.slice(0, 12)); }
+    unread() { return this.rest ? refuse("unread", this.rest.slice(0, 12)) : refuse("ends"); }
     total() {
       let value = this.term();
       for (;;) {
@@ -133,7 +133,9 @@
       const [kind, factor] = UNITS[asked];
       const [found, share] = UNITS[unit || asked];
       if (found !== kind) return fill(WORDS.kind, found, kind);
-      if (values.length !== right.length) return fill(WORDS.count, right.length);
+      if (values.length !== right.length) {
+        return fill(right.length > 1 ? WORDS.several : WORDS.one, right.length, values.length);
+      }
       const answer = values.map((value) => (value * share) / factor);
       if (near(answer, right, within)) return WORDS.right;
       for (const [numbers, words] of wrong) if (near(answer, numbers, within)) return words;

@@ -47,7 +47,7 @@ class _Reader:
         return True
 
     def error(self) -> AnswerError:
-        return AnswerError(WORDS["unread"].format(self.rest[:12]))
+        return AnswerError(WORDS["unread" if self.rest else "ends"].format(self.rest[:12]))
 
     def total(self) -> float:
         value = self.term()

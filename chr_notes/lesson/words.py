@@ -45,9 +45,11 @@ WORDS: Final[Mapping[str, str]] = MappingProxyType(
     {
         "empty": "Put a number into the box.",
         "unread": "This cannot be read from “{0}” on. Write it like 0.5, 3*pi/4 or 12 m/s.",
+        "ends": "Something is missing at the end.",
         "unknown": "The unit “{0}” is not known here. The answer is read in {1}.",
         "kind": "That is {0}; what is asked for is {1}.",
-        "count": "{0} numbers are asked for, with commas between; here is another count of them.",
+        "one": "One number is asked for. Commas stand between numbers; decimals follow a point.",
+        "several": "{0} numbers are asked for, with commas between; the count of yours is {1}.",
         "no value": "That has no value, such as a division by zero.",
         "right": "Right.",
         "other unit": "Right in {0}. A number without a unit is read in {1} here.",

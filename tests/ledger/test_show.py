@@ -5,7 +5,12 @@ import re
 import pytest
 
 from chr_notes.ledger import entries
-from chr_notes.ledger.show import AND, LONG, display, show, show_additions
+from chr_notes.ledger.card import AND, LONG, display
+from chr_notes.ledger.cases import CASES
+from chr_notes.ledger.difference import boxed_alike, unboxed
+from chr_notes.ledger.harm import HARM
+from chr_notes.ledger.proof import proves
+from chr_notes.ledger.show import show, show_additions, show_together
 from chr_notes.printed import ADDITIONS
 
 
@@ -32,10 +37,10 @@ def test_statements_are_taken_apart_between_brackets_not_within() -> None:
 
 def test_a_card_has_formula_verdict_condition_and_witness() -> None:
     for entry in entries():
-        text = show(entry.id).markdown()
+        text = unboxed(show(entry.id).markdown())
         assert f"{entry.verdict}</span>" in text
         for formula in (entry.printed_latex, entry.correction_latex, entry.condition):
-            assert formula is None or display(formula) in text
+            assert formula is None or unboxed(display(formula)) in text
         assert ("Witness" in text) == (entry.witness is not None)
 
 
@@ -61,3 +66,41 @@ def test_a_derivation_is_gone_through_once() -> None:
     assert "<summary>Derivation</summary>" not in shown
     with pytest.raises(ValueError, match=r"euler\.2\.a has none"):
         show("euler.2.a", derived=True)
+
+
+def test_what_misleads_has_its_difference_marked_and_says_what_it_does() -> None:
+    misleading = [entry for entry in entries() if entry.weight == "misleads"]
+    assert {entry.root for entry in misleading} == HARM.keys()
+    for entry in misleading:
+        if entry.kind == "table cell":
+            continue
+        text = show(entry.id).markdown()
+        assert HARM[entry.root] in text
+        assert "⚠" in text
+        if entry.correction_latex is not None:
+            marked = boxed_alike(entry.printed_latex, entry.correction_latex)
+            assert marked.count(r"\boxed") == entry.correction_latex.count(r"\boxed")
+            assert unboxed(marked) == entry.printed_latex
+            assert display(marked) in text
+
+
+@pytest.mark.parametrize(
+    "name", ["estimation.2.6", "estimation.4.4", "validation.3", "validation.10"]
+)
+def test_what_is_right_in_any_case_is_so_without_the_condition(name: str) -> None:
+    case = CASES[name]
+    assert show(name).markdown().count("Right in any case") == 1
+    assert proves(case.steps[-1].statement, case.reading, *case.given)
+
+
+def test_places_of_one_error_stand_on_one_card() -> None:
+    text = show_together("validation.6", "validation.7")._repr_markdown_()
+    assert text.count('<div class="entry misleads"') == 1
+    assert re.findall(r'id="entry-([\w.]+)"( open)?', text) == [
+        ("validation.6", " open"),
+        ("validation.7", ""),
+    ]
+    assert text.count(HARM["no-information"]) == 1
+    for names in (("validation.6", "validation.4"), ("euler.4.b",), ("euler.3.1",)):
+        with pytest.raises(ValueError, match="places of one error that misleads"):
+            show_together(*names)

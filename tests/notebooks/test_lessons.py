@@ -15,7 +15,7 @@ NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
 Node = nbformat.NotebookNode
 ASIDE = re.compile(r"(?s)<details.*?</details>|```.*?```|\$\$.*?\$\$")
 MINUTES: Mapping[str, float] = {
-    "word": 1 / 180, "card": 0.5, "code": 0.5, "figure": 0.5,
+    "word": 1 / 180, "card": 0.5, "step": 0.3, "code": 0.5, "figure": 0.5,
     "demo": 3.0, "guess": 0.7, "exercise": 4.0,
 }  # fmt: skip
 
@@ -43,7 +43,8 @@ def counts(notebook: Node) -> Counter[str]:
             found["code"] += 1
     for out in outputs(notebook):
         shown = "".join(map(str, out.values()))
-        found["card"] += shown.count('<div class="entry"')
+        found["card"] += len(re.findall('<div class="entry(?: misleads)?"', shown))
+        found["step"] += shown.count('class="chr-step"')
         found["demo"] += "data-demo=" in shown
         found["figure"] += "chr-figure" in shown
         found["guess"] += "chr-lesson chr-guess" in shown
