@@ -34,7 +34,6 @@ HARM: Final[Mapping[str, str]] = MappingProxyType(
         "south-field": "With this for a reference every heading is off by half a turn.",
         "factor-needs-field": "A monitor that trusts this raises its alarm beside each car and "
         "steel beam, and blames angles that are right.",
-        "check.",
     }
 )
 """By the name of the error, as in `roots.ROOTS`: all of those that mislead somewhere."""
