@@ -34,6 +34,8 @@ HARM: Final[Mapping[str, str]] = MappingProxyType(
         "south-field": "With this for a reference every heading is off by half a turn.",
         "factor-needs-field": "A monitor that trusts this raises its alarm beside each car and "
         "steel beam, and blames angles that are right.",
+        "factor-blind": "A robot whose heading is wrong drives the wrong way while its monitor "
+        "says that all is well.",
     }
 )
 """By the name of the error, as in `roots.ROOTS`: all of those that mislead somewhere."""

@@ -49,6 +49,8 @@ ROOTS: Final[Mapping[str, str]] = MappingProxyType(
         "before, as if these had not changed.",
         "factor-needs-field": "The factor E is said to be zero with exact angles, whatever "
         "disturbs the field.",
+        "factor-blind": "The factor E is said to tell an error of the Euler angles; one of yaw it "
+        "does not see.",
         "south-field": "The Earth's field is printed as if it pointed south.",
     }
 )

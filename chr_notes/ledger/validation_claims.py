@@ -5,6 +5,7 @@ from sympy import (
     EmptySet,
     Eq,
     ImmutableMatrix,
+    Integer,
     MatMul,
     Ne,
     Rational,
@@ -26,6 +27,7 @@ from chr_notes.ledger.validation_reading import (
     E_ALONG_FIELD,
     FIELD_X_NORTH,
     GROUND_DIRECTION,
+    GROWTH,
     HIGH_DIRECTION,
     READ_GRAVITY,
     READ_SOUTH,
@@ -243,6 +245,9 @@ SETTLED = (
     Case(
         "validation.g",
         READ_STEPS,
+        edits=(Edit(Integer(3), Integer(2)),),
+        root="factor-blind",
+        weight="misleads",
         steps=(
             Step(
                 "Let the attitude be off by a small turn about an axis n. With its sign, before "
@@ -256,15 +261,20 @@ SETTLED = (
                 "E is its magnitude and begins at zero, so it grows by the magnitude of that. Yaw "
                 "(n along the vertical) leaves it unchanged, and so does a tilt about the "
                 "horizontal part of the field.",
-                Eq(claims.GROWTH, Abs(SIGNED_GROWTH)),
+                Eq(GROWTH, Abs(SIGNED_GROWTH)),
             ),
             Step(
                 "A tilt ε about the field's own horizontal direction shows only by this, which is "
                 "of second order.",
                 Eq(E_ALONG_FIELD, Abs(printed.M_ZI * (1 - cos(derived.error_angle)))),
             ),
+            Step(
+                "Roll turns about the nose and pitch about a level axis, which only at single "
+                "headings point along the field. Yaw turns about the vertical.",
+                Eq(claims.SHOWN_BY_E, 2),
+            ),
         ),
-        remark="In general: E sees a tilt about the horizontal line across the field, and hardly "
-        "any other error. It is blind to yaw altogether: yaw does not stand in it.",
+        remark="E is blind to yaw altogether: yaw does not stand in it. Of an error of tilt it "
+        "sees the part about the horizontal line across the field.",
     ),
 )

@@ -44,13 +44,6 @@ PRESUMED = (
     Presumed(ranges.from_0_to_1(printed.ALPHA), "Complementary", "validation.10"),
     Presumed(ranges.between_0_and_1(printed.ALPHA), "converges", "validation.c"),
     Presumed(Condition(Ne(BIAS, 0)), "by the bias of the gyro", "validation.m"),
-    Presumed(
-        Condition(
-            Ne(derived.ERROR_AXIS[0] * printed.M_YI - derived.ERROR_AXIS[1] * printed.M_XI, 0)
-        ),
-        "in general",
-        "validation.g",
-    ),
     # Its y component is zero.
     Presumed(Condition(Eq(derived.declination, 0)), "points south", "validation.e"),
 )

@@ -35,7 +35,7 @@ from chr_notes.derivations.euler import X, Y, Z, body_rates, euler_rates, rotati
 from chr_notes.derivations.quaternions import turned
 from chr_notes.ledger.case import Reading
 from chr_notes.ledger.edits import in_order
-from chr_notes.ledger.identities import reduced
+from chr_notes.ledger.identities import is_zero, reduced
 from chr_notes.ledger.reading import Meaning, Read, defined, elements, reading
 from chr_notes.ledger.validation_presumed import BIAS, PRESUMED, SEEN, UNDISTURBED
 from chr_notes.printed import BY_ID
@@ -73,6 +73,7 @@ GROUND_DIRECTION, HIGH_DIRECTION = (
 )
 WEAKENING = Symbol(r"\lVert\mathbf{M}(1\,\mathrm{km})\rVert / \lVert\mathbf{M}(0)\rVert")
 SIGNED_GROWTH = Symbol(r"\left.\frac{\partial E_\pm}{\partial\epsilon}\right|_{\epsilon=0}")
+GROWTH = Symbol(r"\left.\frac{\partial E}{\partial\epsilon}\right|_{\epsilon=0^+}", real=True)
 E_ALONG_FIELD = Symbol(r"E_{\text{tilt about the field's horizontal part}}", real=True)
 
 ROLL_STEP = printed.ROLL_BEFORE + printed.ROLL_RATE * printed.DT
@@ -152,6 +153,14 @@ def growth_of_factor() -> Expr:
     return _slope(factor.replace(Abs, _at_first))
 
 
+def angles_shown() -> Integer:
+    """Count the angles with whose small error the printed E grows, but at single values."""
+    growth = growth_of_factor()
+    axes = (rotation("B", "I") * X, rotation("v1", "I") * Y, Z)  # of roll, pitch and yaw
+    slopes = [growth.subs(dict(zip(derived.ERROR_AXIS, axis, strict=True))) for axis in axes]
+    return Integer(sum(not is_zero(slope) for slope in slopes))
+
+
 def _at_first(difference: Expr) -> Expr:
     """Take the magnitude of what is zero at exact angles, to first order in a positive error."""
     short = reduced(difference)
@@ -209,7 +218,7 @@ _MEANING: dict[Basic, Meaning] = {
     claims.READING_AT_ZERO: partial(to_body_at_zero, printed.M_I),
     claims.BY_6: partial(in_any_components, "validation.6"),
     claims.BY_7: partial(in_any_components, "validation.7"),
-    claims.GROWTH: growth_of_factor,
+    claims.SHOWN_BY_E: angles_shown,
     claims.GROUND_MAGNITUDE: derived.dipole_magnitude,
     claims.HIGH_MAGNITUDE: lambda: derived.dipole_magnitude().subs(HIGH),
     printed.ROLL: roll_filter,
@@ -232,6 +241,7 @@ READ_STEPS = READ.also(
         **elements(NOT_NORTH, lambda: level_to_body(VECTOR[0] * sin(psi), VECTOR[0] * cos(psi))),
         **elements(NOT_EAST, lambda: level_to_body(VECTOR[0] * cos(psi), -VECTOR[0] * sin(psi))),
         **elements(LEVEL, lambda: ImmutableMatrix(rotation("I", "v1") * SEEN)),
+        GROWTH: growth_of_factor,
         SIGNED_GROWTH: lambda: in_print(derived.sensitivity()),
         E_ALONG_FIELD: factor_along_field,
         GROUND_DIRECTION: derived.dipole_direction,

@@ -18,8 +18,8 @@ SIGNS: Final[Mapping[str, str]] = MappingProxyType(
         "positive": r"> 0",
         "not|never|cannot": r"\\neq|\\emptyset",
         "same|equal|equivalent": r" = ",
-        "larger|more|grows": r">",
-        "smaller|less sensitive|fewer|shrinks": r"<",
+        "larger|more": r">",
+        "smaller|less sensitive|fewer": r"<",
         "less that|less gravity": r"-",
         "diverge|drifts?": r"\\infty|= 0",
         "converges?|towards": r"\\lim",
@@ -79,7 +79,7 @@ VECTOR: Final = re.compile(r"\\mathbf\{\w\}_\{?([IiBb])|_\{x([ib])\}")
 WORDS: Final[Mapping[str, str]] = MappingProxyType(
     {
         r"< 0": "negative",
-        r"> 0": "positive|grows",
+        r"> 0": "positive",
         r"= 0": "zero|nothing|stops|no|always fails|only one|divides",
         r"\\neq": "not|never|cannot|depends?|differ|wrong|seems|show",
         r"= \\infty": "diverges?|drifts?",

@@ -19,7 +19,6 @@ TURNED: Mapping[str, str] = MappingProxyType(
         "z-axis": "x-axis",
         "inertial": "body",
         "vehicle-1": "vehicle-3",
-        "grows": "shrinks",
         "larger": "smaller",
         "fewer": "more",
         "less": "more",
@@ -50,7 +49,7 @@ def wrong_senses(says: str) -> Iterator[tuple[str, str]]:
 
 _OPPOSITES = """
 more less, larger smaller, before after, always never, body inertial, up down, upwards downwards,
-positive negative, grows shrinks, first last, left right, x y, y z, x-axis y-axis, y-axis z-axis,
+positive negative, first last, left right, x y, y z, x-axis y-axis, y-axis z-axis,
 roll pitch, pitch yaw, accelerometer gyro, gyros magnetometers, magnetometer accelerometer,
 velocity position, acceleration velocity, sine cosine, product sum, one two, two three, three four,
 ten five, all some, every no, any no, only also, exactly roughly, cannot can, without with,
