@@ -77,7 +77,8 @@ def matrix_from_angles(angles: ArrayLike, sequence: str, *, out: Floats | None =
     >>> bool(np.allclose(matrix, chr_notes.matrix_from_euler((roll, pitch, yaw))))
     True
     """
-    return _matrix_from_angles.compute(_turns(angles, sequence), _axes(sequence), out)
+    axes = _axes(sequence)
+    return _matrix_from_angles.compute(_turns(angles, sequence), axes, out)
 
 
 def angles_from_matrix(
@@ -175,7 +176,8 @@ def quaternion_from_angles(
     >>> print(chr_notes.quaternion_from_angles((0.3, 0.2, 0.1), "ZYX").round(4))
     [0.9833 0.0343 0.106  0.1436]
     """
-    return _quaternion_from_angles.compute(_turns(angles, sequence), _axes(sequence), out)
+    axes = _axes(sequence)
+    return _quaternion_from_angles.compute(_turns(angles, sequence), axes, out)
 
 
 def angles_from_quaternion(
@@ -270,7 +272,8 @@ def angle_rates_matrix(angles: ArrayLike, sequence: str, *, out: Floats | None =
      [0. 1. 0.]
      [0. 0. 1.]]
     """
-    rates = _angle_rates_matrix.compute(_turns(angles, sequence), _axes(sequence), out)
+    axes = _axes(sequence)
+    rates = _angle_rates_matrix.compute(_turns(angles, sequence), axes, out)
     if sequence.islower():
         rates[...] = rates[..., ::-1, :]
     return rates
@@ -286,11 +289,11 @@ def _axes(sequence: str) -> Floats:
     return _AXES[sequence]
 
 
-def _turns(angles: ArrayLike, sequence: str) -> Floats:
+def _turns(angles: ArrayLike, sequence: str) -> ArrayLike:
     """Angles in the order of turns about rotating axes."""
-    _axes(sequence)
-    given = floats("angles", angles, 3)
-    return given if sequence.isupper() else np.ascontiguousarray(given[..., ::-1])
+    if sequence.isupper():
+        return angles
+    return np.ascontiguousarray(floats("angles", angles, 3)[..., ::-1])
 
 
 def _in_order(angles: Floats, sequence: str) -> Floats:

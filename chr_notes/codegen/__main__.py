@@ -10,6 +10,8 @@ from chr_notes.codegen import arrays, c, javascript, kernels, python
 from chr_notes.codegen.header import COMMAND, made_how
 from chr_notes.codegen.lowering import Program, lower
 from chr_notes.codegen.rewriting import by_library, for_columns, without_roots
+from chr_notes.codegen.sequence_targets import TARGETS as SEQUENCES
+from chr_notes.codegen.sequence_targets import of_usual_axes
 from chr_notes.codegen.target import Target
 from chr_notes.codegen.targets import TARGETS
 
@@ -28,7 +30,13 @@ def files() -> dict[str, str]:
     programs = tuple(lower(target, by_library) for target in TARGETS)
     rows = [target for target in TARGETS if target.arrays and not target.over_samples]
     columns = tuple(lower(target, for_columns, ("guard",)) for target in rows)
-    checked = tuple(lower(target, for_columns, ("guard", "valid")) for target in rows)
+    checked = {
+        target: tuple(
+            lower(each, for_columns, ("guard", "valid"))
+            for each in (of_usual_axes(target) if target in SEQUENCES else (target,))
+        )
+        for target in rows
+    }
     steps = tuple(program for program in programs if program.target.over_samples)
     compiled = kernels.source(
         checked,

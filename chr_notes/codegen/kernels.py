@@ -1,5 +1,8 @@
 """Printer of C functions of arrays: loops over columns, and loops over samples for filters."""
 
+from collections.abc import Mapping
+from itertools import chain
+
 from sympy import Basic, Function, Pow, cos, sin
 from sympy.core.relational import Relational
 from sympy.logic.boolalg import BooleanFunction
@@ -8,58 +11,83 @@ from chr_notes.codegen.expressions import ColumnC, Spelling, StepC
 from chr_notes.codegen.header import folded, made_how
 from chr_notes.codegen.lowering import Program, expressions
 from chr_notes.codegen.rewriting import principal
+from chr_notes.codegen.target import Target
 from chr_notes.derivations.computation import Choice, Let
 
 COLUMN, STEP = ColumnC(), StepC()
 FEW, QUATERNION = 8, 4
+# How elements are named in a frame of axes that are named otherwise.
+_ORDERS = {
+    "angles": "turns",
+    "matrix": "matrix",
+    "q": "quaternion",
+    "quaternion": "quaternion",
+    "angle_rates_matrix_zyx": "rates",
+    "angle_rates_matrix_zyz": "rates",
+}
 RUN = "(ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,"
 
 
-def source(columns: tuple[Program, ...], steps: tuple[Program, ...]) -> str:
+def source(columns: Mapping[Target, tuple[Program, ...]], steps: tuple[Program, ...]) -> str:
     """Print the kernels, and a table of them.
 
     Parameters
     ----------
     columns
-        Functions of rows, lowered with guard and validity.
+        Functions of rows, lowered with guard and validity; those of any turns in two, for the usual
+        axes.
     steps
         Steps of filters.
     """
-    lines = ["/*", *(f" * {line}" for line in made_how((*columns, *steps))), " */"]
+    programs = (*chain(*columns.values()), *steps)
+    lines = ["/*", *(f" * {line}" for line in made_how(programs)), " */"]
     lines += ['#include "../../native/columns.h"', ""]
-    for program in columns:
-        lines += [*_columns(program), ""]
+    for target, kinds in columns.items():
+        for program in kinds:
+            lines += [*_columns(program, turned=len(kinds) > 1), ""]
+        if len(kinds) > 1:
+            lines += [f"BY_AXES({target.name}, {len(kinds[0].results)})", ""]
     for program in steps:
         lines += [*_samples(program), ""]
     lines.append("const Kernel KERNELS[] = {")
-    for program in (*columns, *steps):
-        sizes = [0 if len(e) == 1 else len(e) for _, e in program.target.arrays]
+    of_steps = ((program.target, (program,)) for program in steps)
+    for target, (program, *_) in (*columns.items(), *of_steps):
+        sizes = [0 if len(e) == 1 else len(e) for _, e in target.arrays]
         size = len(program.results) if program.shape else 0
-        name = program.target.name
+        name = target.name
         lines.append(
             f'    {{"{name}", {name}, {size}, {len(sizes)}, {{{", ".join(map(str, sizes))}}}}},'
         )
     return "\n".join([*lines, "    {0},", "};", ""])
 
 
-def _columns(program: Program) -> list[str]:
-    """Print a kernel that computes each row by itself."""
+def _columns(program: Program, *, turned: bool) -> list[str]:
+    """Print a kernel that computes each row by itself, turned if it is in a frame of its own."""
     target = program.target
     size = len(program.results)
+    made = target.name.partition("_from_")[0]
+    swapped = target.arrays if turned else ()
     lines = [
         f"EVERY_INSTRUCTION_SET static int64_t {target.name}",
         f"    {RUN}",
         "     unsigned char *odd)",
         "{",
         *([f"    enum {{ BLOCK = {FEW} }};"] if _waits_for_memory(program) else []),
+        *(["    const Frame frame = frame_of(in[1]);"] if turned else []),
         "    int64_t any = 0;",
         "    FOR_EACH_BLOCK(rows) {",
         *(f"        double {name}_in[{len(each)}][BLOCK];" for name, each in target.arrays),
+        *(f"        double {name}_given[{len(each)}][BLOCK];" for name, each in swapped),
         f"        double results[{size}][BLOCK];",
+        *([f"        double told[{size}][BLOCK];"] if turned else []),
         "        int64_t left[BLOCK], some = 0;",
         *(
-            f"        LOAD({name}_in, {place}, {len(each)})"
+            f"        LOAD({name}_{'given' if turned else 'in'}, {place}, {len(each)})"
             for place, (name, each) in enumerate(target.arrays)
+        ),
+        *(
+            f"        TO_FRAME({name}_in, {name}_given, {len(each)}, {_ORDERS[name]})"
+            for name, each in swapped
         ),
         "        for (ptrdiff_t row = 0; row < padded; row++) {",
     ]
@@ -78,7 +106,8 @@ def _columns(program: Program) -> list[str]:
     return [
         *lines,
         "        }",
-        f"        STORE(results, {size})",
+        *([f"        FROM_FRAME(told, results, {size}, {_ORDERS[made]})"] if turned else []),
+        f"        STORE({'told' if turned else 'results'}, {size})",
         "        if (some) {",
         "            any = 1;",
         "            for (ptrdiff_t row = 0; row < count; row++)",

@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from sympy import Basic, Expr, MatrixBase, Symbol, cse, false, numbered_symbols, true
+from sympy import Basic, Expr, MatrixBase, Symbol, cse, numbered_symbols
 
 from chr_notes.codegen.names import name_of
 from chr_notes.codegen.rewriting import Rewriting
@@ -78,9 +78,9 @@ def lower(target: Target, rewriting: Rewriting, checks: tuple[str, ...] = ()) ->
     steps = tuple(map_step(step, lambda value: value.xreplace(names)) for step in computation.steps)
     angles, replaced = rewriting(expressions(steps, results))
     steps = tuple(
-        decided
-        for step in steps
-        for decided in _decided(map_step(step, lambda value: value.xreplace(replaced)))
+        part
+        for step in (map_step(each, lambda value: value.xreplace(replaced)) for each in steps)
+        for part in (step.decided() if isinstance(step, Choice) else (step,))
     )
     results = tuple(result.xreplace(replaced) for result in results)
     known = set(names.values())
@@ -97,17 +97,6 @@ def lower(target: Target, rewriting: Rewriting, checks: tuple[str, ...] = ()) ->
         guard=computation.guard,
         valid=computation.valid,
     )
-
-
-def _decided(step: Let | Choice) -> tuple[Let | Choice, ...]:
-    """Leave out the branches of a choice that are known not to be taken."""
-    if isinstance(step, Let):
-        return (step,)
-    branches = [branch for branch in step.branches if branch[0] != false]
-    first = next(place for place, (condition, _) in enumerate(branches) if condition == true)
-    if first:
-        return (Choice(step.names, tuple(branches[: first + 1])),)
-    return tuple(map(Let, step.names, branches[0][1]))
 
 
 def expressions(steps: Iterable[Let | Choice], results: Iterable[Expr]) -> tuple[Basic, ...]:

@@ -3,11 +3,19 @@
 No formula stands here: each target names the derivation that it comes from.
 """
 
+from collections.abc import Iterator
+from dataclasses import replace
 from functools import partial
+from typing import TYPE_CHECKING, cast
+
+from sympy import Integer
 
 from chr_notes.codegen import array_arguments as array
 from chr_notes.codegen.target import Argument, Target
 from chr_notes.derivations.forms import sequences as forms
+
+if TYPE_CHECKING:
+    from chr_notes.derivations.computation import Computation
 
 _WHICH = ("first", "second", "third")
 ANGLES = tuple(
@@ -57,3 +65,21 @@ TARGETS = (
         arguments=(*ANGLES[1:], *AXES),
     ),
 )
+
+
+def of_usual_axes(target: Target) -> Iterator[Target]:
+    """Make the functions for turns about z, y, x and about z, y, z.
+
+    All other turns are one of these in a frame whose axes are named otherwise.
+    """
+    formula = cast("Computation", target.formula())
+    for letters in ("zyx", "zyz"):
+        numbers = (Integer(1 + "xyz".index(letter)) for letter in letters)
+        values = dict(zip(forms.AXES, numbers, strict=True))
+        yield replace(
+            target,
+            name=f"{target.name}_{letters}",
+            formula=partial(formula.at, values),
+            arrays=target.arrays[:1],
+            arguments=(),
+        )

@@ -1,9 +1,9 @@
 """A formula in the form in which a computer should evaluate it: named steps, then results."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from sympy import Basic, Expr, ImmutableMatrix, Piecewise, Symbol, true
+from sympy import Basic, Expr, ImmutableMatrix, Piecewise, Symbol, false, true
 from sympy.logic.boolalg import Boolean
 
 # Two units in the last place of pi, four of pi/2: the pitch of a quaternion or matrix that was
@@ -48,6 +48,14 @@ class Choice:
 
     names: tuple[Symbol, ...]
     branches: tuple[tuple[Boolean, tuple[Expr, ...]], ...]
+
+    def decided(self) -> "tuple[Let | Choice, ...]":
+        """Leave out the branches that are known not to be taken."""
+        branches = [branch for branch in self.branches if branch[0] != false]
+        first = next(place for place, (condition, _) in enumerate(branches) if condition == true)
+        if first:
+            return (Choice(self.names, tuple(branches[: first + 1])),)
+        return tuple(map(Let, self.names, branches[0][1]))
 
 
 def step_names(step: Let | Choice) -> tuple[Symbol, ...]:
@@ -115,6 +123,25 @@ class Computation:
             for step in steps
         ]
         return Computation(tuple(renamed), self.results.xreplace(known))
+
+    def at(self, values: Mapping[Symbol, Expr]) -> "Computation":
+        """Put numbers in for some arguments, and let what is a number then enter as one.
+
+        Parameters
+        ----------
+        values
+            From arguments to numbers.
+        """
+        known = dict(values)
+        steps: list[Let | Choice] = []
+        for step in self.steps:
+            now = map_step(step, lambda value: value.xreplace(known))
+            for part in now.decided() if isinstance(now, Choice) else (now,):
+                if isinstance(part, Let) and part.value.is_number:
+                    known[part.name] = part.value
+                else:
+                    steps.append(part)
+        return replace(self, steps=tuple(steps), results=self.results.xreplace(known))
 
     def inlined(self, *branches: int) -> Expr | ImmutableMatrix:
         """Write the results in the arguments alone, for a proof.

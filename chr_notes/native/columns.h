@@ -137,6 +137,90 @@ INLINE void store(double *first, const double *columns, int block, int width, pt
 #define FINISH
 #endif
 
+/*
+ * Any three turns are turns about z, y, x, or about z, y, z, in a frame whose z is the axis of the
+ * first turn, y that of the second, and x = y × z, along an axis or against it. Elements of arrays
+ * stand elsewhere there, and some with the other sign.
+ */
+typedef struct {
+    int place[9];
+    double sign[9];
+} Order;
+
+typedef struct {
+    Order turns, axes, quaternion, matrix, rates;
+} Frame;
+
+INLINE Order order_of(const Order *rows, const Order *columns)
+{
+    Order order;
+    for (int row = 0; row < 3; row++)
+        for (int column = 0; column < 3; column++) {
+            order.place[3 * row + column] = 3 * rows->place[row] + columns->place[column];
+            order.sign[3 * row + column] = rows->sign[row] * columns->sign[column];
+        }
+    return order;
+}
+
+INLINE Frame frame_of(const double *axes)
+{
+    const int first = (int)axes[0], second = (int)axes[1], again = axes[2] == axes[0];
+    const double sign = (first - second + 3) % 3 == 1 ? 1.0 : -1.0;
+    Frame frame = {
+        .turns = {{0, 1, 2}, {1.0, 1.0, again ? 1.0 : sign}},
+        .axes = {{5 - first - second, second - 1, first - 1}, {sign, 1.0, 1.0}},
+        .quaternion = {{0, 6 - first - second, second, first}, {1.0, sign, 1.0, 1.0}},
+    };
+    frame.matrix = order_of(&frame.axes, &frame.axes);
+    frame.rates = order_of(&frame.turns, &frame.axes);
+    return frame;
+}
+
+/* Whether these are axes of three turns, none of which goes on with the last one. */
+INLINE int are_axes(const double *axes)
+{
+    for (int turn = 0; turn < 3; turn++)
+        if (axes[turn] != 1.0 && axes[turn] != 2.0 && axes[turn] != 3.0) return 0;
+    return axes[0] != axes[1] && axes[1] != axes[2];
+}
+
+INLINE int same_turns(const double *one, const double *other)
+{
+    return one[0] == other[0] && one[1] == other[1] && one[2] == other[2];
+}
+
+#define ARRANGE(to, TO, from, FROM, width, order) \
+    for (int element = 0; element < (width); element++) \
+        for (int row = 0; row < BLOCK; row++) \
+            (to)[TO][row] = frame.order.sign[element] * (from)[FROM][row];
+#define TO_FRAME(to, from, width, order) \
+    ARRANGE(to, element, from, frame.order.place[element], width, order)
+#define FROM_FRAME(to, from, width, order) \
+    ARRANGE(to, frame.order.place[element], from, element, width, order)
+/* A kernel of any turns: rows with the same axes go together to one of the usual axes. */
+#define BY_AXES(name, width) \
+    static int64_t name(ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, \
+        double *out, unsigned char *odd) \
+    { \
+        int64_t any = 0; \
+        for (ptrdiff_t start = 0, end; start < rows; start = end) { \
+            const double *const axes = in[1] + start * step[1]; \
+            const double *const from[] = {in[0] + start * step[0], axes}; \
+            for (end = step[1] ? start + 1 : rows; end < rows; end++) \
+                if (!same_turns(axes, in[1] + end * step[1])) break; \
+            if (are_axes(axes)) { \
+                any |= (axes[0] == axes[2] ? name##_zyz : name##_zyx)( \
+                    end - start, from, step, out + start * (width), odd + start); \
+            } else { \
+                any = 1; \
+                for (ptrdiff_t row = start; row < end; row++) odd[row] = 1; \
+                for (ptrdiff_t place = start * (width); place < end * (width); place++) \
+                    out[place] = (double)NAN; \
+            } \
+        } \
+        return any; \
+    }
+
 /* Whether the numbers whose sum this is are numbers, and neither infinite nor nearly so. */
 #define FINITE(sum) ((sum) - (sum) == 0.0)
 /* A squared length within these bounds lost nothing, and neither did its square. */

@@ -19,6 +19,7 @@ from sympy import (
     Expr,
     ImmutableMatrix,
     Ne,
+    Symbol,
     atan2,
     cos,
     eye,
@@ -49,6 +50,7 @@ U, V, W = (
 )
 X = ImmutableMatrix(symbols("across_x across_y across_z", real=True))
 SIGN, AGAIN, OTHER = symbols("sign_of_roll axis_again axis_other", real=True)
+UNLOCKED = Symbol("unlocked")
 FIRST, SECOND, THIRD = symbols("first_angle second_angle third_angle", real=True)
 
 
@@ -271,9 +273,11 @@ def angle_rates_matrix() -> Computation:
         (
             *_frame(),
             Let(volume, SIGN * cos(second) + AGAIN * sin(second)),
+            Let(UNLOCKED, Ne(volume, 0)),
             Choice((over,), ((Ne(volume, 0), (1 / volume,)), otherwise(NOTHING))),
             *_lets(names, rows),
             *steps,
         ),
         ImmutableMatrix(names * last.T),
+        valid=UNLOCKED,
     )

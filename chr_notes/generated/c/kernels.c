@@ -854,118 +854,62 @@ EVERY_INSTRUCTION_SET static int64_t rotate_to_body
     return any;
 }
 
-EVERY_INSTRUCTION_SET static int64_t matrix_from_angles
+EVERY_INSTRUCTION_SET static int64_t matrix_from_angles_zyx
     (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
      unsigned char *odd)
 {
+    const Frame frame = frame_of(in[1]);
     int64_t any = 0;
     FOR_EACH_BLOCK(rows) {
         double angles_in[3][BLOCK];
-        double axes_in[3][BLOCK];
+        double angles_given[3][BLOCK];
         double results[9][BLOCK];
+        double told[9][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(angles_in, 0, 3)
-        LOAD(axes_in, 1, 3)
+        LOAD(angles_given, 0, 3)
+        TO_FRAME(angles_in, angles_given, 3, turns)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double first = angles_in[0][row];
             const double second = angles_in[1][row];
             const double third = angles_in[2][row];
-            const double first_axis = axes_in[0][row];
-            const double second_axis = axes_in[1][row];
-            const double third_axis = axes_in[2][row];
             const double sin_first = column_sin(first);
             const double cos_first = column_cos(first);
             const double sin_second = column_sin(second);
             const double cos_second = column_cos(second);
             const double sin_third = column_sin(third);
             const double cos_third = column_cos(third);
-            const double first_x = first_axis == 1.0 ? 1.0 : first_axis == 2.0 ? 0.0 : first_axis ==
-                3.0 ? 0.0 : (double)NAN;
-            const double first_y = first_axis == 1.0 ? 0.0 : first_axis == 2.0 ? 1.0 : first_axis ==
-                3.0 ? 0.0 : (double)NAN;
-            const double first_z = first_axis == 1.0 ? 0.0 : first_axis == 2.0 ? 0.0 : first_axis ==
-                3.0 ? 1.0 : (double)NAN;
-            const double second_x = (second_axis == 1.0) & (first_axis != 1.0) & (third_axis != 1.0)
-                ? 1.0 : (second_axis == 2.0) & (first_axis != 2.0) & (third_axis != 2.0) ? 0.0 :
-                (second_axis == 3.0) & (first_axis != 3.0) & (third_axis != 3.0) ? 0.0 :
-                (double)NAN;
-            const double second_y = (second_axis == 1.0) & (first_axis != 1.0) & (third_axis != 1.0)
-                ? 0.0 : (second_axis == 2.0) & (first_axis != 2.0) & (third_axis != 2.0) ? 1.0 :
-                (second_axis == 3.0) & (first_axis != 3.0) & (third_axis != 3.0) ? 0.0 :
-                (double)NAN;
-            const double second_z = (second_axis == 1.0) & (first_axis != 1.0) & (third_axis != 1.0)
-                ? 0.0 : (second_axis == 2.0) & (first_axis != 2.0) & (third_axis != 2.0) ? 0.0 :
-                (second_axis == 3.0) & (first_axis != 3.0) & (third_axis != 3.0) ? 1.0 :
-                (double)NAN;
-            const double third_x = third_axis == 1.0 ? 1.0 : third_axis == 2.0 ? 0.0 : third_axis ==
-                3.0 ? 0.0 : (double)NAN;
-            const double third_y = third_axis == 1.0 ? 0.0 : third_axis == 2.0 ? 1.0 : third_axis ==
-                3.0 ? 0.0 : (double)NAN;
-            const double third_z = third_axis == 1.0 ? 0.0 : third_axis == 2.0 ? 0.0 : third_axis ==
-                3.0 ? 1.0 : (double)NAN;
-            const double first_stays_x = cos_first*(1.0 - first_x) + first_x;
-            const double first_stays_y = cos_first*(1.0 - first_y) + first_y;
-            const double first_stays_z = cos_first*(1.0 - first_z) + first_z;
-            const double first_sine_x = first_x*sin_first;
-            const double first_sine_y = first_y*sin_first;
-            const double first_sine_z = first_z*sin_first;
-            const double second_stays_x = cos_second*(1.0 - second_x) + second_x;
-            const double second_stays_y = cos_second*(1.0 - second_y) + second_y;
-            const double second_stays_z = cos_second*(1.0 - second_z) + second_z;
-            const double second_sine_x = second_x*sin_second;
-            const double second_sine_y = second_y*sin_second;
-            const double second_sine_z = second_z*sin_second;
-            const double third_stays_x = cos_third*(1.0 - third_x) + third_x;
-            const double third_stays_y = cos_third*(1.0 - third_y) + third_y;
-            const double third_stays_z = cos_third*(1.0 - third_z) + third_z;
-            const double third_sine_x = sin_third*third_x;
-            const double third_sine_y = sin_third*third_y;
-            const double third_sine_z = sin_third*third_z;
-            const double first_sine_y_second_sine_y = first_sine_y*second_sine_y;
-            const double first_sine_z_second_sine_z = first_sine_z*second_sine_z;
-            const double turned_11 = -first_sine_y_second_sine_y - first_sine_z_second_sine_z +
-                first_stays_x*second_stays_x;
-            const double turned_12 = first_sine_x*second_sine_y + first_sine_z*second_stays_x +
-                first_stays_y*second_sine_z;
-            const double turned_13 = first_sine_x*second_sine_z - first_sine_y*second_stays_x -
-                first_stays_z*second_sine_y;
-            const double turned_21 = first_sine_y*second_sine_x - first_sine_z*second_stays_y -
-                first_stays_x*second_sine_z;
-            const double first_sine_x_second_sine_x = first_sine_x*second_sine_x;
-            const double turned_22 = -first_sine_x_second_sine_x - first_sine_z_second_sine_z +
-                first_stays_y*second_stays_y;
-            const double turned_23 = first_sine_x*second_stays_y + first_sine_y*second_sine_z +
-                first_stays_z*second_sine_x;
-            const double turned_31 = first_sine_y*second_stays_z + first_sine_z*second_sine_x +
-                first_stays_x*second_sine_y;
-            const double turned_32 = -first_sine_x*second_stays_z + first_sine_z*second_sine_y -
-                first_stays_y*second_sine_x;
-            const double turned_33 = -first_sine_x_second_sine_x - first_sine_y_second_sine_y +
-                first_stays_z*second_stays_z;
-            results[0][row] = -third_sine_y*turned_31 + third_sine_z*turned_21 +
-                third_stays_x*turned_11;
-            results[1][row] = -third_sine_y*turned_32 + third_sine_z*turned_22 +
-                third_stays_x*turned_12;
-            results[2][row] = -third_sine_y*turned_33 + third_sine_z*turned_23 +
-                third_stays_x*turned_13;
-            results[3][row] = third_sine_x*turned_31 - third_sine_z*turned_11 +
-                third_stays_y*turned_21;
-            results[4][row] = third_sine_x*turned_32 - third_sine_z*turned_12 +
-                third_stays_y*turned_22;
-            results[5][row] = third_sine_x*turned_33 - third_sine_z*turned_13 +
-                third_stays_y*turned_23;
-            results[6][row] = -third_sine_x*turned_21 + third_sine_y*turned_11 +
-                third_stays_z*turned_31;
-            results[7][row] = -third_sine_x*turned_22 + third_sine_y*turned_12 +
-                third_stays_z*turned_32;
-            results[8][row] = -third_sine_x*turned_23 + third_sine_y*turned_13 +
-                third_stays_z*turned_33;
-            left[row] = !(FINITE(first + second + third + first_axis + second_axis + third_axis) &
-                (fabs(first) < LARGEST_ANGLE) & (fabs(second) < LARGEST_ANGLE) & (fabs(third) <
-                LARGEST_ANGLE));
+            const double first_stays_x = cos_first;
+            const double first_stays_y = cos_first;
+            const double first_sine_z = sin_first;
+            const double second_stays_x = cos_second;
+            const double second_stays_z = cos_second;
+            const double second_sine_y = sin_second;
+            const double third_stays_y = cos_third;
+            const double third_stays_z = cos_third;
+            const double third_sine_x = sin_third;
+            const double turned_11 = first_stays_x*second_stays_x;
+            const double turned_12 = first_sine_z*second_stays_x;
+            const double turned_13 = -second_sine_y;
+            const double turned_21 = -first_sine_z;
+            const double turned_22 = first_stays_y;
+            const double turned_31 = first_stays_x*second_sine_y;
+            const double turned_32 = first_sine_z*second_sine_y;
+            const double turned_33 = second_stays_z;
+            results[0][row] = turned_11;
+            results[1][row] = turned_12;
+            results[2][row] = turned_13;
+            results[3][row] = third_sine_x*turned_31 + third_stays_y*turned_21;
+            results[4][row] = third_sine_x*turned_32 + third_stays_y*turned_22;
+            results[5][row] = third_sine_x*turned_33;
+            results[6][row] = -third_sine_x*turned_21 + third_stays_z*turned_31;
+            results[7][row] = -third_sine_x*turned_22 + third_stays_z*turned_32;
+            results[8][row] = third_stays_z*turned_33;
+            left[row] = !(FINITE(first + second + third) & (fabs(first) < LARGEST_ANGLE) &
+                (fabs(second) < LARGEST_ANGLE) & (fabs(third) < LARGEST_ANGLE));
             some |= left[row];
         }
-        STORE(results, 9)
+        FROM_FRAME(told, results, 9, matrix)
+        STORE(told, 9)
         if (some) {
             any = 1;
             for (ptrdiff_t row = 0; row < count; row++)
@@ -976,18 +920,88 @@ EVERY_INSTRUCTION_SET static int64_t matrix_from_angles
     return any;
 }
 
-EVERY_INSTRUCTION_SET static int64_t angles_from_matrix
+EVERY_INSTRUCTION_SET static int64_t matrix_from_angles_zyz
     (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
      unsigned char *odd)
 {
+    const Frame frame = frame_of(in[1]);
+    int64_t any = 0;
+    FOR_EACH_BLOCK(rows) {
+        double angles_in[3][BLOCK];
+        double angles_given[3][BLOCK];
+        double results[9][BLOCK];
+        double told[9][BLOCK];
+        int64_t left[BLOCK], some = 0;
+        LOAD(angles_given, 0, 3)
+        TO_FRAME(angles_in, angles_given, 3, turns)
+        for (ptrdiff_t row = 0; row < padded; row++) {
+            const double first = angles_in[0][row];
+            const double second = angles_in[1][row];
+            const double third = angles_in[2][row];
+            const double sin_first = column_sin(first);
+            const double cos_first = column_cos(first);
+            const double sin_second = column_sin(second);
+            const double cos_second = column_cos(second);
+            const double sin_third = column_sin(third);
+            const double cos_third = column_cos(third);
+            const double first_stays_x = cos_first;
+            const double first_stays_y = cos_first;
+            const double first_sine_z = sin_first;
+            const double second_stays_x = cos_second;
+            const double second_stays_z = cos_second;
+            const double second_sine_y = sin_second;
+            const double third_stays_x = cos_third;
+            const double third_stays_y = cos_third;
+            const double third_sine_z = sin_third;
+            const double turned_11 = first_stays_x*second_stays_x;
+            const double turned_12 = first_sine_z*second_stays_x;
+            const double turned_13 = -second_sine_y;
+            const double turned_21 = -first_sine_z;
+            const double turned_22 = first_stays_y;
+            const double turned_31 = first_stays_x*second_sine_y;
+            const double turned_32 = first_sine_z*second_sine_y;
+            const double turned_33 = second_stays_z;
+            results[0][row] = third_sine_z*turned_21 + third_stays_x*turned_11;
+            results[1][row] = third_sine_z*turned_22 + third_stays_x*turned_12;
+            results[2][row] = third_stays_x*turned_13;
+            results[3][row] = -third_sine_z*turned_11 + third_stays_y*turned_21;
+            results[4][row] = -third_sine_z*turned_12 + third_stays_y*turned_22;
+            results[5][row] = -third_sine_z*turned_13;
+            results[6][row] = turned_31;
+            results[7][row] = turned_32;
+            results[8][row] = turned_33;
+            left[row] = !(FINITE(first + second + third) & (fabs(first) < LARGEST_ANGLE) &
+                (fabs(second) < LARGEST_ANGLE) & (fabs(third) < LARGEST_ANGLE));
+            some |= left[row];
+        }
+        FROM_FRAME(told, results, 9, matrix)
+        STORE(told, 9)
+        if (some) {
+            any = 1;
+            for (ptrdiff_t row = 0; row < count; row++)
+                odd[start + row] = left[row] != 0;
+        }
+    }
+    FINISH
+    return any;
+}
+
+BY_AXES(matrix_from_angles, 9)
+
+EVERY_INSTRUCTION_SET static int64_t angles_from_matrix_zyx
+    (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
+     unsigned char *odd)
+{
+    const Frame frame = frame_of(in[1]);
     int64_t any = 0;
     FOR_EACH_BLOCK(rows) {
         double matrix_in[9][BLOCK];
-        double axes_in[3][BLOCK];
+        double matrix_given[9][BLOCK];
         double results[3][BLOCK];
+        double told[3][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(matrix_in, 0, 9)
-        LOAD(axes_in, 1, 3)
+        LOAD(matrix_given, 0, 9)
+        TO_FRAME(matrix_in, matrix_given, 9, matrix)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double r11 = matrix_in[0][row];
             const double r12 = matrix_in[1][row];
@@ -998,64 +1012,23 @@ EVERY_INSTRUCTION_SET static int64_t angles_from_matrix
             const double r31 = matrix_in[6][row];
             const double r32 = matrix_in[7][row];
             const double r33 = matrix_in[8][row];
-            const double first_axis = axes_in[0][row];
-            const double second_axis = axes_in[1][row];
-            const double third_axis = axes_in[2][row];
-            const double first_x = first_axis == 1.0 ? 1.0 : first_axis == 2.0 ? 0.0 : first_axis ==
-                3.0 ? 0.0 : (double)NAN;
-            const double first_y = first_axis == 1.0 ? 0.0 : first_axis == 2.0 ? 1.0 : first_axis ==
-                3.0 ? 0.0 : (double)NAN;
-            const double first_z = first_axis == 1.0 ? 0.0 : first_axis == 2.0 ? 0.0 : first_axis ==
-                3.0 ? 1.0 : (double)NAN;
-            const double second_x = (second_axis == 1.0) & (first_axis != 1.0) & (third_axis != 1.0)
-                ? 1.0 : (second_axis == 2.0) & (first_axis != 2.0) & (third_axis != 2.0) ? 0.0 :
-                (second_axis == 3.0) & (first_axis != 3.0) & (third_axis != 3.0) ? 0.0 :
-                (double)NAN;
-            const double second_y = (second_axis == 1.0) & (first_axis != 1.0) & (third_axis != 1.0)
-                ? 0.0 : (second_axis == 2.0) & (first_axis != 2.0) & (third_axis != 2.0) ? 1.0 :
-                (second_axis == 3.0) & (first_axis != 3.0) & (third_axis != 3.0) ? 0.0 :
-                (double)NAN;
-            const double second_z = (second_axis == 1.0) & (first_axis != 1.0) & (third_axis != 1.0)
-                ? 0.0 : (second_axis == 2.0) & (first_axis != 2.0) & (third_axis != 2.0) ? 0.0 :
-                (second_axis == 3.0) & (first_axis != 3.0) & (third_axis != 3.0) ? 1.0 :
-                (double)NAN;
-            const double third_x = third_axis == 1.0 ? 1.0 : third_axis == 2.0 ? 0.0 : third_axis ==
-                3.0 ? 0.0 : (double)NAN;
-            const double third_y = third_axis == 1.0 ? 0.0 : third_axis == 2.0 ? 1.0 : third_axis ==
-                3.0 ? 0.0 : (double)NAN;
-            const double third_z = third_axis == 1.0 ? 0.0 : third_axis == 2.0 ? 0.0 : third_axis ==
-                3.0 ? 1.0 : (double)NAN;
-            const double across_x = -first_y*second_z + first_z*second_y;
-            const double across_y = first_x*second_z - first_z*second_x;
-            const double across_z = -first_x*second_y + first_y*second_x;
-            const double sign_of_roll = across_x*third_x + across_y*third_y + across_z*third_z;
-            const double axis_again = first_x*third_x + first_y*third_y + first_z*third_z;
-            const double axis_other = 1.0 - axis_again;
-            const double seen_1 = r11*third_x + r21*third_y + r31*third_z;
-            const double seen_2 = r12*third_x + r22*third_y + r32*third_z;
-            const double seen_3 = r13*third_x + r23*third_y + r33*third_z;
-            const double sign = axis_again + sign_of_roll;
-            const double along_across = sign*(across_x*seen_1 + across_y*seen_2 + across_z*seen_3);
-            const double along_second = sign*(second_x*seen_1 + second_y*seen_2 + second_z*seen_3);
-            const double along_first = first_x*seen_1 + first_y*seen_2 + first_z*seen_3;
+            const double seen_1 = r11;
+            const double seen_2 = r12;
+            const double seen_3 = r13;
+            const double along_across = seen_1;
+            const double along_second = seen_2;
+            const double along_first = seen_3;
             const double size = sqrt(along_across*along_across + along_second*along_second);
-            const double level_1 = -across_x*along_second + along_across*second_x;
-            const double level_2 = -across_y*along_second + along_across*second_y;
-            const double level_3 = -across_z*along_second + along_across*second_z;
-            const double moved_1 = level_1*r11 + level_2*r12 + level_3*r13;
-            const double moved_2 = level_1*r21 + level_2*r22 + level_3*r23;
-            const double moved_3 = level_1*r31 + level_2*r32 + level_3*r33;
-            const double row_1 = r11*second_x + r21*second_y + r31*second_z;
-            const double row_2 = r12*second_x + r22*second_y + r32*second_z;
-            const double row_3 = r13*second_x + r23*second_y + r33*second_z;
-            const double second_angle = column_atan2(-along_first*sign_of_roll + axis_again*size,
-                along_first*axis_again + axis_other*size);
+            const double level_1 = -along_second;
+            const double level_2 = along_across;
+            const double moved_2 = level_1*r21 + level_2*r22;
+            const double moved_3 = level_1*r31 + level_2*r32;
+            const double row_1 = r21;
+            const double row_2 = r22;
+            const double second_angle = column_atan2(-along_first, size);
             const int locked = size < 1.7763568394002505e-15*fabs(along_first);
             const double first_angle = column_atan2(along_second, along_across);
-            const double third_angle = column_atan2(moved_1*(across_x*axis_again -
-                first_x*sign_of_roll) + moved_2*(across_y*axis_again - first_y*sign_of_roll) +
-                moved_3*(across_z*axis_again - first_z*sign_of_roll), moved_1*second_x +
-                moved_2*second_y + moved_3*second_z);
+            const double third_angle = column_atan2(-moved_3, moved_2);
             const double off_11 = -1.0 + r11*r11 + r12*r12 + r13*r13;
             const double off_21 = r11*r21 + r12*r22 + r13*r23;
             const double off_22 = -1.0 + r21*r21 + r22*r22 + r23*r23;
@@ -1072,11 +1045,12 @@ EVERY_INSTRUCTION_SET static int64_t angles_from_matrix
             results[0][row] = first_angle;
             results[1][row] = second_angle;
             results[2][row] = third_angle;
-            left[row] = !(FINITE(r11 + r12 + r13 + r21 + r22 + r23 + r31 + r32 + r33 + first_axis +
-                second_axis + third_axis) & rotation & !locked);
+            left[row] = !(FINITE(r11 + r12 + r13 + r21 + r22 + r23 + r31 + r32 + r33) & rotation &
+                !locked);
             some |= left[row];
         }
-        STORE(results, 3)
+        FROM_FRAME(told, results, 3, turns)
+        STORE(told, 3)
         if (some) {
             any = 1;
             for (ptrdiff_t row = 0; row < count; row++)
@@ -1087,106 +1061,124 @@ EVERY_INSTRUCTION_SET static int64_t angles_from_matrix
     return any;
 }
 
-EVERY_INSTRUCTION_SET static int64_t quaternion_from_angles
+EVERY_INSTRUCTION_SET static int64_t angles_from_matrix_zyz
     (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
      unsigned char *odd)
 {
+    const Frame frame = frame_of(in[1]);
+    int64_t any = 0;
+    FOR_EACH_BLOCK(rows) {
+        double matrix_in[9][BLOCK];
+        double matrix_given[9][BLOCK];
+        double results[3][BLOCK];
+        double told[3][BLOCK];
+        int64_t left[BLOCK], some = 0;
+        LOAD(matrix_given, 0, 9)
+        TO_FRAME(matrix_in, matrix_given, 9, matrix)
+        for (ptrdiff_t row = 0; row < padded; row++) {
+            const double r11 = matrix_in[0][row];
+            const double r12 = matrix_in[1][row];
+            const double r13 = matrix_in[2][row];
+            const double r21 = matrix_in[3][row];
+            const double r22 = matrix_in[4][row];
+            const double r23 = matrix_in[5][row];
+            const double r31 = matrix_in[6][row];
+            const double r32 = matrix_in[7][row];
+            const double r33 = matrix_in[8][row];
+            const double seen_1 = r31;
+            const double seen_2 = r32;
+            const double seen_3 = r33;
+            const double along_across = seen_1;
+            const double along_second = seen_2;
+            const double along_first = seen_3;
+            const double size = sqrt(along_across*along_across + along_second*along_second);
+            const double level_1 = -along_second;
+            const double level_2 = along_across;
+            const double moved_1 = level_1*r11 + level_2*r12;
+            const double moved_2 = level_1*r21 + level_2*r22;
+            const double row_1 = r21;
+            const double row_2 = r22;
+            const double second_angle = column_atan2(size, along_first);
+            const int locked = size < 1.7763568394002505e-15*fabs(along_first);
+            const double first_angle = column_atan2(along_second, along_across);
+            const double third_angle = column_atan2(moved_1, moved_2);
+            const double off_11 = -1.0 + r11*r11 + r12*r12 + r13*r13;
+            const double off_21 = r11*r21 + r12*r22 + r13*r23;
+            const double off_22 = -1.0 + r21*r21 + r22*r22 + r23*r23;
+            const double off_31 = r11*r31 + r12*r32 + r13*r33;
+            const double off_32 = r21*r31 + r22*r32 + r23*r33;
+            const double off_33 = -1.0 + r31*r31 + r32*r32 + r33*r33;
+            const double squared_defect = 0.1111111111111111*(off_11*off_11) +
+                0.2222222222222222*(off_21*off_21) + 0.1111111111111111*(off_22*off_22) +
+                0.2222222222222222*(off_31*off_31) + 0.2222222222222222*(off_32*off_32) +
+                0.1111111111111111*(off_33*off_33);
+            const double determinant = r13*(r21*r32 - r22*r31) + r23*(-r11*r32 + r12*r31) +
+                r33*(r11*r22 - r12*r21);
+            const int rotation = (squared_defect <= 1e-08) & (determinant >= 0.0);
+            results[0][row] = first_angle;
+            results[1][row] = second_angle;
+            results[2][row] = third_angle;
+            left[row] = !(FINITE(r11 + r12 + r13 + r21 + r22 + r23 + r31 + r32 + r33) & rotation &
+                !locked);
+            some |= left[row];
+        }
+        FROM_FRAME(told, results, 3, turns)
+        STORE(told, 3)
+        if (some) {
+            any = 1;
+            for (ptrdiff_t row = 0; row < count; row++)
+                odd[start + row] = left[row] != 0;
+        }
+    }
+    FINISH
+    return any;
+}
+
+BY_AXES(angles_from_matrix, 3)
+
+EVERY_INSTRUCTION_SET static int64_t quaternion_from_angles_zyx
+    (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
+     unsigned char *odd)
+{
+    const Frame frame = frame_of(in[1]);
     int64_t any = 0;
     FOR_EACH_BLOCK(rows) {
         double angles_in[3][BLOCK];
-        double axes_in[3][BLOCK];
+        double angles_given[3][BLOCK];
         double results[4][BLOCK];
+        double told[4][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(angles_in, 0, 3)
-        LOAD(axes_in, 1, 3)
+        LOAD(angles_given, 0, 3)
+        TO_FRAME(angles_in, angles_given, 3, turns)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double first = angles_in[0][row];
             const double second = angles_in[1][row];
             const double third = angles_in[2][row];
-            const double first_axis = axes_in[0][row];
-            const double second_axis = axes_in[1][row];
-            const double third_axis = axes_in[2][row];
             const double sin_half_first = column_sin(0.5*first);
             const double cos_half_first = column_cos(0.5*first);
             const double sin_half_second = column_sin(0.5*second);
             const double cos_half_second = column_cos(0.5*second);
             const double sin_half_third = column_sin(0.5*third);
             const double cos_half_third = column_cos(0.5*third);
-            const double first_x = first_axis == 1.0 ? 1.0 : first_axis == 2.0 ? 0.0 : first_axis ==
-                3.0 ? 0.0 : (double)NAN;
-            const double first_y = first_axis == 1.0 ? 0.0 : first_axis == 2.0 ? 1.0 : first_axis ==
-                3.0 ? 0.0 : (double)NAN;
-            const double first_z = first_axis == 1.0 ? 0.0 : first_axis == 2.0 ? 0.0 : first_axis ==
-                3.0 ? 1.0 : (double)NAN;
-            const double second_x = (second_axis == 1.0) & (first_axis != 1.0) & (third_axis != 1.0)
-                ? 1.0 : (second_axis == 2.0) & (first_axis != 2.0) & (third_axis != 2.0) ? 0.0 :
-                (second_axis == 3.0) & (first_axis != 3.0) & (third_axis != 3.0) ? 0.0 :
-                (double)NAN;
-            const double second_y = (second_axis == 1.0) & (first_axis != 1.0) & (third_axis != 1.0)
-                ? 0.0 : (second_axis == 2.0) & (first_axis != 2.0) & (third_axis != 2.0) ? 1.0 :
-                (second_axis == 3.0) & (first_axis != 3.0) & (third_axis != 3.0) ? 0.0 :
-                (double)NAN;
-            const double second_z = (second_axis == 1.0) & (first_axis != 1.0) & (third_axis != 1.0)
-                ? 0.0 : (second_axis == 2.0) & (first_axis != 2.0) & (third_axis != 2.0) ? 0.0 :
-                (second_axis == 3.0) & (first_axis != 3.0) & (third_axis != 3.0) ? 1.0 :
-                (double)NAN;
-            const double third_x = third_axis == 1.0 ? 1.0 : third_axis == 2.0 ? 0.0 : third_axis ==
-                3.0 ? 0.0 : (double)NAN;
-            const double third_y = third_axis == 1.0 ? 0.0 : third_axis == 2.0 ? 1.0 : third_axis ==
-                3.0 ? 0.0 : (double)NAN;
-            const double third_z = third_axis == 1.0 ? 0.0 : third_axis == 2.0 ? 0.0 : third_axis ==
-                3.0 ? 1.0 : (double)NAN;
-            const double sin_half_first_sin_half_second = sin_half_first*sin_half_second;
-            const double second_x_sin_half_first_sin_half_second =
-                second_x*sin_half_first_sin_half_second;
-            const double first_y_sin_half_first_sin_half_second =
-                first_y*sin_half_first_sin_half_second;
-            const double first_z_sin_half_first_sin_half_second =
-                first_z*sin_half_first_sin_half_second;
-            const double twice_a = cos_half_first*cos_half_second -
-                first_x*second_x_sin_half_first_sin_half_second -
-                first_y_sin_half_first_sin_half_second*second_y -
-                first_z_sin_half_first_sin_half_second*second_z;
-            const double cos_half_first_sin_half_second = cos_half_first*sin_half_second;
-            const double cos_half_second_sin_half_first = cos_half_second*sin_half_first;
-            const double twice_b = cos_half_first_sin_half_second*second_x +
-                cos_half_second_sin_half_first*first_x +
-                first_y_sin_half_first_sin_half_second*second_z -
-                first_z_sin_half_first_sin_half_second*second_y;
-            const double first_x_sin_half_first_sin_half_second =
-                first_x*sin_half_first_sin_half_second;
-            const double twice_c = cos_half_first_sin_half_second*second_y +
-                cos_half_second_sin_half_first*first_y -
-                first_x_sin_half_first_sin_half_second*second_z +
-                first_z*second_x_sin_half_first_sin_half_second;
-            const double twice_d = cos_half_first_sin_half_second*second_z +
-                cos_half_second_sin_half_first*first_z +
-                first_x_sin_half_first_sin_half_second*second_y -
-                first_y*second_x_sin_half_first_sin_half_second;
-            const double sin_half_third_third_x = sin_half_third*third_x;
-            const double sin_half_third_twice_c = sin_half_third*twice_c;
-            const double sin_half_third_twice_d = sin_half_third*twice_d;
-            const double a = cos_half_third*twice_a - sin_half_third_third_x*twice_b -
-                sin_half_third_twice_c*third_y - sin_half_third_twice_d*third_z;
-            const double b = cos_half_third*twice_b + sin_half_third_third_x*twice_a +
-                sin_half_third_twice_c*third_z - sin_half_third_twice_d*third_y;
-            const double sin_half_third_third_y = sin_half_third*third_y;
-            const double sin_half_third_third_z = sin_half_third*third_z;
-            const double c = cos_half_third*twice_c + sin_half_third_third_x*twice_d +
-                sin_half_third_third_y*twice_a - sin_half_third_third_z*twice_b;
-            const double d = cos_half_third*twice_d - sin_half_third_third_x*twice_c +
-                sin_half_third_third_y*twice_b + sin_half_third_third_z*twice_a;
+            const double twice_a = cos_half_first*cos_half_second;
+            const double twice_b = -sin_half_first*sin_half_second;
+            const double twice_c = cos_half_first*sin_half_second;
+            const double twice_d = cos_half_second*sin_half_first;
+            const double a = cos_half_third*twice_a - sin_half_third*twice_b;
+            const double b = cos_half_third*twice_b + sin_half_third*twice_a;
+            const double c = cos_half_third*twice_c + sin_half_third*twice_d;
+            const double d = cos_half_third*twice_d - sin_half_third*twice_c;
             const double sign = a >= 0.0 ? 1.0 : -1.0;
             results[0][row] = a*sign;
             results[1][row] = b*sign;
             results[2][row] = c*sign;
             results[3][row] = d*sign;
-            left[row] = !(FINITE(first + second + third + first_axis + second_axis + third_axis) &
-                (fabs(0.5*first) < LARGEST_ANGLE) & (fabs(0.5*second) < LARGEST_ANGLE) &
-                (fabs(0.5*third) < LARGEST_ANGLE));
+            left[row] = !(FINITE(first + second + third) & (fabs(0.5*first) < LARGEST_ANGLE) &
+                (fabs(0.5*second) < LARGEST_ANGLE) & (fabs(0.5*third) < LARGEST_ANGLE));
             some |= left[row];
         }
-        STORE(results, 4)
+        FROM_FRAME(told, results, 4, quaternion)
+        STORE(told, 4)
         if (some) {
             any = 1;
             for (ptrdiff_t row = 0; row < count; row++)
@@ -1197,64 +1189,87 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_from_angles
     return any;
 }
 
-EVERY_INSTRUCTION_SET static int64_t angles_from_quaternion
+EVERY_INSTRUCTION_SET static int64_t quaternion_from_angles_zyz
     (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
      unsigned char *odd)
 {
+    const Frame frame = frame_of(in[1]);
+    int64_t any = 0;
+    FOR_EACH_BLOCK(rows) {
+        double angles_in[3][BLOCK];
+        double angles_given[3][BLOCK];
+        double results[4][BLOCK];
+        double told[4][BLOCK];
+        int64_t left[BLOCK], some = 0;
+        LOAD(angles_given, 0, 3)
+        TO_FRAME(angles_in, angles_given, 3, turns)
+        for (ptrdiff_t row = 0; row < padded; row++) {
+            const double first = angles_in[0][row];
+            const double second = angles_in[1][row];
+            const double third = angles_in[2][row];
+            const double sin_half_first = column_sin(0.5*first);
+            const double cos_half_first = column_cos(0.5*first);
+            const double sin_half_second = column_sin(0.5*second);
+            const double cos_half_second = column_cos(0.5*second);
+            const double sin_half_third = column_sin(0.5*third);
+            const double cos_half_third = column_cos(0.5*third);
+            const double twice_a = cos_half_first*cos_half_second;
+            const double twice_b = -sin_half_first*sin_half_second;
+            const double twice_c = cos_half_first*sin_half_second;
+            const double twice_d = cos_half_second*sin_half_first;
+            const double a = cos_half_third*twice_a - sin_half_third*twice_d;
+            const double b = cos_half_third*twice_b + sin_half_third*twice_c;
+            const double c = cos_half_third*twice_c - sin_half_third*twice_b;
+            const double d = cos_half_third*twice_d + sin_half_third*twice_a;
+            const double sign = a >= 0.0 ? 1.0 : -1.0;
+            results[0][row] = a*sign;
+            results[1][row] = b*sign;
+            results[2][row] = c*sign;
+            results[3][row] = d*sign;
+            left[row] = !(FINITE(first + second + third) & (fabs(0.5*first) < LARGEST_ANGLE) &
+                (fabs(0.5*second) < LARGEST_ANGLE) & (fabs(0.5*third) < LARGEST_ANGLE));
+            some |= left[row];
+        }
+        FROM_FRAME(told, results, 4, quaternion)
+        STORE(told, 4)
+        if (some) {
+            any = 1;
+            for (ptrdiff_t row = 0; row < count; row++)
+                odd[start + row] = left[row] != 0;
+        }
+    }
+    FINISH
+    return any;
+}
+
+BY_AXES(quaternion_from_angles, 4)
+
+EVERY_INSTRUCTION_SET static int64_t angles_from_quaternion_zyx
+    (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
+     unsigned char *odd)
+{
+    const Frame frame = frame_of(in[1]);
     int64_t any = 0;
     FOR_EACH_BLOCK(rows) {
         double q_in[4][BLOCK];
-        double axes_in[3][BLOCK];
+        double q_given[4][BLOCK];
         double results[3][BLOCK];
+        double told[3][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(q_in, 0, 4)
-        LOAD(axes_in, 1, 3)
+        LOAD(q_given, 0, 4)
+        TO_FRAME(q_in, q_given, 4, quaternion)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double a = q_in[0][row];
             const double b = q_in[1][row];
             const double c = q_in[2][row];
             const double d = q_in[3][row];
-            const double first_axis = axes_in[0][row];
-            const double second_axis = axes_in[1][row];
-            const double third_axis = axes_in[2][row];
-            const double first_x = first_axis == 1.0 ? 1.0 : first_axis == 2.0 ? 0.0 : first_axis ==
-                3.0 ? 0.0 : (double)NAN;
-            const double first_y = first_axis == 1.0 ? 0.0 : first_axis == 2.0 ? 1.0 : first_axis ==
-                3.0 ? 0.0 : (double)NAN;
-            const double first_z = first_axis == 1.0 ? 0.0 : first_axis == 2.0 ? 0.0 : first_axis ==
-                3.0 ? 1.0 : (double)NAN;
-            const double second_x = (second_axis == 1.0) & (first_axis != 1.0) & (third_axis != 1.0)
-                ? 1.0 : (second_axis == 2.0) & (first_axis != 2.0) & (third_axis != 2.0) ? 0.0 :
-                (second_axis == 3.0) & (first_axis != 3.0) & (third_axis != 3.0) ? 0.0 :
-                (double)NAN;
-            const double second_y = (second_axis == 1.0) & (first_axis != 1.0) & (third_axis != 1.0)
-                ? 0.0 : (second_axis == 2.0) & (first_axis != 2.0) & (third_axis != 2.0) ? 1.0 :
-                (second_axis == 3.0) & (first_axis != 3.0) & (third_axis != 3.0) ? 0.0 :
-                (double)NAN;
-            const double second_z = (second_axis == 1.0) & (first_axis != 1.0) & (third_axis != 1.0)
-                ? 0.0 : (second_axis == 2.0) & (first_axis != 2.0) & (third_axis != 2.0) ? 0.0 :
-                (second_axis == 3.0) & (first_axis != 3.0) & (third_axis != 3.0) ? 1.0 :
-                (double)NAN;
-            const double third_x = third_axis == 1.0 ? 1.0 : third_axis == 2.0 ? 0.0 : third_axis ==
-                3.0 ? 0.0 : (double)NAN;
-            const double third_y = third_axis == 1.0 ? 0.0 : third_axis == 2.0 ? 1.0 : third_axis ==
-                3.0 ? 0.0 : (double)NAN;
-            const double third_z = third_axis == 1.0 ? 0.0 : third_axis == 2.0 ? 0.0 : third_axis ==
-                3.0 ? 1.0 : (double)NAN;
-            const double across_x = -first_y*second_z + first_z*second_y;
-            const double across_y = first_x*second_z - first_z*second_x;
-            const double across_z = -first_x*second_y + first_y*second_x;
-            const double sign_of_roll = across_x*third_x + across_y*third_y + across_z*third_z;
-            const double axis_again = first_x*third_x + first_y*third_y + first_z*third_z;
-            const double axis_other = 1.0 - axis_again;
-            const double sign = axis_again + sign_of_roll;
-            const double along_across = across_x*b + across_y*c + across_z*d;
-            const double along_second = b*second_x + c*second_y + d*second_z;
-            const double along_first = b*first_x + c*first_y + d*first_z;
-            const double part_1 = a - along_second*axis_other;
-            const double part_2 = along_across - along_first*axis_other;
-            const double part_3 = a*axis_other + along_second;
-            const double part_4 = along_across*axis_other + along_first;
+            const double along_across = b;
+            const double along_second = c;
+            const double along_first = d;
+            const double part_1 = a - along_second;
+            const double part_2 = along_across - along_first;
+            const double part_3 = a + along_second;
+            const double part_4 = along_across + along_first;
             const double below = part_1*part_1 + part_4*part_4;
             const double above = part_2*part_2 + part_3*part_3;
             const double sum_of_squares = above + below;
@@ -1264,21 +1279,19 @@ EVERY_INSTRUCTION_SET static int64_t angles_from_quaternion
             const double product_4 = part_2*part_4;
             const double half_sine = a*along_second - along_across*along_first;
             const double root = sqrt(above)*sqrt(below);
-            const double rest = 0.5*axis_again*(-above + below) + 2.0*axis_other*half_sine;
-            const double second_angle = column_atan2(axis_again*root + axis_other*rest,
-                axis_again*rest + axis_other*root);
+            const double rest = 2.0*half_sine;
+            const double second_angle = column_atan2(rest, root);
             const int locked = root < 1.7763568394002505e-15*fabs(rest);
             const double first_angle = column_atan2(product_1 - product_2, product_3 + product_4);
-            const double third_angle = column_atan2(sign*(product_1 + product_2), product_3 -
-                product_4);
+            const double third_angle = column_atan2(product_1 + product_2, product_3 - product_4);
             results[0][row] = first_angle;
             results[1][row] = second_angle;
             results[2][row] = third_angle;
-            left[row] = !(FINITE(a + b + c + d + first_axis + second_axis + third_axis) &
-                IN_RANGE(sum_of_squares) & !locked);
+            left[row] = !(FINITE(a + b + c + d) & IN_RANGE(sum_of_squares) & !locked);
             some |= left[row];
         }
-        STORE(results, 3)
+        FROM_FRAME(told, results, 3, turns)
+        STORE(told, 3)
         if (some) {
             any = 1;
             for (ptrdiff_t row = 0; row < count; row++)
@@ -1289,98 +1302,53 @@ EVERY_INSTRUCTION_SET static int64_t angles_from_quaternion
     return any;
 }
 
-EVERY_INSTRUCTION_SET static int64_t angle_rates_matrix
+EVERY_INSTRUCTION_SET static int64_t angles_from_quaternion_zyz
     (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
      unsigned char *odd)
 {
+    const Frame frame = frame_of(in[1]);
     int64_t any = 0;
     FOR_EACH_BLOCK(rows) {
-        double angles_in[3][BLOCK];
-        double axes_in[3][BLOCK];
-        double results[9][BLOCK];
+        double q_in[4][BLOCK];
+        double q_given[4][BLOCK];
+        double results[3][BLOCK];
+        double told[3][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(angles_in, 0, 3)
-        LOAD(axes_in, 1, 3)
+        LOAD(q_given, 0, 4)
+        TO_FRAME(q_in, q_given, 4, quaternion)
         for (ptrdiff_t row = 0; row < padded; row++) {
-            const double first = angles_in[0][row];
-            const double second = angles_in[1][row];
-            const double third = angles_in[2][row];
-            const double first_axis = axes_in[0][row];
-            const double second_axis = axes_in[1][row];
-            const double third_axis = axes_in[2][row];
-            const double sin_second = column_sin(second);
-            const double cos_second = column_cos(second);
-            const double sin_third = column_sin(third);
-            const double cos_third = column_cos(third);
-            const double first_x = first_axis == 1.0 ? 1.0 : first_axis == 2.0 ? 0.0 : first_axis ==
-                3.0 ? 0.0 : (double)NAN;
-            const double first_y = first_axis == 1.0 ? 0.0 : first_axis == 2.0 ? 1.0 : first_axis ==
-                3.0 ? 0.0 : (double)NAN;
-            const double first_z = first_axis == 1.0 ? 0.0 : first_axis == 2.0 ? 0.0 : first_axis ==
-                3.0 ? 1.0 : (double)NAN;
-            const double second_x = (second_axis == 1.0) & (first_axis != 1.0) & (third_axis != 1.0)
-                ? 1.0 : (second_axis == 2.0) & (first_axis != 2.0) & (third_axis != 2.0) ? 0.0 :
-                (second_axis == 3.0) & (first_axis != 3.0) & (third_axis != 3.0) ? 0.0 :
-                (double)NAN;
-            const double second_y = (second_axis == 1.0) & (first_axis != 1.0) & (third_axis != 1.0)
-                ? 0.0 : (second_axis == 2.0) & (first_axis != 2.0) & (third_axis != 2.0) ? 1.0 :
-                (second_axis == 3.0) & (first_axis != 3.0) & (third_axis != 3.0) ? 0.0 :
-                (double)NAN;
-            const double second_z = (second_axis == 1.0) & (first_axis != 1.0) & (third_axis != 1.0)
-                ? 0.0 : (second_axis == 2.0) & (first_axis != 2.0) & (third_axis != 2.0) ? 0.0 :
-                (second_axis == 3.0) & (first_axis != 3.0) & (third_axis != 3.0) ? 1.0 :
-                (double)NAN;
-            const double third_x = third_axis == 1.0 ? 1.0 : third_axis == 2.0 ? 0.0 : third_axis ==
-                3.0 ? 0.0 : (double)NAN;
-            const double third_y = third_axis == 1.0 ? 0.0 : third_axis == 2.0 ? 1.0 : third_axis ==
-                3.0 ? 0.0 : (double)NAN;
-            const double third_z = third_axis == 1.0 ? 0.0 : third_axis == 2.0 ? 0.0 : third_axis ==
-                3.0 ? 1.0 : (double)NAN;
-            const double across_x = -first_y*second_z + first_z*second_y;
-            const double across_y = first_x*second_z - first_z*second_x;
-            const double across_z = -first_x*second_y + first_y*second_x;
-            const double sign_of_roll = across_x*third_x + across_y*third_y + across_z*third_z;
-            const double axis_again = first_x*third_x + first_y*third_y + first_z*third_z;
-            const double volume = axis_again*sin_second + cos_second*sign_of_roll;
-            const double over_volume = volume != 0.0 ? 1.0/volume : (double)NAN;
-            const double before_11 = over_volume*(-across_x*axis_again + first_x*sign_of_roll);
-            const double before_12 = over_volume*(-across_y*axis_again + first_y*sign_of_roll);
-            const double before_13 = over_volume*(-across_z*axis_again + first_z*sign_of_roll);
-            const double before_21 = second_x;
-            const double before_22 = second_y;
-            const double before_23 = second_z;
-            const double before_31 = over_volume*(across_x*cos_second + first_x*sin_second);
-            const double before_32 = over_volume*(across_y*cos_second + first_y*sin_second);
-            const double before_33 = over_volume*(across_z*cos_second + first_z*sin_second);
-            const double third_stays_x = cos_third*(1.0 - third_x) + third_x;
-            const double third_stays_y = cos_third*(1.0 - third_y) + third_y;
-            const double third_stays_z = cos_third*(1.0 - third_z) + third_z;
-            const double third_sine_x = sin_third*third_x;
-            const double third_sine_y = sin_third*third_y;
-            const double third_sine_z = sin_third*third_z;
-            results[0][row] = before_11*third_stays_x + before_12*third_sine_z -
-                before_13*third_sine_y;
-            results[1][row] = -before_11*third_sine_z + before_12*third_stays_y +
-                before_13*third_sine_x;
-            results[2][row] = before_11*third_sine_y - before_12*third_sine_x +
-                before_13*third_stays_z;
-            results[3][row] = before_21*third_stays_x + before_22*third_sine_z -
-                before_23*third_sine_y;
-            results[4][row] = -before_21*third_sine_z + before_22*third_stays_y +
-                before_23*third_sine_x;
-            results[5][row] = before_21*third_sine_y - before_22*third_sine_x +
-                before_23*third_stays_z;
-            results[6][row] = before_31*third_stays_x + before_32*third_sine_z -
-                before_33*third_sine_y;
-            results[7][row] = -before_31*third_sine_z + before_32*third_stays_y +
-                before_33*third_sine_x;
-            results[8][row] = before_31*third_sine_y - before_32*third_sine_x +
-                before_33*third_stays_z;
-            left[row] = !(FINITE(first + second + third + first_axis + second_axis + third_axis) &
-                (fabs(second) < LARGEST_ANGLE) & (fabs(third) < LARGEST_ANGLE));
+            const double a = q_in[0][row];
+            const double b = q_in[1][row];
+            const double c = q_in[2][row];
+            const double d = q_in[3][row];
+            const double along_across = b;
+            const double along_second = c;
+            const double along_first = d;
+            const double part_1 = a;
+            const double part_2 = along_across;
+            const double part_3 = along_second;
+            const double part_4 = along_first;
+            const double below = part_1*part_1 + part_4*part_4;
+            const double above = part_2*part_2 + part_3*part_3;
+            const double sum_of_squares = above + below;
+            const double product_1 = part_3*part_4;
+            const double product_2 = part_1*part_2;
+            const double product_3 = part_1*part_3;
+            const double product_4 = part_2*part_4;
+            const double root = sqrt(above)*sqrt(below);
+            const double rest = -0.5*above + 0.5*below;
+            const double second_angle = column_atan2(root, rest);
+            const int locked = root < 1.7763568394002505e-15*fabs(rest);
+            const double first_angle = column_atan2(product_1 - product_2, product_3 + product_4);
+            const double third_angle = column_atan2(product_1 + product_2, product_3 - product_4);
+            results[0][row] = first_angle;
+            results[1][row] = second_angle;
+            results[2][row] = third_angle;
+            left[row] = !(FINITE(a + b + c + d) & IN_RANGE(sum_of_squares) & !locked);
             some |= left[row];
         }
-        STORE(results, 9)
+        FROM_FRAME(told, results, 3, turns)
+        STORE(told, 3)
         if (some) {
             any = 1;
             for (ptrdiff_t row = 0; row < count; row++)
@@ -1390,6 +1358,122 @@ EVERY_INSTRUCTION_SET static int64_t angle_rates_matrix
     FINISH
     return any;
 }
+
+BY_AXES(angles_from_quaternion, 3)
+
+EVERY_INSTRUCTION_SET static int64_t angle_rates_matrix_zyx
+    (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
+     unsigned char *odd)
+{
+    const Frame frame = frame_of(in[1]);
+    int64_t any = 0;
+    FOR_EACH_BLOCK(rows) {
+        double angles_in[3][BLOCK];
+        double angles_given[3][BLOCK];
+        double results[9][BLOCK];
+        double told[9][BLOCK];
+        int64_t left[BLOCK], some = 0;
+        LOAD(angles_given, 0, 3)
+        TO_FRAME(angles_in, angles_given, 3, turns)
+        for (ptrdiff_t row = 0; row < padded; row++) {
+            const double first = angles_in[0][row];
+            const double second = angles_in[1][row];
+            const double third = angles_in[2][row];
+            const double sin_second = column_sin(second);
+            const double cos_second = column_cos(second);
+            const double sin_third = column_sin(third);
+            const double cos_third = column_cos(third);
+            const double volume = cos_second;
+            const int unlocked = volume != 0.0;
+            const double over_volume = volume != 0.0 ? 1.0/volume : (double)NAN;
+            const double before_13 = over_volume;
+            const double before_31 = cos_second*over_volume;
+            const double before_33 = over_volume*sin_second;
+            const double third_stays_y = cos_third;
+            const double third_stays_z = cos_third;
+            const double third_sine_x = sin_third;
+            results[0][row] = 0.0;
+            results[1][row] = before_13*third_sine_x;
+            results[2][row] = before_13*third_stays_z;
+            results[3][row] = 0.0;
+            results[4][row] = third_stays_y;
+            results[5][row] = -third_sine_x;
+            results[6][row] = before_31;
+            results[7][row] = before_33*third_sine_x;
+            results[8][row] = before_33*third_stays_z;
+            left[row] = !(FINITE(first + second + third) & (fabs(second) < LARGEST_ANGLE) &
+                (fabs(third) < LARGEST_ANGLE) & unlocked);
+            some |= left[row];
+        }
+        FROM_FRAME(told, results, 9, rates)
+        STORE(told, 9)
+        if (some) {
+            any = 1;
+            for (ptrdiff_t row = 0; row < count; row++)
+                odd[start + row] = left[row] != 0;
+        }
+    }
+    FINISH
+    return any;
+}
+
+EVERY_INSTRUCTION_SET static int64_t angle_rates_matrix_zyz
+    (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
+     unsigned char *odd)
+{
+    const Frame frame = frame_of(in[1]);
+    int64_t any = 0;
+    FOR_EACH_BLOCK(rows) {
+        double angles_in[3][BLOCK];
+        double angles_given[3][BLOCK];
+        double results[9][BLOCK];
+        double told[9][BLOCK];
+        int64_t left[BLOCK], some = 0;
+        LOAD(angles_given, 0, 3)
+        TO_FRAME(angles_in, angles_given, 3, turns)
+        for (ptrdiff_t row = 0; row < padded; row++) {
+            const double first = angles_in[0][row];
+            const double second = angles_in[1][row];
+            const double third = angles_in[2][row];
+            const double sin_second = column_sin(second);
+            const double cos_second = column_cos(second);
+            const double sin_third = column_sin(third);
+            const double cos_third = column_cos(third);
+            const double volume = sin_second;
+            const int unlocked = volume != 0.0;
+            const double over_volume = volume != 0.0 ? 1.0/volume : (double)NAN;
+            const double before_11 = -over_volume;
+            const double before_31 = cos_second*over_volume;
+            const double before_33 = over_volume*sin_second;
+            const double third_stays_x = cos_third;
+            const double third_stays_y = cos_third;
+            const double third_sine_z = sin_third;
+            results[0][row] = before_11*third_stays_x;
+            results[1][row] = -before_11*third_sine_z;
+            results[2][row] = 0.0;
+            results[3][row] = third_sine_z;
+            results[4][row] = third_stays_y;
+            results[5][row] = 0.0;
+            results[6][row] = before_31*third_stays_x;
+            results[7][row] = -before_31*third_sine_z;
+            results[8][row] = before_33;
+            left[row] = !(FINITE(first + second + third) & (fabs(second) < LARGEST_ANGLE) &
+                (fabs(third) < LARGEST_ANGLE) & unlocked);
+            some |= left[row];
+        }
+        FROM_FRAME(told, results, 9, rates)
+        STORE(told, 9)
+        if (some) {
+            any = 1;
+            for (ptrdiff_t row = 0; row < count; row++)
+                odd[start + row] = left[row] != 0;
+        }
+    }
+    FINISH
+    return any;
+}
+
+BY_AXES(angle_rates_matrix, 9)
 
 EVERY_INSTRUCTION_SET static int64_t accelerometer_at_rest
     (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
