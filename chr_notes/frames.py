@@ -5,11 +5,11 @@
 - `android`: east-north-up and right-forward-up; azimuth, pitch, roll of `getOrientation`.
 - `browser`: east-north-up and right-forward-up; alpha, beta, gamma of `deviceorientation`.
 
-Angles stand in an array in this order.
+Angles stand in an array in this order. `chr_notes.convert` knows more systems, and matrices; here
+quaternions keep sign and length, angles are in radians, and those of a browser in its own ranges.
 """
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import replace
 from typing import Literal
 
 import numpy as np
@@ -18,80 +18,36 @@ from numpy.typing import ArrayLike
 from chr_notes._arrays import Floats, floats
 from chr_notes.euler import wrap_angle
 from chr_notes.quaternions.algebra import quaternion_conjugate, quaternion_multiply
-from chr_notes.quaternions.conversions import (
-    euler_from_quaternion,
-    quaternion_from_euler,
-    quaternion_from_matrix,
-)
+from chr_notes.quaternions.conversions import quaternion_from_matrix
+from chr_notes.systems.convention import PRESETS, Convention
+from chr_notes.systems.converting import convert
 
 Axes = Literal["frd", "flu", "rfu", "ned", "enu"]
 System = Literal["notes", "ros", "android", "browser"]
 
-_SWAPPED = np.array([[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, -1.0]])
-# From each to forward-right-down, and to north-east-down.
-_BODY = {"frd": np.eye(3), "flu": np.diag([1.0, -1.0, -1.0]), "rfu": _SWAPPED}
-_NAVIGATION = {"ned": np.eye(3), "enu": _SWAPPED}
+_BODY = {name: Convention(body=name) for name in ("frd", "flu", "rfu")}
+_NAVIGATION = {name: Convention(navigation=name) for name in ("ned", "enu")}
+_SYSTEMS = {
+    "notes": PRESETS["this book"],
+    "ros": PRESETS["ROS"],
+    "android": PRESETS["Android"],
+    "browser": replace(PRESETS["browser"], degrees=False),
+}
 
 
-@dataclass(frozen=True)
-class _System:
-    """Axes of a system, and its angles by those of this package in the same attitude.
-
-    Parameters
-    ----------
-    navigation, body
-        Names of its axes.
-    angles
-        From roll, pitch, yaw, radians, to its own angles, or none if it has the same in its axes.
-    euler
-        The other way.
-    """
-
-    navigation: str
-    body: str
-    angles: Callable[[Floats], Floats] | None = None
-    euler: Callable[[Floats], Floats] | None = None
-
-
-def _android(euler: Floats) -> Floats:
-    """Azimuth, pitch and roll of Android; its pitch grows when the top of the device sinks."""
-    roll, pitch, yaw = np.moveaxis(euler, -1, 0)
-    return np.stack([yaw, -pitch, roll], axis=-1)
-
-
-def _from_android(angles: Floats) -> Floats:
-    azimuth, pitch, roll = np.moveaxis(angles, -1, 0)
-    return np.stack([roll, -pitch, azimuth], axis=-1)
-
-
-def _browser(euler: Floats) -> Floats:
+def _in_ranges_of_a_browser(angles: Floats) -> Floats:
     """Alpha in [0, 2 pi), beta in [-pi, pi) and gamma in [-pi/2, pi/2).
 
-    They turn about up, right and forward one after the other, as yaw, pitch and roll do about down,
-    right and forward. Where roll is beyond a right angle the other three angles of the same
-    attitude are meant.
+    Where gamma is beyond a right angle the other three angles of the same attitude are meant.
     """
-    roll, pitch, yaw = np.moveaxis(euler, -1, 0)
-    over = ~((roll >= -np.pi / 2) & (roll < np.pi / 2))
+    alpha, beta, gamma = np.moveaxis(angles, -1, 0)
+    over = ~((gamma >= -np.pi / 2) & (gamma < np.pi / 2))
     half = np.where(over, np.pi, 0.0)
     # At an end of a range a sum may round to what lies outside.
-    alpha = (wrap_angle(-yaw + half - np.pi) + np.pi) % (2 * np.pi)
-    beta = wrap_angle(np.where(over, np.pi - pitch, pitch))
-    gamma = np.maximum(wrap_angle(roll + half), -np.pi / 2)
+    alpha = (wrap_angle(alpha + half - np.pi) + np.pi) % (2 * np.pi)
+    beta = wrap_angle(np.where(over, np.pi - beta, beta))
+    gamma = np.maximum(wrap_angle(gamma + half), -np.pi / 2)
     return np.stack([alpha, beta, gamma], axis=-1)
-
-
-def _from_browser(angles: Floats) -> Floats:
-    alpha, beta, gamma = np.moveaxis(angles, -1, 0)
-    return np.stack([gamma, beta, -alpha], axis=-1)
-
-
-_SYSTEMS = {
-    "notes": _System("ned", "frd"),
-    "ros": _System("enu", "flu"),
-    "android": _System("enu", "rfu", _android, _from_android),
-    "browser": _System("enu", "rfu", _browser, _from_browser),
-}
 
 
 def change_axes(vector: ArrayLike, source: Axes, target: Axes) -> Floats:
@@ -125,10 +81,10 @@ def change_axes(vector: ArrayLike, source: Axes, target: Axes) -> Floats:
     [ 0.    0.   -9.81]
     """
     array = floats("vector", vector, 3)
-    for table in (_BODY, _NAVIGATION):
-        if source in table and target in table:
-            with np.errstate(all="ignore"):
-                return np.asarray(array @ (table[target].T @ table[source]).T)
+    if source in _BODY and target in _BODY:
+        return convert(array, _BODY[source], _BODY[target], kind="body vector")
+    if source in _NAVIGATION and target in _NAVIGATION:
+        return convert(array, _NAVIGATION[source], _NAVIGATION[target], kind="navigation vector")
     msg = (
         f"expected source and target of {', '.join(_BODY)}, or both of {', '.join(_NAVIGATION)}, "
         f"got {source!r} and {target!r}"
@@ -166,8 +122,11 @@ def change_quaternion(q: ArrayLike, source: System, target: System) -> Floats:
     [0.7071 0.     0.     0.7071]
     """
     given, wanted = _system("source", source), _system("target", target)
-    room = _turn(_NAVIGATION[wanted.navigation].T @ _NAVIGATION[given.navigation])
-    body = _turn(_BODY[wanted.body].T @ _BODY[given.body])
+    room, body = (
+        # Quaternion t with `M v = t v t*`; matrices of this package turn the other way.
+        quaternion_from_matrix((wanted.axes(frame).T @ given.axes(frame)).T)
+        for frame in ("navigation", "body")
+    )
     return quaternion_multiply(quaternion_multiply(room, q), quaternion_conjugate(body))
 
 
@@ -207,23 +166,13 @@ def change_angles(angles: ArrayLike, source: System, target: System) -> Floats:
     [330.  20.  10.]
     """
     given, wanted = _system("source", source), _system("target", target)
-    array = floats("angles", angles, 3)
-    if given.euler is not None:
-        array, source = given.euler(array), "notes"
-    away = "notes" if wanted.angles is not None else target
-    q = change_quaternion(quaternion_from_euler(array), source, away)
-    euler = euler_from_quaternion(q, on_gimbal_lock="ignore")
-    return euler if wanted.angles is None else wanted.angles(euler)
+    changed = convert(floats("angles", angles, 3), given, wanted, kind="angles")
+    return _in_ranges_of_a_browser(changed) if target == "browser" else changed
 
 
-def _system(name: str, value: str) -> _System:
+def _system(name: str, value: str) -> Convention:
     """Find a system by its name."""
     if value not in _SYSTEMS:
         msg = f"{name}: expected one of {', '.join(_SYSTEMS)}, got {value!r}"
         raise ValueError(msg)
     return _SYSTEMS[value]
-
-
-def _turn(matrix: Floats) -> Floats:
-    """Quaternion t with `M v = t v t*`; matrices of this package turn the other way."""
-    return quaternion_from_matrix(matrix.T)

@@ -75,6 +75,8 @@ def _table(systems: dict[str, Convention]) -> Iterator[str]:
         unit = "°" if system.degrees else " rad"
         turns = f"`{system.sequence}`"
         turns += f", written `{system.written}`" if system.written else ""
+        against = " and ".join(f"`{letter}`" for letter in system.negated)
+        turns += f", {against} the other way" if against else ""
         yield (
             f"| {name} | {system.navigation}, {system.body} | "
             f"{_row(angles, 2 if system.degrees else 4)}{unit} ({turns}) | {_row(q, 4)} | "

@@ -31,6 +31,7 @@ def _table(name: str, convention: Convention) -> dict[str, Any]:
         "documented": name in DOCUMENTED,
         "sequence": convention.sequence,
         "order": convention.order,
+        "signs": convention.signs,
         "degrees": convention.degrees,
         "transposed": convention.matrix_is_transposed,
         "scalarFirst": convention.scalar_first,
@@ -147,7 +148,7 @@ def convention(name: str, sequence: str = "", unit: str = "") -> Convention:
     """Find a system's convention, with another sequence or unit where they are given."""
     own = SYSTEMS[name]
     if sequence not in ("", own.sequence):
-        own = replace(own, sequence=sequence, written="")
+        own = replace(own, sequence=sequence, written="", negated="")
     return replace(own, degrees=unit == "degrees") if unit else own
 
 

@@ -104,7 +104,7 @@ export function differences(source, target) {
   const way = ({ transposed }) => (transposed ? "from body to navigation" : "from navigation to body");
   const place = ({ scalarFirst }) => (scalarFirst ? "first" : "last");
   const unit = ({ degrees }) => (degrees ? "degrees" : "radians");
-  const turns = ({ sequence }) => sequence;
+  const turns = ({ sequence, signs }) => [sequence, ...[...sequence.toLowerCase()].filter((letter, i) => signs[i] < 0).map((letter) => `${letter} the other way`)].join(", ");
   const leads = ({ conjugated }) => (conjugated ? "conjugate" : "plain");
   const differ = (by, words) => (by(source) === by(target) ? [] : [words]);
   return [

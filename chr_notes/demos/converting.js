@@ -1,7 +1,7 @@
 /**
  * One attitude in the conventions of two systems, as `chr_notes.convert` does it in Python.
  *
- * A convention is a row of Python's table: { sequence, order, degrees, transposed, scalarFirst,
+ * A convention is a row of Python's table: { sequence, order, signs, degrees, transposed, scalarFirst,
  * conjugated, navigation, body, … }, its axes as columns of flat matrices. What each field does is
  * only which element goes where and with which sign; all formulas are generated.
  */
@@ -27,7 +27,7 @@ const [NOWHERE, ALONG] = [1e-9, 1e-12]; // degrees from the lock, and between tr
 /** A system's convention, with another sequence or unit where they are given. */
 export function conventionOf(name, sequence = "", unit = "") {
   const own = SYSTEMS[name];
-  const changed = sequence === "" || sequence === own.sequence ? own : { ...own, sequence, order: [0, 1, 2] };
+  const changed = sequence === "" || sequence === own.sequence ? own : { ...own, sequence, order: [0, 1, 2], signs: [1, 1, 1] };
   return unit === "" ? changed : { ...changed, degrees: unit === "degrees" };
 }
 
@@ -78,7 +78,7 @@ const conjugatedAs = (q, { conjugated }) => (conjugated ? quaternionConjugate(..
 /** The matrix from navigation to body, in the convention's own axes, of what stands for it. */
 export function toBody(value, convention, kind) {
   const radians = (angle) => (convention.degrees ? angle * TO_RADIANS : angle);
-  if (kind === "angles") return matrixOfTurns(convention.order.map((i) => radians(value[i])), convention.sequence);
+  if (kind === "angles") return matrixOfTurns(convention.order.map((place, i) => convention.signs[i] * radians(value[place])), convention.sequence);
   if (kind === "matrix") return convention.transposed ? transposed(value) : value;
   if (kind === "axis angle") {
     const q = quaternionFromAxisAngle(...unscaled(value.slice(0, 3)), radians(value[3]));
@@ -89,9 +89,9 @@ export function toBody(value, convention, kind) {
 }
 
 /** Angles as the convention writes them, of turns in radians in the order of its letters. */
-const writtenAs = (turns, { order, degrees }) => {
+const writtenAs = (turns, { order, signs, degrees }) => {
   const written = [];
-  order.forEach((place, i) => (written[place] = degrees ? turns[i] * TO_DEGREES : turns[i]));
+  order.forEach((place, i) => (written[place] = signs[i] * (degrees ? turns[i] * TO_DEGREES : turns[i])));
   return written;
 };
 

@@ -26,11 +26,11 @@ const degreesOf = (error) => `${Number(((error * 180) / Math.PI).toPrecision(2))
 
 /** What a convention says of a kind of numbers, in words. */
 function meaningOf(kind, convention) {
-  const { sequence, written, degrees, scalar_first, quaternion, product, matrix, row_vectors, vectors, accelerometer } = convention;
+  const { sequence, written, negated, degrees, scalar_first, quaternion, product, matrix, row_vectors, vectors, accelerometer } = convention;
   const way = (to) => (to === "to body" ? "from navigation to body" : "from body to navigation");
   if (kind === "angles") {
     const turns = `${sequence}, about ${sequence === sequence.toUpperCase() ? "rotating" : "fixed"} axes`;
-    return `${turns}${written ? `, but written in the order ${[...written].join(", ")}` : ""}, in ${degrees ? "degrees" : "radians"}`;
+    return `${turns}${written ? `, but written in the order ${[...written].join(", ")}` : ""}${negated ? `, with those about ${[...negated].join(" and ")} counted the other way` : ""}, in ${degrees ? "degrees" : "radians"}`;
   }
   if (kind === "matrix") return `${way(matrix)}${row_vectors ? ", vectors as rows to its left" : ""}`;
   if (kind === "quaternion") return `${scalar_first ? "w, x, y, z" : "x, y, z, w"}; ${way(quaternion)}, ${product === "JPL" ? "JPL's product" : "Hamilton's product"}`;
@@ -51,9 +51,9 @@ function systemsOf(kind, match) {
 }
 
 /** The turns about rotating axes, and where each is written. */
-function turnsOf({ sequence, written, order }) {
-  const places = order ?? readAs({ sequence, written }).order;
-  const turns = [...sequence.toLowerCase()].map((letter, i) => letter + places[i]);
+function turnsOf({ sequence, ...read }) {
+  const { order, signs } = read.order ? read : readAs({ sequence, ...read });
+  const turns = [...sequence.toLowerCase()].map((letter, i) => letter + order[i] + signs[i]);
   return (sequence === sequence.toUpperCase() ? turns : turns.reverse()).join();
 }
 

@@ -9,7 +9,7 @@ import traitlets
 
 from chr_notes.demos.base import Demo, entry
 from chr_notes.systems.axes import KNOWN
-from chr_notes.systems.candidates import FIELDS, KEPT, NAMED, PLAIN, REORDERED
+from chr_notes.systems.candidates import FIELDS, KEPT, NAMED, PLAIN, REORDERED, SIGNED
 from chr_notes.systems.convention import Convention
 from chr_notes.systems.detective import find_conventions
 from chr_notes.systems.examples import LEAST_ERROR, MOST_DECIMALS, MOST_ERROR, SIZES, TRIED
@@ -28,6 +28,11 @@ DETECTIVE: Final = {
     "reordered": [
         {"sequence": each["sequence"], "written": each["written"]}
         for each in REORDERED
+        if each["degrees"]
+    ],
+    "signed": [
+        {name: each[name] for name in ("sequence", "written", "negated")}
+        for each in SIGNED
         if each["degrees"]
     ],
     "named": NAMED,

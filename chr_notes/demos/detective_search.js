@@ -8,7 +8,7 @@ import { nearestRotation } from "./nearest.js";
 
 /* global DETECTIVE: build.py puts in what chr_notes/demos/detective.py has of Python's tables */
 
-const { fields: FIELDS, plain, reordered, named, kept, axes: AXES, tried, generic, own, rounds, shapes } = DETECTIVE;
+const { fields: FIELDS, plain, reordered, signed, named, kept, axes: AXES, tried, generic, own, rounds, shapes } = DETECTIVE;
 const [DEGREE, ATTITUDES] = [Math.PI / 180, ["angles", "matrix", "quaternion"]];
 const IDENTITY = [1, 0, 0, 0, 1, 0, 0, 0, 1];
 
@@ -19,10 +19,11 @@ class Misfit extends Error {}
 
 /** Some fields of a convention, as converting.js reads it. */
 export function readAs(fields) {
-  const { sequence, written, matrix, row_vectors, quaternion, product, ...other } = { ...own, ...fields };
+  const { sequence, written, negated, matrix, row_vectors, quaternion, product, ...other } = { ...own, ...fields };
   return {
     ...other, sequence,
     order: written ? [...sequence.toLowerCase()].map((letter) => written.indexOf(letter)) : [0, 1, 2],
+    signs: [...sequence.toLowerCase()].map((letter) => (negated.includes(letter) ? -1 : 1)),
     transposed: (matrix === "to navigation") !== row_vectors,
     scalarFirst: other.scalar_first,
     conjugated: (quaternion === "to body") !== (product === "JPL"),
@@ -32,7 +33,7 @@ export function readAs(fields) {
 const candidates = (kind, units, wide) => {
   if (kind !== "angles") return FIELDS[kind];
   const each = (names) => [false, true].filter((degrees) => units.includes(degrees)).flatMap((degrees) => names.map((turns) => ({ ...turns, degrees })));
-  return [...each(plain.map((sequence) => ({ sequence }))), ...(wide ? each(reordered) : [])];
+  return [...each(plain.map((sequence) => ({ sequence }))), ...(wide ? [...each(reordered), ...each(signed)] : [])];
 };
 
 // ── what is given ───────────────────────────────────────────────────────────────────────────
@@ -241,7 +242,7 @@ export function findConventions(given, degrees = null) {
     for (const wide of [false, true]) {
       const found = [...judged(examples, units, wide)].filter(({ error, allowed }) => error <= allowed);
       if (found.length === 0) continue;
-      const plainness = ({ fields }) => (fields.written ? 100 : 0) + plain.indexOf({ ...own, ...fields }.sequence);
+      const plainness = ({ fields, axes }) => (axes === ONE ? 0 : 400) + (fields.negated ? 200 : 0) + (fields.written ? 100 : 0) + plain.indexOf({ ...own, ...fields }.sequence);
       const rank = ({ error, allowed }) => Math.round(1e9 * Math.max(error, kept * allowed));
       found.sort((a, b) => rank(a) - rank(b) || plainness(a) - plainness(b));
       return {

@@ -21,7 +21,7 @@ export const meanings = (convention) => ({
 function inPython({ name, sequence, degrees }) {
   const own = SYSTEMS[name];
   const changes = [
-    ...(sequence === own.sequence ? [] : [`sequence="${sequence}"`, 'written=""']),
+    ...(sequence === own.sequence ? [] : [`sequence="${sequence}"`, 'written=""', 'negated=""']),
     ...(degrees === own.degrees ? [] : [`degrees=${degrees ? "True" : "False"}`]),
   ];
   const table = own.documented ? "DOCUMENTED" : "PRESETS";

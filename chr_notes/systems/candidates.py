@@ -4,6 +4,7 @@ from itertools import permutations
 from typing import Any
 
 from chr_notes.sequences import SEQUENCES
+from chr_notes.systems.convention import DOCUMENTED, PRESETS
 
 Fields = dict[str, Any]
 """Some fields of a convention."""
@@ -28,6 +29,13 @@ REORDERED: tuple[Fields, ...] = tuple(
     for order in permutations("xyz")
     if "".join(order) not in (s.lower(), s[::-1].lower())
 )
+SIGNED: tuple[Fields, ...] = tuple(
+    {"sequence": each.sequence, "written": each.written, "negated": each.negated, "degrees": d}
+    for d in (False, True)
+    for each in (PRESETS | DOCUMENTED).values()
+    if each.negated
+)
+"""Angles of known systems that count against the rule of the hand."""
 NAMED: tuple[Fields, ...] = (
     {"matrix": "to body"},
     *({"scalar_first": first, "quaternion": "to navigation"} for first in (True, False)),

@@ -36,6 +36,8 @@ class Convention:
     written
         The axes in the order in which the angles are written; as the sequence if empty, which it
         must be where an axis comes twice.
+    negated
+        Axes about which angles count against the rule of the hand, such as "xz".
     degrees
         Whether angles are in degrees.
     matrix
@@ -72,6 +74,7 @@ class Convention:
 
     sequence: str = "xyz"
     written: str = ""
+    negated: str = ""
     degrees: bool = False
     matrix: Direction = "to body"
     row_vectors: bool = False
@@ -99,6 +102,9 @@ class Convention:
                 raise ValueError(msg)
         if self.written and sorted(self.written) != sorted(self.sequence.lower()):
             msg = f"written: expected the axes of {self.sequence!r}, got {self.written!r}"
+            raise ValueError(msg)
+        if not set(self.negated) <= set(self.sequence.lower()):
+            msg = f"negated: expected some of the axes of {self.sequence!r}, got {self.negated!r}"
             raise ValueError(msg)
         if np.linalg.det(self.axes("navigation")) * np.linalg.det(self.axes("body")) < 0:
             msg = (
@@ -142,8 +148,14 @@ class Convention:
             return [0, 1, 2]
         return [self.written.index(letter) for letter in self.sequence.lower()]
 
+    @property
+    def signs(self) -> list[int]:
+        """Sign of each angle in the order of the sequence: -1 where it counts the other way."""
+        return [-1 if letter in self.negated else 1 for letter in self.sequence.lower()]
+
 
 _ROOM = {"navigation": "enu", "body": "flu"}
+_PHONE = {"matrix": "to navigation", "accelerometer": 1, "navigation": "enu", "body": "rfu"}
 PRESETS: dict[str, Convention] = {
     "this book": Convention(),
     "CHR": Convention(degrees=True),
@@ -153,6 +165,11 @@ PRESETS: dict[str, Convention] = {
     "MATLAB": Convention("ZYX"),
     "three.js": Convention(
         "XYZ", matrix="to navigation", scalar_first=False, navigation="eus", body="rub"
+    ),
+    "browser": Convention("ZXY", degrees=True, **_PHONE),  # type: ignore[arg-type]
+    "Android": Convention("ZXY", negated="xz", **_PHONE),  # type: ignore[arg-type]
+    "Fusion": Convention(
+        degrees=True, matrix="to navigation", accelerometer=1, navigation="nwu", body="flu"
     ),
 }
 """Conventions of known systems, each held by a worked number of that system in a test.
@@ -164,6 +181,9 @@ PRESETS: dict[str, Convention] = {
 - `PX4`: the matrix and the quaternion lead from body to navigation.
 - `MATLAB`: `angle2dcm` and `angle2quat`: yaw, pitch, roll, the matrix to the body.
 - `three.js`: `Euler` in its own order, `Quaternion`, `Matrix4`; a camera looks along -z, y is up.
+- `browser`: the event `deviceorientation`; alpha, beta, gamma.
+- `Android`: `getRotationMatrix` and `getOrientation`; azimuth and pitch count the other way.
+- `Fusion`: x-io's library by Madgwick, where z points up and x north.
 """
 DOCUMENTED: dict[str, Convention] = {
     "ArduPilot": Convention(matrix="to navigation"),
@@ -178,6 +198,24 @@ DOCUMENTED: dict[str, Convention] = {
         navigation="eun",
         body="ruf",
     ),
+    "Unreal": Convention(
+        "ZYX",
+        written="yzx",
+        negated="xy",
+        degrees=True,
+        scalar_first=False,
+        navigation="neu",
+        body="fru",
+    ),
+    "iOS": Convention("ZXY", scalar_first=False, navigation="nwu", body="rfu"),
+    "Madgwick": Convention("ZYX", navigation="nwu", body="flu", accelerometer=1),
     "JPL": Convention("ZYX", scalar_first=False, quaternion="to body", product="JPL"),
 }
-"""By their documentation alone: no number of theirs is held by a test."""
+"""By their documentation alone: no number of theirs is held by a test.
+
+- `Unreal`: `FRotator` is pitch, yaw, roll; pitch raises the nose and roll lowers the right side,
+  both against the left hand's rule. An `FMatrix` stands to the right of its vectors.
+- `iOS`: Core Motion, with x towards magnetic north.
+- `Madgwick`: his report of 2010. His formulas for Euler angles are for the conjugate of the
+  quaternion that his filter has, as his own programs say.
+"""

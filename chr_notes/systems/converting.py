@@ -103,7 +103,8 @@ def convert(
     if kind in _VECTORS:
         frame: Literal["body", "navigation"] = "body" if kind == "body vector" else "navigation"
         change = wanted.axes(frame).T @ given.axes(frame)
-        return np.asarray(floats("value", value, 3) @ change.T)
+        with np.errstate(all="ignore"):
+            return np.asarray(floats("value", value, 3) @ change.T)
     own = to_body(value, given, kind)
     room = given.axes("navigation").T @ wanted.axes("navigation")
     return from_matrix(wanted.axes("body").T @ given.axes("body") @ own @ room, wanted, wanted_kind)
@@ -112,7 +113,7 @@ def convert(
 def to_body(value: ArrayLike, convention: Convention, kind: str) -> Floats:
     """Matrix from navigation to body in the convention's own axes, of what stands for it."""
     if kind == "angles":
-        angles = floats("value", value, 3)[..., convention.order]
+        angles = floats("value", value, 3)[..., convention.order] * convention.signs
         angles = np.radians(angles) if convention.degrees else angles
         return matrix_from_angles(angles, convention.sequence)
     if kind == "matrix":
@@ -134,6 +135,7 @@ def from_matrix(matrix: Floats, convention: Convention, kind: str) -> Floats:
     if kind == "angles":
         angles = angles_from_matrix(matrix, convention.sequence, on_gimbal_lock="ignore")
         angles = np.degrees(angles) if convention.degrees else angles
+        angles *= convention.signs
         return angles[..., np.argsort(convention.order)]
     if kind == "matrix":
         quaternion_from_matrix(matrix)  # refuses what is no rotation

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from chr_notes._arrays import Floats
 from chr_notes.systems.axes import ONE, Axes, other_axes
-from chr_notes.systems.candidates import FIELDS, KEPT, NAMED, PLAIN, REORDERED, Fields
+from chr_notes.systems.candidates import FIELDS, KEPT, NAMED, PLAIN, REORDERED, SIGNED, Fields
 from chr_notes.systems.convention import Convention
 from chr_notes.systems.converting import to_body
 from chr_notes.systems.examples import ATTITUDES, Examples, examples, turned_apart
@@ -111,11 +111,12 @@ def _convention(choices: list[list[Fields]], place: tuple[int, ...]) -> Conventi
     return Convention(**{name: value for fields in chosen for name, value in fields.items()})
 
 
-def _rank(found: tuple[Convention, float, float, Axes]) -> tuple[float, bool, int]:
+def _rank(found: tuple[Convention, float, float, Axes]) -> tuple[float, bool, bool, bool, int]:
     """Order by the error, as far as rounding tells, and then by how plain a convention is."""
-    convention, error, allowed, _ = found
+    convention, error, allowed, axes = found
     error = round(max(error, KEPT * allowed), 9)
-    return error, bool(convention.written), PLAIN.index(convention.sequence)
+    plain = PLAIN.index(convention.sequence)
+    return error, axes is not ONE, bool(convention.negated), bool(convention.written), plain
 
 
 def _match(convention: Convention, error: float, given: Examples, axes: Axes) -> Match:
@@ -156,7 +157,7 @@ def _readings(
     given: Examples, kind: str, units: _Units, *, wide: bool
 ) -> list[tuple[Fields, Floats | None]]:
     """Read what is said of a kind in each way, as matrices to the body if it is an attitude."""
-    ways = (*FIELDS[kind], *(REORDERED if wide and kind == "angles" else ()))
+    ways = (*FIELDS[kind], *((*REORDERED, *SIGNED) if wide and kind == "angles" else ()))
     return [
         (f, to_body(given.values[kind], Convention(**f), kind) if kind in ATTITUDES else None)
         for f in ways

@@ -143,7 +143,7 @@ def copied_is_right(
         to_body = chr_notes.convert(names["matrix"].T, Convention(), Convention(), kind="matrix")
         matrix = to_body.T if own.matrix_is_transposed else to_body
         assert matrix.ravel() == pytest.approx(there["matrix"], abs=1e-14)
-        free = replace(own, written="", matrix="to navigation", row_vectors=False)
+        free = replace(own, written="", negated="", matrix="to navigation", row_vectors=False)
         again = chr_notes.convert(names["angles"], free, free, kind="angles", to="matrix")
         assert again == pytest.approx(names["matrix"], abs=1e-14)
     elif language == "LaTeX":

@@ -104,6 +104,80 @@ def test_chr() -> None:
     assert_allclose(chr_notes.quaternion_from_euler(back), q, atol=1e-15)
 
 
+def top_and_screen(angles: list[float]) -> tuple[np.ndarray, np.ndarray]:
+    """Where a phone's top and its screen point, east, north and up, by a browser's angles."""
+    matrix = convert(angles, "browser", "browser", kind="angles", to="matrix")
+    return matrix[:, 1].round(12), matrix[:, 2].round(12)
+
+
+def test_browser() -> None:
+    # The examples of the specification: flat with its top to the west; upright, as someone holds it
+    # who looks 30° east of north; and with one longer edge down.
+    east, north, up = np.eye(3)
+    top, screen = top_and_screen([90.0, 0.0, 0.0])
+    assert_allclose([top, screen], [-east, up])
+    top, screen = top_and_screen([360.0 - 30.0, 90.0, 0.0])
+    assert_allclose([top, screen], [up, -np.sqrt(0.75) * north - 0.5 * east])
+    top, screen = top_and_screen([270.0 - 30.0, 0.0, 90.0])
+    assert_allclose([abs(top @ up), screen @ up], [0.0, 0.0], atol=1e-12)
+    assert_allclose(screen, -np.sqrt(0.75) * north - 0.5 * east)
+
+
+def test_android() -> None:
+    # getOrientation of a matrix of getRotationMatrix, as its source has it.
+    q = np.array([0.8, 0.3, -0.4, 0.2])
+    r = convert(q, "Android", "Android", kind="quaternion", to="matrix").ravel()
+    said = [np.arctan2(r[1], r[4]), np.arcsin(-r[7]), np.arctan2(-r[6], r[8])]
+    found = convert(q, "Android", "Android", kind="quaternion", to="angles")
+    assert_allclose(found, said, atol=1e-15)
+    # The rows of its matrix are east, north and up: with its top raised and facing east, the
+    # azimuth is a quarter and the pitch negative.
+    raised = convert([np.pi / 2, -0.3, 0.0], "Android", "CHR", kind="angles")
+    assert_allclose(raised, [0.0, np.degrees(0.3), 90.0], atol=1e-12)
+
+
+def test_fusion() -> None:
+    # Computed by its release 1.3.3, in single precision: quaternion_to_euler, quaternion_to_matrix.
+    q = [0.8, 0.3, -0.4, 0.2]
+    angles = convert(q, "Fusion", "Fusion", kind="quaternion", to="angles")
+    assert_allclose(angles, [36.65611, -54.8059, 8.583618], atol=1e-5)
+    matrix = convert(q, "Fusion", "Fusion", kind="quaternion", to="matrix")
+    row = [0.5698925, -0.60215056, -0.5591398]
+    assert_allclose(matrix[:2], [row, [0.08602148, 0.72043014, -0.6881721]], atol=1e-6)
+
+
+def test_unreal_by_its_formulas() -> None:
+    pitch, yaw, roll = 20.0, 30.0, 10.0
+    (sp, cp), (sy, cy), (sr, cr) = (
+        (np.sin(half), np.cos(half)) for half in np.radians([pitch, yaw, roll]) / 2
+    )
+    said = [
+        cr * sp * sy - sr * cp * cy,
+        -cr * sp * cy - sr * cp * sy,
+        cr * cp * sy - sr * sp * cy,
+        cr * cp * cy + sr * sp * sy,
+    ]
+    found = convert([pitch, yaw, roll], "Unreal", "Unreal", kind="angles", to="quaternion")
+    assert_allclose(found, said, atol=1e-15)
+    # The nose up, the right side down and to the right are positive, as here.
+    assert_allclose(
+        convert([10.0, 20.0, 30.0], "CHR", "Unreal", kind="angles"), [20, 30, 10], atol=1e-12
+    )
+    assert DOCUMENTED["Unreal"].handedness == "left"
+
+
+def test_madgwick_by_his_formulas() -> None:
+    q = np.array([0.8, 0.3, -0.4, 0.2]) / np.linalg.norm([0.8, 0.3, -0.4, 0.2])
+    a, b, c, d = q * [1, -1, -1, -1]  # conjugated first, as in his programs
+    said = [
+        np.arctan2(2 * b * c - 2 * a * d, 2 * a**2 + 2 * b**2 - 1),
+        -np.arcsin(2 * b * d + 2 * a * c),
+        np.arctan2(2 * c * d - 2 * a * b, 2 * a**2 + 2 * d**2 - 1),
+    ]
+    found = convert(q, "Madgwick", "Madgwick", kind="quaternion", to="angles")
+    assert_allclose(found, said, atol=1e-15)
+
+
 @pytest.mark.parametrize("name", PRESETS | DOCUMENTED)
 @few(5)
 @given(q=st.tuples(ELEMENT, ELEMENT, ELEMENT, ELEMENT))
@@ -153,6 +227,7 @@ def test_what_is_no_description_is_refused() -> None:
         ({"body": "frf"}, "body: expected three"),
         ({"body": "fru"}, "one handedness"),
         ({"sequence": "ZYX", "written": "xyy"}, "written: expected"),
+        ({"sequence": "ZXZ", "negated": "y"}, "negated: expected"),
     ):
         with pytest.raises(ValueError, match=said):
             Convention(**wrong)  # type: ignore[arg-type]
