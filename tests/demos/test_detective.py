@@ -94,7 +94,9 @@ def test_on_a_page_from_a_file(visit: Visit, page_of: PageOf) -> None:
     page = visit(page_of(DetectiveDemo()))
     found = page.locator(".chr-found")
     expect(output(page, "verdict")).to_have_text("One answer.")
-    expect(found).to_contain_text("about rotating axes, in degrees — as SciPy, MATLAB, Eigen, Madgwick, JPL")
+    expect(found).to_contain_text(
+        "about rotating axes, in degrees — as SciPy, MATLAB, Eigen, Madgwick, JPL"
+    )
     # What a UM7 and ROS say, each in its own axes.
     page.locator('textarea[name="angles"]').fill("10 20 30")
     page.locator('textarea[name="quaternion"]').fill("x: 0.1608\ny: −0.1069\nz: 0.5036\nw: 0.8421")
