@@ -55,7 +55,9 @@ def _book(options: argparse.Namespace) -> int:
 def _notebooks(options: argparse.Namespace) -> int:
     from chr_notes.book.sources import copy_notebooks  # noqa: PLC0415
 
-    return _say_written("notebooks", lambda: copy_notebooks(options.folder))
+    return _say_written(
+        "notebooks", lambda: copy_notebooks(options.folder, solutions=options.solutions)
+    )
 
 
 def _ledger(options: argparse.Namespace) -> int:
@@ -123,6 +125,10 @@ def _parser() -> argparse.ArgumentParser:
         'To run them takes the extra "notebooks". What is there already it leaves alone.',
     )  # fmt: skip
     notebooks.add_argument("folder", type=Path, help="copied to; made if it is not there")
+    notebooks.add_argument(
+        "--without-solutions", dest="solutions", action="store_false",
+        help="for a class: exercises have their questions only, and an empty cell for the answer",
+    )  # fmt: skip
 
     ledger = command(
         "ledger", "print every statement that the documents print, with its verdict",

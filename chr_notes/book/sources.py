@@ -4,9 +4,12 @@ A package carries the notebooks without their outputs, which are ten times as la
 the book from it runs them first.
 """
 
+import json
 import shutil
 import sys
 from pathlib import Path
+
+from chr_notes.book.handout import without_solutions
 
 CLONE = Path(__file__).resolve().parents[2]
 PACKED = Path(__file__).with_name("packed")
@@ -51,13 +54,15 @@ def find(folder: Path) -> Path:
     return folder
 
 
-def copy_notebooks(folder: Path) -> list[Path]:
+def copy_notebooks(folder: Path, *, solutions: bool = True) -> list[Path]:
     """Copy the notebooks of the chapters, as they are: a clone's with their outputs.
 
     Parameters
     ----------
     folder
         Made if it is not there.
+    solutions
+        Whether the exercises keep their solutions; for a class they may be left out.
 
     Returns
     -------
@@ -79,7 +84,14 @@ def copy_notebooks(folder: Path) -> list[Path]:
             msg = f"{target} is there already, and may be your work; choose another folder"
             raise FileExistsError(msg)
     folder.mkdir(parents=True, exist_ok=True)
-    return [Path(shutil.copyfile(path, target)) for path, target in pairs]
+    for path, target in pairs:
+        shutil.copyfile(path, target)
+        if not solutions:
+            notebook = json.loads(target.read_text(encoding="utf-8"))
+            without_solutions(notebook)
+            text = json.dumps(notebook, indent=1, ensure_ascii=False)
+            target.write_text(f"{text}\n", encoding="utf-8")
+    return [target for _, target in pairs]
 
 
 def run(path: Path) -> None:

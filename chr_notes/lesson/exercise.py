@@ -62,7 +62,7 @@ class Task:
 def exercise(
     number: int,
     question: str,
-    worked: Callable[[], ArrayLike],
+    worked: Callable[[], ArrayLike] | None = None,
     unit: str = "",
     wrong: Wrong | None = None,
 ) -> Task:
@@ -77,6 +77,7 @@ def exercise(
     worked
         The worked solution: a function of nothing that returns the number, or the numbers of a
         vector. Its docstring is shown as words, its body as code, what it returns as the result.
+        Without one there is only the question, as in notebooks for a class.
     unit
         Of the answer, one of `words.UNITS`.
     wrong
@@ -95,6 +96,10 @@ def exercise(
     KeyError
         If a mistake or a unit has an unknown name.
     """
+    head = f'<div class="chr-lesson chr-exercise" id="exercise-{number}">\n'
+    asked = f"**Exercise {number}.** {question}\n"
+    if worked is None:
+        return Task(f"Exercise {number}. {question}", f"{head}\n{asked}\n</div>\n")
     values = _numbers(worked())
     mistakes = tuple(_mistake(name, found) for name, found in (wrong or {}).items())
     expected = Expected(values, unit, wrong=mistakes)
@@ -102,8 +107,8 @@ def exercise(
     words, code = _source(worked)
     task = {"values": values, "unit": unit, "within": expected.within, "wrong": mistakes}
     lines = [
-        f'<div class="chr-lesson chr-exercise" id="exercise-{number}">\n',
-        f"**Exercise {number}.** {question}\n",
+        head,
+        asked,
         _box(f"Your answer to exercise {number}", _asked(values, unit), task),
         "<details>\n<summary>Worked solution</summary>\n",
         f"{words}\n" if words else "",
