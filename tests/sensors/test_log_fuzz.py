@@ -9,7 +9,7 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-from numpy.testing import assert_allclose
+from numpy.testing import assert_allclose, assert_array_equal
 
 from chr_notes import Recording, read_log
 from chr_notes.sensors.log_numbers import MISSING, NUMBER
@@ -47,6 +47,29 @@ def table(generator: random.Random) -> tuple[list[list[str]], str, str]:
         row += [f"{generator.gauss(m, 0.002):.17g}" for m in (0, 0, 1)]
         rows.append([*row, f"{generator.uniform(15, 30):.2e}", "ok"])
     return rows, generator.choice(",;\t|"), generator.choice(["\n", "\r\n", "\r"])
+
+
+def written_otherwise(generator: random.Random, rows: list[list[str]]) -> bytes:
+    """The same numbers in another of the ways in which programs write them."""
+    delimiter = generator.choice([",", ";", "\t", "|", " "])
+    comma, padded = generator.random() < 0.5, generator.choice(["", "", " ", "  "])
+    quotes = generator.choice([0.0, 0.0, 0.2, 1.0])
+    lines = []
+    for number, row in enumerate(rows):
+        fields = [each.replace(".", ",") if comma and number else each for each in row]
+        fields = [
+            f'"{each}"' if delimiter in each or generator.random() < quotes else each
+            for each in fields
+        ]
+        lines.append(f"{padded}{delimiter}{padded}".join(fields))
+        if generator.random() < 0.1:
+            lines.append(generator.choice(["", "# by ax", "% 1,2,3", "  "]))
+    if not generator.randrange(4):
+        lines.insert(0, generator.choice(["# by me", "Logger 3", "# ax ay az", ""]))
+    end = generator.choice(["\n", "\r\n", "\r"])
+    text = end.join(lines) + end
+    encoding = generator.choice(["utf-8", "utf-8-sig", "utf-16", "utf-16-le", "utf-32"])
+    return text.encode(encoding)
 
 
 def change_rows(generator: random.Random, rows: list[list[str]]) -> None:
@@ -122,6 +145,18 @@ def read(data: bytes) -> Recording | str:
             return str(error)
 
 
+def assert_stands_there(found: Recording, data: bytes) -> None:
+    """Compare a log that is not so plain at least with all numbers that stand in it."""
+    text = data.decode("utf-16" if data.startswith(b"\xff\xfe") else "latin-1", "replace")
+    numbers = NUMBER.finditer(re.sub(r"(?<=\d),(?=\d)", lambda _: ", ", text))
+    there = np.unique([abs(float(each[0])) for each in numbers])
+    for readings, factor in ((found.body_rates, np.pi / 180), (found.accel, 9.80665)):
+        assert readings is not None
+        sizes = np.abs(readings[np.isfinite(readings)]) / factor
+        near = np.abs(there - sizes[:, np.newaxis]).min(axis=1)
+        assert (near <= 1e-12 * np.maximum(sizes, 1)).all()
+
+
 def field(text: str) -> float:
     """Read a field as it stands."""
     text = text.replace(",", ".")
@@ -138,6 +173,7 @@ def outcome(seed: int) -> str:
         return "refused"
     rows = expected(data)
     if rows is None:
+        assert_stands_there(found, data)
         return "read"
     assert found.body_rates is not None
     assert found.accel is not None
@@ -163,6 +199,21 @@ def test_damaged_logs_are_refused_by_place_or_read_right(
     assert outcomes["refused"] > 0.2 * outcomes.total()
     text = ", ".join(f"{count} {what}" for what, count in sorted(outcomes.items()))
     record_property("measured", f"of {outcomes.total()} damaged logs {text}")
+
+
+def test_what_is_written_otherwise_is_the_same_recording(
+    samples: Callable[[int, int], int],
+) -> None:
+    for seed in range(samples(60, 20_000)):
+        generator = random.Random(seed)  # noqa: S311
+        rows, _, _ = table(generator)
+        plain = "\n".join(",".join(row) for row in rows) + "\n"
+        other = written_otherwise(generator, rows)
+        one, same = (read_log(io.BytesIO(each)) for each in (plain.encode(), other))
+        for name in ("time", "body_rates", "accel", "temperature", "dt"):
+            assert_array_equal(getattr(same, name), getattr(one, name), err_msg=str((seed, other)))
+        assert same.report().axes == one.report().axes
+        assert same.report().warnings == one.report().warnings
 
 
 @pytest.mark.parametrize("size", [0, 1, 2, 3, 100, 5000])
