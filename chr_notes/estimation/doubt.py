@@ -167,7 +167,9 @@ def doubtful_sensors(  # noqa: PLR0913 (what is known of the field, and three li
     one sample is enough; but what grows slowly is noticed when it has reached a limit. In a field
     of 20 µT north and 45 µT down, iron that adds along either is noticed at 10 to 12 µT. East or
     west it adds at a right angle, which neither E nor strength notices below 25 µT: heading is 51°
-    off by then. Ledger: validation.17.
+    off by then. For magnitude and E tell as much as the horizontal part h and the part down; iron e
+    across lengthens h to √(h² + e²), and an E of 0.1, which roll and pitch may cause, lets that be
+    1.6 h. Ledger: validation.17.
 
     Examples
     --------
