@@ -6,6 +6,7 @@ from typing import Final, get_args
 
 from chr_notes.ledger import Entry, Weight
 from chr_notes.ledger.card import badge, display
+from chr_notes.ledger.harm import HARM
 from chr_notes.ledger.roots import ROOTS
 from chr_notes.ledger.table import show_table
 
@@ -39,22 +40,20 @@ def by_root(ledger: Iterable[Entry]) -> dict[str, list[Entry]]:
     Returns
     -------
     dict
-        From root to its places: the heaviest error first, of equal weight the one with the most
-        equations that are wrong by it, for these are computed with, then the most places, then in
-        the order of the documents.
+        From root to its places: the heaviest error first, what misleads in the order of
+        `harm.HARM`, the others by their number of places, then in the order of the documents.
     """
     errors: dict[str, list[Entry]] = {root: [] for root in ROOTS}
     for entry in ledger:
         if entry.root is not None:
             errors[entry.root].append(entry)
-    weights = get_args(Weight)
+    weights, harmful = get_args(Weight), [*HARM]
     return dict(
         sorted(
             ((root, places) for root, places in errors.items() if places),
             key=lambda error: (
                 weights.index(heaviest(error[1])),
-                -sum(p.kind == "equation" and p.weight == weights[0] for p in error[1]),
-                -len(error[1]),
+                harmful.index(error[0]) if error[0] in HARM else -len(error[1]),
             ),
         )
     )
