@@ -12,6 +12,8 @@ from chr_notes.demos.converter import KINDS
 
 from .modules import ROTATION
 from .parts import PageOf, Visit, output
+from .test_converter import are_those_of_python, states
+from .test_converter_texts import TABLE, TEXTS
 
 
 def numbers(page: Page, name: str) -> list[float]:
@@ -76,3 +78,52 @@ def test_an_address_that_means_nothing_changes_nothing(visit: Visit, page_of: Pa
         page.goto(f"{address}#converter?{query}")
         state = json.loads(str(page.locator(".chr-demo").get_attribute("data-state")))
         assert state == ConverterDemo().state(), query
+
+
+TYPED = """(given) => given.map(({ kind, texts, ...choices }) => {
+  const put = (element, value, event) => {
+    element.value = value;
+    element.dispatchEvent(new Event(event, { bubbles: true }));
+  };
+  document.querySelector('button[name="reset"]').click();
+  for (const [name, value] of Object.entries(choices))
+    if (value) put(document.querySelector(`select[name="${name}"]`), value, "change");
+  put(document.querySelector(`textarea[name="${kind}"]`), texts, "input");
+  const said = (name) => document.querySelector(`output[name="${name}"]`).textContent;
+  const kinds = ["angles", "quaternion", "axis_angle", "matrix"];
+  return Object.fromEntries(kinds.map((name) => [name.replace("_", " "), said(`target_${name}`)]));
+})"""
+
+
+def typed(page: Page, given: list[dict[str, str]]) -> list[dict[str, list[float] | None]]:
+    """What the page says of each text that is typed, after its choices are made."""
+    return [
+        {
+            kind: None if text == "–" else [float(each) for each in re.split(r"[,\n]\s*", text)]
+            for kind, text in said.items()
+        }
+        for said in page.evaluate(TYPED, given)
+    ]
+
+
+@pytest.mark.full
+def test_all_states_and_texts_on_a_page_from_a_file(visit: Visit, page_of: PageOf) -> None:
+    page = visit(page_of(ConverterDemo()))
+    given = states()
+    choices = [{k: v for k, v in state.items() if k != "value"} for state in given]
+    texts = [", ".join(map(repr, state["value"])) for state in given]
+    pairs = zip(choices, texts, strict=True)
+    said = typed(page, [{**choice, "texts": text} for choice, text in pairs])
+    for state, each in zip(given, said, strict=True):
+        there = {kind: np.array(each[kind], dtype=float) for kind in KINDS}
+        are_those_of_python(state, there)
+    # Pasted texts: an attitude in the notation of its kind, or none at all.
+    for kind, text in TEXTS.values():
+        (said_,) = typed(page, [{"kind": kind, "source": "PX4", "target": "PX4", "texts": text}])
+        assert said_[kind] == pytest.approx(np.ravel(ROTATION), abs=1e-6)
+    for text, expected in TABLE.items():
+        first = expected is None or expected[1]
+        kind = "angles" if expected is None else expected[0]
+        system = "PX4" if first else "SciPy"
+        (said_,) = typed(page, [{"kind": kind, "source": system, "target": system, "texts": text}])
+        assert (said_[kind] is None) == (expected is None), text
