@@ -74,7 +74,8 @@ SETTLED = (
                 Eq(ROTATED_GRAVITY, MatMul(WITHOUT_YAW, printed.G_I)),
             ),
         ),
-        remark="As formulas, of any three components, 6 and 7 are minus inverse to each other. Of "
+        remark="As formulas, of any three components, equations 6 and 7 are minus inverse to each "
+        "other. Of "
         "gravity's they do not contradict each other: both read 0/0, and from a division "
         "by zero anything seems to follow. Multiplied out they hold for every yaw. That yaw cannot "
         "be told, the paper's conclusion, is right: see validation.k.",
@@ -173,8 +174,9 @@ SETTLED = (
             ),
         ),
         remark="Exact angles are not enough: the field must still point down as much as when the "
-        "reference was taken, and the magnetometer must be faultless. Iron that adds five percent "
-        "of the field downwards makes E = 0.017 with the best of angles.",
+        "reference was taken, and the magnetometer must be faultless. Where the field points 53° "
+        "down, iron that adds five percent of it downwards makes E = 0.017 with the best of "
+        "angles.",
     ),
     Case(
         "validation.e",
