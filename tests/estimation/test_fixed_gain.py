@@ -284,8 +284,7 @@ REFUSED = {
     ),
     "nothing to start from": (
         lambda: fixed_gain_observer(N3, N3, 0.01, 0.1),
-        "accel: expected a sample that shows a tilt to start from, got all 5 of them zero; "
-        "pass initial",
+        r"accel: expected a sample that shows a tilt to start from, got all \d of them zero; pass",
     ),
     "a method that is none": (
         lambda: fixed_gain_observer(N3, N3 + LEVEL, 0.01, 0.1, method="kalman"),  # type: ignore[arg-type]
