@@ -11,7 +11,8 @@ _ID: Final = rf"((?:{'|'.join(DOCUMENTS)})\.[\w.]+)"
 # A card's id is the link. Where the id opens a line of small print, the words below it are.
 _CARD: Final = re.compile(rf'(<div class="entry-head"><p>\s*)<span class="entry-id">{_ID}</span>')
 _LINE: Final = re.compile(
-    rf'(<details class="entry chip" id="entry-{_ID}"(?: open)?>(?:(?!</details>).)*?<p class="entry-term">)'
+    rf'(<details class="entry chip" id="entry-{_ID}"(?: open)?>'
+    r'(?:(?!</details>).)*?<p class="entry-term">)'
     r"([^<]*)(</p>)",
     re.DOTALL,
 )
