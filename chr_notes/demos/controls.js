@@ -7,8 +7,6 @@
  *   aspect    height of the picture by its width
  *   legend    [{ colour, dash, width, symbol, text }]: the lines that need explaining
  *   controls  one slider and field each, see `slider` in parts.js; or `choices`, see typed.js
- *             and `also`, a part of the state that comes with each change of it
- *   texts     { name: what the whole of it matches }: the parts of the state that are texts, if any
  *   outputs   one readout each, see `readout` in parts.js
  *   python    the name of its class, for "Copy as Python"
  *   extra     ({ put(state), signal }) => elements that stand below the buttons, if there are any
@@ -19,11 +17,10 @@
  *   readouts  (state) => { output name: text, see `readout` in parts.js }
  *   summary   (state) => the sentence to be announced once the reader stops moving a slider
  *   describe  (state) => the picture in words, for those who do not see it
- *   handles   (state, { width, height }, viewpoint) => what of the picture can be moved, see looking.js
  *   draw      (context, { width, height }, state, colours, viewpoint)
  */
 import { copying } from "./copying.js";
-import { byHand, turned } from "./looking.js";
+import { turnByHand, turned } from "./looking.js";
 import { legend, node, readout, reserved, slider } from "./parts.js";
 import { keepKeys, painting } from "./stage.js";
 import { glide, player } from "./story.js";
@@ -40,7 +37,7 @@ const RESET = 0.45; // seconds from a state back to the start
  */
 function mountDemo(element, definition, opening, { now = {}, onChange = () => {}, linkTo } = {}) {
   const home = { ...definition.start, ...opening };
-  const state = { ...home, ...within(definition, now) };
+  const state = { ...home, ...within(definition.controls, now) };
   const cleanup = new AbortController();
   const parts = build(definition, touched);
   const { root, canvas, live, sliders, outputs, said, play, reset } = parts;
@@ -71,7 +68,7 @@ function mountDemo(element, definition, opening, { now = {}, onChange = () => {}
     timer = setTimeout(announce, ANNOUNCE_AFTER);
   }
 
-  const between = betweenOf(definition);
+  const between = betweenOf(definition.controls);
   const tour = player(definition.story, {
     between,
     changed,
@@ -115,14 +112,11 @@ function mountDemo(element, definition, opening, { now = {}, onChange = () => {}
     redraw();
   }
 
-  const size = () => ({ width: canvas.clientWidth, height: canvas.clientHeight });
-  const touch = {
-    handles: () => definition.handles?.(state, size(), viewpoint) ?? [],
-    put: touched,
-    turn: seenFrom && ((part) => look(turned(viewpoint, part))),
-    putBack: () => look(seenFrom(home)),
-  };
-  if (seenFrom || definition.handles) byHand(canvas, touch);
+  if (seenFrom)
+    turnByHand(canvas, {
+      turn: (part) => look(turned(viewpoint, part)),
+      putBack: () => look(seenFrom(home)),
+    });
   const drawn = (context, size, colours) => definition.draw(context, size, state, colours, viewpoint);
   const redraw = painting(root, canvas, drawn, {
     seen: (visible) => visible || tour.stop(),
@@ -153,14 +147,13 @@ export const mountOf = (definition) => {
   return Object.assign(mount, { definition, start: definition.start });
 };
 
-/** What of a state from outside is a number of a control, within its slider's range, or a text as it is to be. */
-function within({ controls, texts = {} }, given) {
-  const asTheyAre = Object.entries(texts).flatMap(([name, pattern]) => (pattern.test(given[name] ?? "-") ? [[name, given[name]]] : []));
+/** What of a state from outside is a number of a control, within its slider's range. */
+function within(controls, given) {
   const inRange = controls.flatMap(({ name, choices, min = 0, max = choices?.length - 1, toValue = Number }) => {
     const value = given[name] === "" || (choices && given[name] % 1) ? NaN : Number(given[name]); // Number("") is 0
     return value >= toValue(min) && value <= toValue(max) ? [[name, value]] : [];
   });
-  return Object.fromEntries([...inRange, ...asTheyAre]);
+  return Object.fromEntries(inRange);
 }
 
 /** The elements of a demo. */
@@ -170,10 +163,7 @@ function build(definition, touched) {
   });
   const live = node("p", { class: "chr-live", "aria-live": "polite" });
   const said = node("p", { class: "chr-said" });
-  const sliders = definition.controls.map((control) => {
-    const put = (part) => touched({ ...control.also, ...part });
-    return control.choices ? choice(control, put) : both(control, put, live);
-  });
+  const sliders = definition.controls.map((control) => (control.choices ? choice(control, touched) : both(control, touched, live)));
   const outputs = definition.outputs.map((output) => readout(output, definition.readouts));
   const play = node("button", { type: "button", name: "play" });
   const reset = node("button", { type: "button", name: "reset" }, "Reset");
@@ -219,12 +209,10 @@ function both(control, touched, live) {
 }
 
 /** States on the way from one to another, in equal steps of the sliders' positions. */
-const betweenOf = ({ controls }) => (from, to, t) => ({
-  ...to,
-  ...Object.fromEntries(
+const betweenOf = (controls) => (from, to, t) =>
+  Object.fromEntries(
     controls.map(({ name, choices, toPosition = Number, toValue = Number }) => {
       const [start, end] = [toPosition(from[name]), toPosition(to[name])];
       return [name, choices || start === end ? to[name] : toValue(start + t * (end - start))];
     }),
-  ),
-});
+  );

@@ -55,10 +55,8 @@ export function camera(matrix, distance, { width, height }, { wide, high, shift 
     const perspective = zoom / (distance + depth);
     return [width / 2 + perspective * right, height / 2 + perspective * (down + shift)];
   };
-  // The way from the eye through a point of the picture, where nothing is shifted.
-  const ray = ([x, y]) => toParent(matrix, [1, (x - width / 2) / zoom, (y - height / 2) / zoom]);
   // The light stands above the viewer's left shoulder.
-  return { eye, project, ray, light: unit(toParent(matrix, [-1, -0.55, -1])) };
+  return { eye, project, light: unit(toParent(matrix, [-1, -0.55, -1])) };
 }
 
 // ── polygons ────────────────────────────────────────────────────────────────────────────────
@@ -220,29 +218,18 @@ export function paint(context, polygons, { eye, project, light }, radii = []) {
   const visible = polygons
     .map(flat)
     .filter(({ plane: { normal, offset }, open }) => open || dot(normal, eye) > offset);
-  // What follows in the same colour is one area; an open polygon, which may run either way, is its own.
-  let area = "";
-  const finish = () => {
-    if (area === "") return;
-    context.fillStyle = area;
+  const visit = ({ points, fill, unlit, plane: { normal } }) => {
+    const brightness = unlit ? 1 : 0.62 + 0.4 * Math.max(0, dot(normal, light));
+    context.beginPath();
+    points.forEach((point) => context.lineTo(...project(point)));
+    context.closePath();
+    context.fillStyle = rgb(scaled(fill, brightness));
     context.strokeStyle = context.fillStyle; // covers the hairline between neighbours
     context.lineWidth = 0.6;
     context.fill();
     context.stroke();
   };
-  const visit = ({ points, fill, unlit, open, plane: { normal } }) => {
-    const brightness = unlit ? 1 : 0.62 + 0.4 * Math.max(0, dot(normal, light));
-    const colour = rgb(scaled(fill, brightness));
-    if (colour !== area || open) {
-      finish();
-      context.beginPath();
-      area = colour;
-    }
-    points.forEach((point, i) => (i === 0 ? context.moveTo(...project(point)) : context.lineTo(...project(point))));
-    context.closePath();
-  };
   for (const each of inShells(visible, radii, eye)) fromBehind(partition(each), eye, visit);
-  finish();
 }
 
 /**
