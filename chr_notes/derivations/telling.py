@@ -18,7 +18,7 @@ class Told:
         In the order in which they are told.
     stands
         What each name in the steps stands for, from the derivations. A step holds if it is true of
-        these; a test proves each one.
+        these; a test compares both sides of each in many digits, where no angle is special.
     """
 
     steps: tuple[Step, ...]

@@ -24,7 +24,7 @@ class Steps:
 
 
 def show_steps(told: Told) -> Steps:
-    """Go through a derivation step by step, typeset from the statements that are proved.
+    """Go through a derivation step by step, typeset from the statements that a test compares.
 
     Parameters
     ----------

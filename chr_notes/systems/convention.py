@@ -215,7 +215,8 @@ DOCUMENTED: dict[str, Convention] = {
 
 - `Unreal`: `FRotator` is pitch, yaw, roll; pitch raises the nose and roll lowers the right side,
   both against the left hand's rule. An `FMatrix` stands to the right of its vectors.
-- `iOS`: Core Motion, with x towards magnetic north.
+- `iOS`: Core Motion, with x towards magnetic north. Apple's pages tell neither the order of the
+  angles nor what matrix and quaternion take to what: these parts are unconfirmed.
 - `Madgwick`: his report of 2010. His formulas for Euler angles are for the conjugate of the
   quaternion that his filter has, as his own programs say.
 """
