@@ -75,7 +75,7 @@ ACCELEROMETER_SHARE, GYRO_SHARE = (
 DRIFT = IndexedBase(r"e^{\text{gyro}}")[n]
 READING_AT_ZERO = MatrixSymbol(r"\mathbf{M}_b\left(0, 0, 0\right)", 3, 1)
 MAGNETOMETER_IN_FILTER = words("readings of the magnetometer in the angles of the filter")
-SHOWN_BY_E = words("number of angles whose small error makes E grow")
+SHOWN_BY_E = words("angles whose error E tells")
 
 with as_printed():
     CLAIMS = (
