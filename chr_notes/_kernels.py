@@ -72,23 +72,6 @@ def completed(compiled: Callable[..., Any] | None, rest: Callable[..., Any]) -> 
     return _MODULE.completed(compiled, rest)  # type: ignore[no-any-return] # a module of C
 
 
-def of_numbers(function: Callable[..., Any]) -> Callable[..., Any]:
-    """Find the kernel that takes the same numbers as a generated function, or give the function.
-
-    Parameters
-    ----------
-    function
-        From `chr_notes.generated.scalar`, with the elements of its arrays as arguments.
-
-    Returns
-    -------
-    callable
-        The kernel returns the same numbers, without a flag at the end; or None for what is left
-        to the function.
-    """
-    return kernel(f"{function.__name__}_of_numbers") or function
-
-
 def of_arrays(step: Callable[..., Any]) -> Callable[..., Any]:
     """Find the kernel of a filter's step, or make a function of the same arguments of the step.
 

@@ -4,13 +4,14 @@ from math import isfinite
 from typing import cast
 
 import numpy as np
+from numpy import ndarray
 from numpy.typing import ArrayLike, NDArray
 
-from chr_notes._arrays import Floats, floats
+from chr_notes._arrays import DOUBLE, Floats, floats
 
 WILD_RATE = 1e12
 """No gyro reads as much, rad/s: such rates come from damaged logs, and leave angles no digits."""
-_DOUBLE, _THREE = np.dtype(np.float64), (3,)
+_THREE = (3,)
 
 
 def samples(name: str, value: ArrayLike) -> Floats:
@@ -67,9 +68,8 @@ def one_sample(name: str, value: ArrayLike) -> list[float]:
     ValueError
         If the shape is not (3,); it states the received shape.
     """
-    if type(value) is np.ndarray and value.dtype is _DOUBLE and value.shape == _THREE:
-        numbers: list[float] = value.tolist()  # as is the rule on a stream, and quick to see
-        return numbers
+    if type(value) is ndarray and value.dtype is DOUBLE and value.shape == _THREE:
+        return value.tolist()  # type: ignore[no-any-return] # as is the rule, and quick to see
     array = floats(name, value, 3)
     if array.ndim != 1:
         msg = f"{name}: expected shape (3,), got {array.shape}"
@@ -79,7 +79,7 @@ def one_sample(name: str, value: ArrayLike) -> list[float]:
 
 def one_vector(name: str, value: ArrayLike) -> Floats:
     """Take one vector, as an array; refuse it as `one_sample` does."""
-    if type(value) is np.ndarray and value.dtype is _DOUBLE and value.shape == _THREE:
+    if type(value) is ndarray and value.dtype is DOUBLE and value.shape == _THREE:
         return value
     return np.array(one_sample(name, value))
 

@@ -4,7 +4,7 @@ import os
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
-from math import cos, isclose, nan, pi, sin
+from math import cos, nan, pi, sin
 from types import SimpleNamespace
 
 import numpy as np
@@ -128,25 +128,6 @@ def test_stale_kernels_say_so_once_and_numpy_serves() -> None:
 
 
 @pytest.mark.kernels
-def test_kernels_take_numbers_as_the_generated_functions_do() -> None:
-    take = _kernels.of_numbers(quaternions.quaternion_from_euler)
-    assert take is not quaternions.quaternion_from_euler
-    assert all(map(isclose, take(0.3, 0.0, 0.0), (cos(0.15), sin(0.15), 0.0, 0.0)))
-    assert isinstance(take(1, 2, 3), tuple)
-    # What they leave, here NaN, is the function's.
-    assert take(nan, 0.0, 0.0) is None
-    assert _kernels.of_numbers(quaternions.euler_from_quaternion)(1.0, 0.0, 1.0, 0.0) is None
-    assert None not in _kernels.of_numbers(estimation.gyro_turn)(1, 0, 0, 0, nan, 0, 0, pi)
-
-
-@pytest.mark.kernels
-@pytest.mark.parametrize("wrong", [(1.0, 2.0), (1.0, 2.0, 3.0, 4.0), (1.0, 2.0, "3"), (None,) * 3])
-def test_kernels_refuse_what_are_not_their_numbers(wrong: tuple[object, ...]) -> None:
-    with pytest.raises(TypeError):
-        _kernels.of_numbers(quaternions.quaternion_from_euler)(*wrong)
-
-
-@pytest.mark.kernels
 def test_a_result_past_the_cache_is_that_of_its_rows() -> None:
     rows = 2**20 // 9 + 13  # no whole number of blocks
     euler = np.random.default_rng(0).uniform(-3, 3, (rows, 3))
@@ -212,11 +193,9 @@ def test_rows_that_are_parts_of_longer_ones_are_taken_as_they_are(count: int) ->
     assert product(bytewise, one, None) is None or count == 1
 
 
-def test_without_kernels_the_generated_function_takes_the_numbers(
+def test_without_kernels_none_is_found(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr(_kernels, "_MODULE", None)
-    step = quaternions.quaternion_from_euler
-    assert _kernels.of_numbers(step) is step
-    assert _kernels.kernel(step.__name__) is None
+    assert _kernels.kernel("quaternion_from_euler") is None
     assert not _kernels.kernels_in_use()

@@ -57,6 +57,13 @@ class Spelling(CodePrinter):
             text = self.chosen(condition, self.written(values[place]), text)
         return text
 
+    def _as_ordered_terms(self, value: Add, order: str | None = None) -> list[Basic]:
+        """Begin a sum with a term that is not taken away, if one of its first two is such."""
+        terms: list[Basic] = super()._as_ordered_terms(value, order=order)
+        first, second, *rest = terms
+        minus = first.could_extract_minus_sign() and not second.could_extract_minus_sign()
+        return [second, first, *rest] if minus else terms
+
     def _print_Symbol(self, value: Symbol) -> str:
         return self.nothing if value == NOTHING else self.name(value.name)
 

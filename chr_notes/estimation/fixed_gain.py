@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from chr_notes._arrays import Floats
-from chr_notes._kernels import kernel, of_numbers, sampled
+from chr_notes._kernels import kernel, sampled
 from chr_notes._recordings import run
 from chr_notes._samples import (
     WILD_RATE,
@@ -40,9 +40,7 @@ class _Way:
     Parameters
     ----------
     step
-        From state and sample to the next state, for a recording.
-    advance
-        The same for one sample.
+        From state and sample to the next state.
     sample
         From Euler angles and sample to the next Euler angles.
     quick_advance
@@ -56,7 +54,6 @@ class _Way:
     """
 
     step: Callable[..., tuple[float, ...]]
-    advance: Callable[..., tuple[float, ...]]
     sample: Callable[..., tuple[float, ...]]
     quick_advance: Callable[..., Any] | None
     quick_sample: Callable[..., Floats | None] | None
@@ -65,18 +62,9 @@ class _Way:
     angles: Callable[[Sequence[float] | Floats], Floats]
 
 
-_quick_quaternion = of_numbers(quaternion_from_euler)
-_quick_euler = of_numbers(euler_from_quaternion)
-
-
-def _quaternion(*euler: float) -> Sequence[float]:
-    return _quick_quaternion(*euler) or quaternion_from_euler(*euler)
-
-
 def _angles(quaternion: Sequence[float] | Floats) -> Floats:
     numbers = quaternion.tolist() if isinstance(quaternion, np.ndarray) else quaternion
-    found = _quick_euler(*numbers) or euler_from_quaternion(*numbers)
-    roll, pitch, yaw = found[:3]
+    roll, pitch, yaw, _ = euler_from_quaternion(*numbers)
     return np.array((roll if roll < pi else -pi, pitch, yaw if yaw < pi else -pi))
 
 
@@ -95,18 +83,16 @@ def angles_in_range(euler: Sequence[float] | Floats) -> Floats:
 _WAYS = {
     "quaternion": _Way(
         steps.observer_turn,
-        steps.observer_turn,
-        of_numbers(steps.observer_step),
+        steps.observer_step,
         sampled(steps.observer_turn, euler_from_quaternion),
         kernel("observer_step"),
-        _quaternion,
+        quaternion_from_euler,
         attitudes_in_range,
         _angles,
     ),
     "euler": _Way(
         steps.euler_observer_step,
-        of_numbers(steps.euler_observer_step),
-        of_numbers(steps.euler_observer_step),
+        steps.euler_observer_step,
         None,
         kernel("euler_observer_step"),
         lambda *euler: euler,

@@ -5,7 +5,7 @@ out, and the estimate goes on without it.
 """
 
 from collections.abc import Callable, Iterable, Iterator
-from math import inf, isfinite, pi
+from math import hypot, inf, isfinite, pi
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -79,17 +79,20 @@ def observe_sample(  # noqa: PLR0913 (a state and a sample)
     array([0.0561, 0.    , 0.    ])
     """
     way, share, step = way_of(method), check_gain("gain", gain), period(dt)
-    rates = p, q, r = one_sample("body_rates", body_rates)
-    if not (abs(p) + abs(q) + abs(r)) * step < pi:
+    rates = one_sample("body_rates", body_rates)
+    if not hypot(*rates) * step < pi:
         warn_of_turn(rates, step)
     take = way.quick_sample
-    found = take(euler, body_rates, accel, step, share, None) if take is not None else None
-    # Of several samples, or a start that is no attitude, the rest has to say.
-    if found is not None and found.ndim == 1 and is_in_range(*found.tolist()):
-        return found
-    before = start("euler", euler)
-    force = one_sample("accel", accel)
-    return angles_in_range(way.sample(*before, *rates, *force, step, share))
+    if take is not None:
+        found = take(euler, body_rates, accel, step, share, None)
+        # Of several samples, or a start that is no attitude, the rest has to say.
+        if found is not None and found.ndim == 1 and is_in_range(*found.tolist()):
+            return found
+    before, force = start("euler", euler), one_sample("accel", accel)
+    if take is None:
+        return angles_in_range(way.sample(*before, *rates, *force, step, share))
+    given = map(np.array, (before, rates, force))
+    return angles_in_range(np.asarray(take(*given, step, share, None)))
 
 
 Sample = tuple[ArrayLike, ArrayLike, float] | tuple[ArrayLike, ArrayLike, float, ArrayLike]
@@ -174,11 +177,11 @@ def observe(  # noqa: PLR0913 (as for a recording)
     way, share = way_of(method), check_gain("gain", gain)
     turning, level = check_gain("heading_gain", heading_gain), horizontal("reference", reference)
     heading: Callable[..., tuple[float, ...]] = steps.observer_heading_turn
-    alone = way.quick_advance, way.advance, (share,)
+    alone = way.quick_advance, way.step, (share,)
     with_mag = sampled(heading, euler_from_quaternion), heading, (share, turning, *level)
     keep: Callable[..., Any] = tuple if way.quick_advance is None else np.array
     state = None if initial is None else keep(way.begin(*canonical("initial", initial)))
-    incomplete = 0
+    angles, incomplete = way.angles, 0
     for body_rates, accel, dt, *field in stream:
         quick, advance, constants = with_mag if field else alone
         euler = None
@@ -187,15 +190,14 @@ def observe(  # noqa: PLR0913 (as for a recording)
         if euler is None or euler is False:
             if field:
                 refuse_magnetometer(method)
-            force = x, y, z = one_sample("accel", accel)
-            rates = p, q, r = one_sample("body_rates", body_rates)
-            mag = one_sample("mag", field[0]) if field else []
-            heard = 0 < abs(x) + abs(y) + abs(z) < inf or (any(force) and all(map(isfinite, force)))
-            size, step = abs(p) + abs(q) + abs(r), period(dt)
-            turned = size < WILD_RATE or all(abs(rate) < WILD_RATE for rate in rates)
-            if not size * step < pi:
+            force, rates = one_sample("accel", accel), one_sample("body_rates", body_rates)
+            mag = one_sample("mag", field[0]) if field else ()
+            step = dt if type(dt) is float and 0 <= dt < inf else period(dt)
+            heard, size = 0 < hypot(*force) < inf, hypot(*rates)
+            if not (heard and size < WILD_RATE and size * step < pi):
+                heard = any(force) and all(map(isfinite, force))
+                incomplete += not (heard and all(abs(rate) < WILD_RATE for rate in rates))
                 warn_of_turn(rates, step)
-            incomplete += not (heard and turned)
             if state is None:
                 if not heard:
                     continue
@@ -205,6 +207,6 @@ def observe(  # noqa: PLR0913 (as for a recording)
                 state = advance(*state, *rates, *force, *mag, step, *constants)
             elif euler is None:
                 given = [np.array(each) for each in (rates, force, mag) if each]
-                quick(state, *given, step, *constants)
-            euler = way.angles(state)
+                euler = quick(state, *given, step, *constants)
+            euler = euler if isinstance(euler, np.ndarray) else angles(state)
         yield Estimate(euler, incomplete)

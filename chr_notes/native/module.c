@@ -15,9 +15,6 @@
  * that the step does not call usual, or at the state; or None where nothing is done, as above.
  *
  * decimals(text, starts, ends) reads fields of a text as numbers.
- *
- * A function of numbers, whose name ends in _of_numbers, takes the elements of one row of each
- * array. It returns those of the result, or None where the row is left to the general way.
  */
 #define Py_LIMITED_API 0x030B0000
 #include <Python.h>
@@ -30,7 +27,7 @@
 #include "../generated/c/kernels.c"
 #include "../generated/c/stamp.h"
 
-enum { LONG = 10000, MOST_ELEMENTS = 24, MOST_AXES = 32, FEW = 256 };
+enum { LONG = 10000, MOST_AXES = 32, FEW = 256 };
 /* Numbers that fill 32 MB, and rows that leave a cache room. */
 enum { NEW_MEMORY = 1 << 22, FEW_ROWS = 1 << 14 };
 
@@ -223,38 +220,6 @@ static PyObject *call(PyObject *self, PyObject *const *given, Py_ssize_t count)
         kernel, all.model->rows, all.in, all.step, result, result != given[count - 1]);
 }
 
-static PyObject *call_with_numbers(PyObject *self, PyObject *const *given, Py_ssize_t count)
-{
-    const Kernel *const kernel = PyCapsule_GetPointer(self, NULL);
-    static const ptrdiff_t step[MOST_ARRAYS];
-    double numbers[MOST_ARRAYS * MOST_ELEMENTS], out[MOST_ELEMENTS];
-    const double *in[MOST_ARRAYS];
-    unsigned char odd = 0;
-    const int size = kernel && kernel->result ? kernel->result : 1;
-    int expected = 0;
-    PyObject *result;
-    if (!kernel) return NULL;
-    for (int array = 0; array < kernel->arrays; array++) {
-        in[array] = numbers + expected;
-        expected += kernel->shape[array] ? kernel->shape[array] : 1;
-    }
-    if (count != expected) {
-        PyErr_Format(PyExc_TypeError, "%s: expected %d numbers, got %zd arguments", kernel->name,
-            expected, count);
-        return NULL;
-    }
-    for (int number = 0; number < expected; number++) {
-        numbers[number] = PyFloat_AsDouble(given[number]);
-        if (numbers[number] == -1.0 && PyErr_Occurred()) return NULL;
-    }
-    kernel->run(1, in, step, out, &odd);
-    if (odd) Py_RETURN_NONE;
-    result = PyTuple_New(size);
-    for (int element = 0; result && element < size; element++)
-        PyTuple_SetItem(result, element, PyFloat_FromDouble(out[element]));
-    return result;
-}
-
 static PyObject *call_completed(PyObject *self, PyObject *const *given, Py_ssize_t count)
 {
     PyObject *const done = call(PyTuple_GetItem(self, 0), given, count), *all, *result;
@@ -336,17 +301,6 @@ static PyMethodDef methods[] = {{"completed", completed, METH_VARARGS, NULL},
     {NULL, NULL, 0, NULL}};
 
 static PyMethodDef of_arrays = {"kernel", (PyCFunction)(void (*)(void))call, METH_FASTCALL, NULL};
-static PyMethodDef of_numbers = {
-    "kernel_of_numbers", (PyCFunction)(void (*)(void))call_with_numbers, METH_FASTCALL, NULL};
-
-static int add(PyObject *module, const char *name, PyMethodDef *method, PyObject *kernel)
-{
-    PyObject *const function = PyCFunction_NewEx(method, kernel, NULL);
-    const int failed = !function || PyObject_SetAttrString(module, name, function);
-    Py_XDECREF(function);
-    return failed;
-}
-
 static struct PyModuleDef definition = {
     PyModuleDef_HEAD_INIT, .m_name = "_compiled", .m_doc = "Generated kernels.", .m_size = -1,
     .m_methods = methods};
@@ -359,12 +313,10 @@ PyMODINIT_FUNC PyInit__compiled(void)
     if (!module || PyModule_AddStringConstant(module, "stamp", STAMP)) goto failed;
     for (const Kernel *kernel = KERNELS; kernel->name; kernel++) {
         PyObject *const self = PyCapsule_New((void *)kernel, NULL, NULL);
-        PyObject *const name = PyUnicode_FromFormat("%s_of_numbers", kernel->name);
-        const char *const told = name ? PyUnicode_AsUTF8AndSize(name, NULL) : NULL;
-        const int wrong = !self || !told || add(module, kernel->name, &of_arrays, self)
-            || add(module, told, &of_numbers, self);
+        PyObject *const function = self ? PyCFunction_NewEx(&of_arrays, self, NULL) : NULL;
+        const int wrong = !function || PyObject_SetAttrString(module, kernel->name, function);
         Py_XDECREF(self);
-        Py_XDECREF(name);
+        Py_XDECREF(function);
         if (wrong) goto failed;
     }
     return module;

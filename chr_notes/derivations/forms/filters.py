@@ -115,14 +115,15 @@ def observer_turn() -> Computation:
 
 @cache
 def observer_step() -> Computation:
-    """`observer_turn` from Euler angles to Euler angles."""
-    before = quaternion_forms.quaternion_from_euler().of({}, "start_")
-    turn = observer_turn().of(dict(zip(QUATERNION, before.results, strict=True)))
+    """`observer_turn` from Euler angles to Euler angles, whatever the sign of the quaternion."""
+    start = symbols("start_a start_b start_c start_d", real=True)
+    before = tuple(map(Let, start, quaternions.from_euler()))
+    turn = observer_turn().of(dict(zip(QUATERNION, start, strict=True)))
     end = symbols("end_a end_b end_c end_d", real=True)
     after = quaternion_forms.euler_from_quaternion().of(
         dict(zip(QUATERNION, end, strict=True)), "end_"
     )
-    steps = (*before.steps, *turn.steps, *map(Let, end, turn.results), *after.steps)
+    steps = (*before, *turn.steps, *map(Let, end, turn.results), *after.steps)
     return Computation(steps, after.results)
 
 

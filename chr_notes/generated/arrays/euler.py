@@ -53,7 +53,7 @@ def matrix_from_euler(euler: Floats, out: Floats) -> Told:
     out[..., 0, 0] = cos_pitch*cos_yaw
     out[..., 0, 1] = cos_pitch*sin_yaw
     out[..., 0, 2] = -sin_pitch
-    out[..., 1, 0] = -cos_roll_sin_yaw + cos_yaw_sin_roll*sin_pitch
+    out[..., 1, 0] = cos_yaw_sin_roll*sin_pitch - cos_roll_sin_yaw
     out[..., 1, 1] = cos_roll_cos_yaw + sin_pitch*sin_roll_sin_yaw
     out[..., 1, 2] = cos_pitch*sin_roll
     out[..., 2, 0] = cos_roll_cos_yaw*sin_pitch + sin_roll_sin_yaw
@@ -82,7 +82,7 @@ def euler_from_matrix(matrix: Floats, out: Floats) -> Told:
     r31 = matrix[..., 2, 0]
     r32 = matrix[..., 2, 1]
     r33 = matrix[..., 2, 2]
-    roll_sine = -r11*r32 + r12*r31
+    roll_sine = r12*r31 - r11*r32
     roll_cosine = r11*r22 - r12*r21
     r11_squared_plus_r12_squared = r11*r11 + r12*r12
     pitch = arctan2(-r13, sqrt(r11_squared_plus_r12_squared))
@@ -114,18 +114,18 @@ def rotation_defect(matrix: Floats, out: Floats) -> Told:
     r31 = matrix[..., 2, 0]
     r32 = matrix[..., 2, 1]
     r33 = matrix[..., 2, 2]
-    off_11 = -1.0 + r11*r11 + r12*r12 + r13*r13
+    off_11 = r11*r11 - 1.0 + r12*r12 + r13*r13
     off_21 = r11*r21 + r12*r22 + r13*r23
-    off_22 = -1.0 + r21*r21 + r22*r22 + r23*r23
+    off_22 = r21*r21 - 1.0 + r22*r22 + r23*r23
     off_31 = r11*r31 + r12*r32 + r13*r33
     off_32 = r21*r31 + r22*r32 + r23*r33
-    off_33 = -1.0 + r31*r31 + r32*r32 + r33*r33
+    off_33 = r31*r31 - 1.0 + r32*r32 + r33*r33
     out[..., 0] = (
         sqrt(0.1111111111111111*(off_11*off_11) + 0.2222222222222222*(off_21*off_21) +
             0.1111111111111111*(off_22*off_22) + 0.2222222222222222*(off_31*off_31) +
             0.2222222222222222*(off_32*off_32) + 0.1111111111111111*(off_33*off_33))
     )
-    out[..., 1] = r13*(r21*r32 - r22*r31) + r23*(-r11*r32 + r12*r31) + r33*(r11*r22 - r12*r21)
+    out[..., 1] = r13*(r21*r32 - r22*r31) + r23*(r12*r31 - r11*r32) + r33*(r11*r22 - r12*r21)
     return None, None
 
 

@@ -45,15 +45,15 @@ def matrix_from_quaternion(q: Floats, out: Floats) -> Told:
     a_c = a*c
     c_d = c*d
     a_b = a*b
-    out[..., 0, 0] = scale*(-across_x + along_x)
+    out[..., 0, 0] = scale*(along_x - across_x)
     out[..., 0, 1] = twice_scale*(a_d + b_c)
-    out[..., 0, 2] = twice_scale*(-a_c + b_d)
-    out[..., 1, 0] = twice_scale*(-a_d + b_c)
-    out[..., 1, 1] = scale*(-across_y + along_y)
+    out[..., 0, 2] = twice_scale*(b_d - a_c)
+    out[..., 1, 0] = twice_scale*(b_c - a_d)
+    out[..., 1, 1] = scale*(along_y - across_y)
     out[..., 1, 2] = twice_scale*(a_b + c_d)
     out[..., 2, 0] = twice_scale*(a_c + b_d)
-    out[..., 2, 1] = twice_scale*(-a_b + c_d)
-    out[..., 2, 2] = scale*(-across_z + along_z)
+    out[..., 2, 1] = twice_scale*(c_d - a_b)
+    out[..., 2, 2] = scale*(along_z - across_z)
     return None, norm_squared
 
 
@@ -78,7 +78,7 @@ def quaternion_from_matrix(matrix: Floats, out: Floats) -> Told:
     r32 = matrix[..., 2, 1]
     r33 = matrix[..., 2, 2]
     a = (
-        where((r11 > r22) & (r33 < 0.0), r23 - r32, where(r33 < 0.0, -r13 + r31, where(r11 < -r22,
+        where((r11 > r22) & (r33 < 0.0), r23 - r32, where(r33 < 0.0, r31 - r13, where(r11 < -r22,
             r12 - r21, r11 + r22 + r33 + 1.0)))
     )
     b = (
@@ -86,8 +86,8 @@ def quaternion_from_matrix(matrix: Floats, out: Floats) -> Told:
             where(r11 < -r22, r13 + r31, r23 - r32)))
     )
     c = (
-        where((r11 > r22) & (r33 < 0.0), r12 + r21, where(r33 < 0.0, -r11 + r22 - r33 + 1.0,
-            where(r11 < -r22, r23 + r32, -r13 + r31)))
+        where((r11 > r22) & (r33 < 0.0), r12 + r21, where(r33 < 0.0, r22 - r11 - r33 + 1.0,
+            where(r11 < -r22, r23 + r32, r31 - r13)))
     )
     d = (
         where((r11 > r22) & (r33 < 0.0), r13 + r31, where(r33 < 0.0, r23 + r32, where(r11 < -r22,
@@ -95,7 +95,7 @@ def quaternion_from_matrix(matrix: Floats, out: Floats) -> Told:
     )
     norm_squared = a*a + b*b + c*c + d*d
     sign = where(a >= 0.0, 1.0, -1.0)
-    determinant = r13*(r21*r32 - r22*r31) + r23*(-r11*r32 + r12*r31) + r33*(r11*r22 - r12*r21)
+    determinant = r13*(r21*r32 - r22*r31) + r23*(r12*r31 - r11*r32) + r33*(r11*r22 - r12*r21)
     common_0 = sign/sqrt(norm_squared)
     out[..., 0] = a*common_0
     out[..., 1] = b*common_0
@@ -156,7 +156,7 @@ def euler_from_quaternion(q: Floats, out: Floats) -> Told:
     a_minus_c = a - c
     b_plus_d = b + d
     a_plus_c = a + c
-    d_minus_b = -b + d
+    d_minus_b = d - b
     below = a_minus_c*a_minus_c + b_plus_d*b_plus_d
     above = a_plus_c*a_plus_c + d_minus_b*d_minus_b
     product_1 = a_plus_c*b_plus_d
@@ -348,7 +348,7 @@ def rotate_to_inertial(q: Floats, v_body: Floats, out: Floats) -> Told:
     norm_squared = a*a + b*b + c*c + d*d
     factor = 2.0/norm_squared
     across_x = c*z - d*y
-    across_y = -b*z + d*x
+    across_y = d*x - b*z
     across_z = b*y - c*x
     out[..., 0] = factor*(a*across_x - across_y*d + across_z*c) + x
     out[..., 1] = factor*(a*across_y + across_x*d - across_z*b) + y
@@ -377,9 +377,9 @@ def rotate_to_body(q: Floats, v_inertial: Floats, out: Floats) -> Told:
     z = v_inertial[..., 2]
     norm_squared = a*a + b*b + c*c + d*d
     factor = 2.0/norm_squared
-    across_x = -c*z + d*y
+    across_x = d*y - c*z
     across_y = b*z - d*x
-    across_z = -b*y + c*x
+    across_z = c*x - b*y
     out[..., 0] = factor*(a*across_x + across_y*d - across_z*c) + x
     out[..., 1] = factor*(a*across_y - across_x*d + across_z*b) + y
     out[..., 2] = factor*(a*across_z + across_x*c - across_y*b) + z

@@ -137,7 +137,7 @@ def iron_removed(soft_iron: Floats, hard_iron: Floats, field: Floats, out: Float
 
     Ledger: sensors.4.2.
     """
-    out[...] = -hard_iron + products(soft_iron, field)
+    out[...] = products(soft_iron, field) - hard_iron
     return None, None
 
 
@@ -168,9 +168,9 @@ def vector_rate(vector: Floats, body_rates: Floats, out: Floats) -> Told:
     p = body_rates[..., 0]
     q = body_rates[..., 1]
     r = body_rates[..., 2]
-    out[..., 0] = -q*z + r*y
+    out[..., 0] = r*y - q*z
     out[..., 1] = p*z - r*x
-    out[..., 2] = -p*y + q*x
+    out[..., 2] = q*x - p*y
     return None, None
 
 
@@ -194,9 +194,9 @@ def norm_misfit(to_sphere: Floats, centre: Floats, reading: Floats, out: Floats)
     x = reading[..., 0]
     y = reading[..., 1]
     z = reading[..., 2]
-    common_0 = -centre_x + x
-    common_1 = -centre_y + y
-    common_2 = -centre_z + z
+    common_0 = x - centre_x
+    common_1 = y - centre_y
+    common_2 = z - centre_z
     common_3 = a_xx*common_0 + a_xy*common_1 + a_xz*common_2
     common_4 = a_xy*common_0 + a_yy*common_1 + a_yz*common_2
     common_5 = a_xz*common_0 + a_yz*common_1 + a_zz*common_2

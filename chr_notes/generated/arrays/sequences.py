@@ -109,20 +109,20 @@ def matrix_from_angles(angles: Floats, axes: Floats, out: Floats) -> Told:
         first_sine_y*second_stays_z + first_sine_z*second_sine_x + first_stays_x*second_sine_y
     )
     turned_32 = (
-        -first_sine_x*second_stays_z + first_sine_z*second_sine_y - first_stays_y*second_sine_x
+        first_sine_z*second_sine_y - first_sine_x*second_stays_z - first_stays_y*second_sine_x
     )
     turned_33 = (
         -first_sine_x_second_sine_x - first_sine_y_second_sine_y + first_stays_z*second_stays_z
     )
-    out[..., 0, 0] = -third_sine_y*turned_31 + third_sine_z*turned_21 + third_stays_x*turned_11
-    out[..., 0, 1] = -third_sine_y*turned_32 + third_sine_z*turned_22 + third_stays_x*turned_12
-    out[..., 0, 2] = -third_sine_y*turned_33 + third_sine_z*turned_23 + third_stays_x*turned_13
+    out[..., 0, 0] = third_sine_z*turned_21 - third_sine_y*turned_31 + third_stays_x*turned_11
+    out[..., 0, 1] = third_sine_z*turned_22 - third_sine_y*turned_32 + third_stays_x*turned_12
+    out[..., 0, 2] = third_sine_z*turned_23 - third_sine_y*turned_33 + third_stays_x*turned_13
     out[..., 1, 0] = third_sine_x*turned_31 - third_sine_z*turned_11 + third_stays_y*turned_21
     out[..., 1, 1] = third_sine_x*turned_32 - third_sine_z*turned_12 + third_stays_y*turned_22
     out[..., 1, 2] = third_sine_x*turned_33 - third_sine_z*turned_13 + third_stays_y*turned_23
-    out[..., 2, 0] = -third_sine_x*turned_21 + third_sine_y*turned_11 + third_stays_z*turned_31
-    out[..., 2, 1] = -third_sine_x*turned_22 + third_sine_y*turned_12 + third_stays_z*turned_32
-    out[..., 2, 2] = -third_sine_x*turned_23 + third_sine_y*turned_13 + third_stays_z*turned_33
+    out[..., 2, 0] = third_sine_y*turned_11 - third_sine_x*turned_21 + third_stays_z*turned_31
+    out[..., 2, 1] = third_sine_y*turned_12 - third_sine_x*turned_22 + third_stays_z*turned_32
+    out[..., 2, 2] = third_sine_y*turned_13 - third_sine_x*turned_23 + third_stays_z*turned_33
     return None, None
 
 
@@ -189,9 +189,9 @@ def angles_from_matrix(matrix: Floats, axes: Floats, out: Floats) -> Told:
         where(third_axis == 1.0, 0.0, where(third_axis == 2.0, 0.0, where(third_axis == 3.0, 1.0,
             nan)))
     )
-    across_x = -first_y*second_z + first_z*second_y
+    across_x = first_z*second_y - first_y*second_z
     across_y = first_x*second_z - first_z*second_x
-    across_z = -first_x*second_y + first_y*second_x
+    across_z = first_y*second_x - first_x*second_y
     sign_of_roll = across_x*third_x + across_y*third_y + across_z*third_z
     axis_again = first_x*third_x + first_y*third_y + first_z*third_z
     axis_other = 1.0 - axis_again
@@ -203,9 +203,9 @@ def angles_from_matrix(matrix: Floats, axes: Floats, out: Floats) -> Told:
     along_second = sign*(second_x*seen_1 + second_y*seen_2 + second_z*seen_3)
     along_first = first_x*seen_1 + first_y*seen_2 + first_z*seen_3
     size = sqrt(along_across*along_across + along_second*along_second)
-    level_1 = -across_x*along_second + along_across*second_x
-    level_2 = -across_y*along_second + along_across*second_y
-    level_3 = -across_z*along_second + along_across*second_z
+    level_1 = along_across*second_x - across_x*along_second
+    level_2 = along_across*second_y - across_y*along_second
+    level_3 = along_across*second_z - across_z*along_second
     moved_1 = level_1*r11 + level_2*r12 + level_3*r13
     moved_2 = level_1*r21 + level_2*r22 + level_3*r23
     moved_3 = level_1*r31 + level_2*r32 + level_3*r33
@@ -213,7 +213,7 @@ def angles_from_matrix(matrix: Floats, axes: Floats, out: Floats) -> Told:
     row_2 = r12*second_x + r22*second_y + r32*second_z
     row_3 = r13*second_x + r23*second_y + r33*second_z
     second_angle = (
-        arctan2(-along_first*sign_of_roll + axis_again*size, along_first*axis_again +
+        arctan2(axis_again*size - along_first*sign_of_roll, along_first*axis_again +
             axis_other*size)
     )
     locked = size < 1.7763568394002505e-15*abs(along_first)
@@ -229,7 +229,7 @@ def angles_from_matrix(matrix: Floats, axes: Floats, out: Floats) -> Told:
                 + row_2*second_y + row_3*second_z), first_angle)
         )
         third_angle = where(locked, 0.0, third_angle)
-    determinant = r13*(r21*r32 - r22*r31) + r23*(-r11*r32 + r12*r31) + r33*(r11*r22 - r12*r21)
+    determinant = r13*(r21*r32 - r22*r31) + r23*(r12*r31 - r11*r32) + r33*(r11*r22 - r12*r21)
     out[..., 0] = first_angle
     out[..., 1] = second_angle
     out[..., 2] = third_angle
@@ -408,9 +408,9 @@ def angles_from_quaternion(q: Floats, axes: Floats, out: Floats) -> Told:
         where(third_axis == 1.0, 0.0, where(third_axis == 2.0, 0.0, where(third_axis == 3.0, 1.0,
             nan)))
     )
-    across_x = -first_y*second_z + first_z*second_y
+    across_x = first_z*second_y - first_y*second_z
     across_y = first_x*second_z - first_z*second_x
-    across_z = -first_x*second_y + first_y*second_x
+    across_z = first_y*second_x - first_x*second_y
     sign_of_roll = across_x*third_x + across_y*third_y + across_z*third_z
     axis_again = first_x*third_x + first_y*third_y + first_z*third_z
     axis_other = 1.0 - axis_again
@@ -431,7 +431,7 @@ def angles_from_quaternion(q: Floats, axes: Floats, out: Floats) -> Told:
     product_4 = part_2*part_4
     half_sine = a*along_second - along_across*along_first
     root = sqrt(above)*sqrt(below)
-    rest = 0.5*axis_again*(-above + below) + 2.0*axis_other*half_sine
+    rest = 0.5*axis_again*(below - above) + 2.0*axis_other*half_sine
     second_angle = arctan2(axis_again*root + axis_other*rest, axis_again*rest + axis_other*root)
     locked = root < 1.7763568394002505e-15*abs(rest)
     first_angle = arctan2(product_1 - product_2, product_3 + product_4)
@@ -504,16 +504,16 @@ def angle_rates_matrix(angles: Floats, axes: Floats, out: Floats) -> Told:
         where(third_axis == 1.0, 0.0, where(third_axis == 2.0, 0.0, where(third_axis == 3.0, 1.0,
             nan)))
     )
-    across_x = -first_y*second_z + first_z*second_y
+    across_x = first_z*second_y - first_y*second_z
     across_y = first_x*second_z - first_z*second_x
-    across_z = -first_x*second_y + first_y*second_x
+    across_z = first_y*second_x - first_x*second_y
     sign_of_roll = across_x*third_x + across_y*third_y + across_z*third_z
     axis_again = first_x*third_x + first_y*third_y + first_z*third_z
     volume = axis_again*sin_second + cos_second*sign_of_roll
     over_volume = where(volume != 0.0, 1.0/volume, nan)
-    before_11 = over_volume*(-across_x*axis_again + first_x*sign_of_roll)
-    before_12 = over_volume*(-across_y*axis_again + first_y*sign_of_roll)
-    before_13 = over_volume*(-across_z*axis_again + first_z*sign_of_roll)
+    before_11 = over_volume*(first_x*sign_of_roll - across_x*axis_again)
+    before_12 = over_volume*(first_y*sign_of_roll - across_y*axis_again)
+    before_13 = over_volume*(first_z*sign_of_roll - across_z*axis_again)
     before_21 = second_x
     before_22 = second_y
     before_23 = second_z
@@ -527,12 +527,12 @@ def angle_rates_matrix(angles: Floats, axes: Floats, out: Floats) -> Told:
     third_sine_y = sin_third*third_y
     third_sine_z = sin_third*third_z
     out[..., 0, 0] = before_11*third_stays_x + before_12*third_sine_z - before_13*third_sine_y
-    out[..., 0, 1] = -before_11*third_sine_z + before_12*third_stays_y + before_13*third_sine_x
+    out[..., 0, 1] = before_12*third_stays_y - before_11*third_sine_z + before_13*third_sine_x
     out[..., 0, 2] = before_11*third_sine_y - before_12*third_sine_x + before_13*third_stays_z
     out[..., 1, 0] = before_21*third_stays_x + before_22*third_sine_z - before_23*third_sine_y
-    out[..., 1, 1] = -before_21*third_sine_z + before_22*third_stays_y + before_23*third_sine_x
+    out[..., 1, 1] = before_22*third_stays_y - before_21*third_sine_z + before_23*third_sine_x
     out[..., 1, 2] = before_21*third_sine_y - before_22*third_sine_x + before_23*third_stays_z
     out[..., 2, 0] = before_31*third_stays_x + before_32*third_sine_z - before_33*third_sine_y
-    out[..., 2, 1] = -before_31*third_sine_z + before_32*third_stays_y + before_33*third_sine_x
+    out[..., 2, 1] = before_32*third_stays_y - before_31*third_sine_z + before_33*third_sine_x
     out[..., 2, 2] = before_31*third_sine_y - before_32*third_sine_x + before_33*third_stays_z
     return None, None

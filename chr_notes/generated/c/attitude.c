@@ -30,7 +30,7 @@ void attitude_matrix_from_euler(double roll, double pitch, double yaw, double ou
     out[0] = cos_pitch*cos_yaw;
     out[1] = cos_pitch*sin_yaw;
     out[2] = -sin_pitch;
-    out[3] = -cos_roll_sin_yaw + cos_yaw_sin_roll*sin_pitch;
+    out[3] = cos_yaw_sin_roll*sin_pitch - cos_roll_sin_yaw;
     out[4] = cos_roll_cos_yaw + sin_pitch*sin_roll_sin_yaw;
     out[5] = cos_pitch*sin_roll;
     out[6] = cos_roll_cos_yaw*sin_pitch + sin_roll_sin_yaw;
@@ -53,7 +53,7 @@ void attitude_matrix_from_euler_f(float roll, float pitch, float yaw, float out[
     out[0] = cos_pitch*cos_yaw;
     out[1] = cos_pitch*sin_yaw;
     out[2] = -sin_pitch;
-    out[3] = -cos_roll_sin_yaw + cos_yaw_sin_roll*sin_pitch;
+    out[3] = cos_yaw_sin_roll*sin_pitch - cos_roll_sin_yaw;
     out[4] = cos_roll_cos_yaw + sin_pitch*sin_roll_sin_yaw;
     out[5] = cos_pitch*sin_roll;
     out[6] = cos_roll_cos_yaw*sin_pitch + sin_roll_sin_yaw;
@@ -66,7 +66,7 @@ int attitude_euler_from_matrix(double r11, double r12, double r13, double r21, d
 {
     (void)(r23);
     (void)(r33);
-    const double roll_sine = -r11*r32 + r12*r31;
+    const double roll_sine = r12*r31 - r11*r32;
     const double roll_cosine = r11*r22 - r12*r21;
     const double pitch = atan2(-r13, hypot(r11, r12));
     const int locked = fabs(pitch) > 1.5707963267948948;
@@ -89,7 +89,7 @@ int attitude_euler_from_matrix_f(float r11, float r12, float r13, float r21, flo
 {
     (void)(r23);
     (void)(r33);
-    const float roll_sine = -r11*r32 + r12*r31;
+    const float roll_sine = r12*r31 - r11*r32;
     const float roll_cosine = r11*r22 - r12*r21;
     const float pitch = atan2f(-r13, hypotf(r11, r12));
     const int locked = fabsf(pitch) > 1.5707953731205802f;
@@ -110,31 +110,31 @@ int attitude_euler_from_matrix_f(float r11, float r12, float r13, float r21, flo
 void attitude_rotation_defect(double r11, double r12, double r13, double r21, double r22,
     double r23, double r31, double r32, double r33, double out[2])
 {
-    const double off_11 = -1.0 + r11*r11 + r12*r12 + r13*r13;
+    const double off_11 = r11*r11 - 1.0 + r12*r12 + r13*r13;
     const double off_21 = r11*r21 + r12*r22 + r13*r23;
-    const double off_22 = -1.0 + r21*r21 + r22*r22 + r23*r23;
+    const double off_22 = r21*r21 - 1.0 + r22*r22 + r23*r23;
     const double off_31 = r11*r31 + r12*r32 + r13*r33;
     const double off_32 = r21*r31 + r22*r32 + r23*r33;
-    const double off_33 = -1.0 + r31*r31 + r32*r32 + r33*r33;
+    const double off_33 = r31*r31 - 1.0 + r32*r32 + r33*r33;
     out[0] = sqrt(0.1111111111111111*(off_11*off_11) + 0.2222222222222222*(off_21*off_21) +
         0.1111111111111111*(off_22*off_22) + 0.2222222222222222*(off_31*off_31) +
         0.2222222222222222*(off_32*off_32) + 0.1111111111111111*(off_33*off_33));
-    out[1] = r13*(r21*r32 - r22*r31) + r23*(-r11*r32 + r12*r31) + r33*(r11*r22 - r12*r21);
+    out[1] = r13*(r21*r32 - r22*r31) + r23*(r12*r31 - r11*r32) + r33*(r11*r22 - r12*r21);
 }
 
 void attitude_rotation_defect_f(float r11, float r12, float r13, float r21, float r22, float r23,
     float r31, float r32, float r33, float out[2])
 {
-    const float off_11 = -1.0f + r11*r11 + r12*r12 + r13*r13;
+    const float off_11 = r11*r11 - 1.0f + r12*r12 + r13*r13;
     const float off_21 = r11*r21 + r12*r22 + r13*r23;
-    const float off_22 = -1.0f + r21*r21 + r22*r22 + r23*r23;
+    const float off_22 = r21*r21 - 1.0f + r22*r22 + r23*r23;
     const float off_31 = r11*r31 + r12*r32 + r13*r33;
     const float off_32 = r21*r31 + r22*r32 + r23*r33;
-    const float off_33 = -1.0f + r31*r31 + r32*r32 + r33*r33;
+    const float off_33 = r31*r31 - 1.0f + r32*r32 + r33*r33;
     out[0] = sqrtf(0.1111111111111111f*(off_11*off_11) + 0.2222222222222222f*(off_21*off_21) +
         0.1111111111111111f*(off_22*off_22) + 0.2222222222222222f*(off_31*off_31) +
         0.2222222222222222f*(off_32*off_32) + 0.1111111111111111f*(off_33*off_33));
-    out[1] = r13*(r21*r32 - r22*r31) + r23*(-r11*r32 + r12*r31) + r33*(r11*r22 - r12*r21);
+    out[1] = r13*(r21*r32 - r22*r31) + r23*(r12*r31 - r11*r32) + r33*(r11*r22 - r12*r21);
 }
 
 void attitude_euler_rates_matrix(double roll, double pitch, double out[9])
@@ -310,15 +310,15 @@ void attitude_matrix_from_quaternion(double a, double b, double c, double d, dou
     const double a_c = a*c;
     const double c_d = c*d;
     const double a_b = a*b;
-    out[0] = scale*(-across_x + along_x);
+    out[0] = scale*(along_x - across_x);
     out[1] = twice_scale*(a_d + b_c);
-    out[2] = twice_scale*(-a_c + b_d);
-    out[3] = twice_scale*(-a_d + b_c);
-    out[4] = scale*(-across_y + along_y);
+    out[2] = twice_scale*(b_d - a_c);
+    out[3] = twice_scale*(b_c - a_d);
+    out[4] = scale*(along_y - across_y);
     out[5] = twice_scale*(a_b + c_d);
     out[6] = twice_scale*(a_c + b_d);
-    out[7] = twice_scale*(-a_b + c_d);
-    out[8] = scale*(-across_z + along_z);
+    out[7] = twice_scale*(c_d - a_b);
+    out[8] = scale*(along_z - across_z);
 }
 
 void attitude_matrix_from_quaternion_f(float a, float b, float c, float d, float out[9])
@@ -342,15 +342,15 @@ void attitude_matrix_from_quaternion_f(float a, float b, float c, float d, float
     const float a_c = a*c;
     const float c_d = c*d;
     const float a_b = a*b;
-    out[0] = scale*(-across_x + along_x);
+    out[0] = scale*(along_x - across_x);
     out[1] = twice_scale*(a_d + b_c);
-    out[2] = twice_scale*(-a_c + b_d);
-    out[3] = twice_scale*(-a_d + b_c);
-    out[4] = scale*(-across_y + along_y);
+    out[2] = twice_scale*(b_d - a_c);
+    out[3] = twice_scale*(b_c - a_d);
+    out[4] = scale*(along_y - across_y);
     out[5] = twice_scale*(a_b + c_d);
     out[6] = twice_scale*(a_c + b_d);
-    out[7] = twice_scale*(-a_b + c_d);
-    out[8] = scale*(-across_z + along_z);
+    out[7] = twice_scale*(c_d - a_b);
+    out[8] = scale*(along_z - across_z);
 }
 
 void attitude_quaternion_from_matrix(double r11, double r12, double r13, double r21, double r22,
@@ -363,9 +363,9 @@ void attitude_quaternion_from_matrix(double r11, double r12, double r13, double 
         c = r12 + r21;
         d = r13 + r31;
     } else if (r33 < 0.0) {
-        a = -r13 + r31;
+        a = r31 - r13;
         b = r12 + r21;
-        c = -r11 + r22 - r33 + 1.0;
+        c = r22 - r11 - r33 + 1.0;
         d = r23 + r32;
     } else if (r11 < -r22) {
         a = r12 - r21;
@@ -375,7 +375,7 @@ void attitude_quaternion_from_matrix(double r11, double r12, double r13, double 
     } else {
         a = r11 + r22 + r33 + 1.0;
         b = r23 - r32;
-        c = -r13 + r31;
+        c = r31 - r13;
         d = r12 - r21;
     }
     const double norm_squared = a*a + b*b + c*c + d*d;
@@ -397,9 +397,9 @@ void attitude_quaternion_from_matrix_f(float r11, float r12, float r13, float r2
         c = r12 + r21;
         d = r13 + r31;
     } else if (r33 < 0.0f) {
-        a = -r13 + r31;
+        a = r31 - r13;
         b = r12 + r21;
-        c = -r11 + r22 - r33 + 1.0f;
+        c = r22 - r11 - r33 + 1.0f;
         d = r23 + r32;
     } else if (r11 < -r22) {
         a = r12 - r21;
@@ -409,7 +409,7 @@ void attitude_quaternion_from_matrix_f(float r11, float r12, float r13, float r2
     } else {
         a = r11 + r22 + r33 + 1.0f;
         b = r23 - r32;
-        c = -r13 + r31;
+        c = r31 - r13;
         d = r12 - r21;
     }
     const float norm_squared = a*a + b*b + c*c + d*d;
@@ -480,7 +480,7 @@ int attitude_euler_from_quaternion(double a, double b, double c, double d, doubl
     const double a_minus_c = a - c;
     const double b_plus_d = b + d;
     const double a_plus_c = a + c;
-    const double d_minus_b = -b + d;
+    const double d_minus_b = d - b;
     const double below = a_minus_c*a_minus_c + b_plus_d*b_plus_d;
     const double above = a_plus_c*a_plus_c + d_minus_b*d_minus_b;
     const double product_1 = a_plus_c*b_plus_d;
@@ -509,7 +509,7 @@ int attitude_euler_from_quaternion_f(float a, float b, float c, float d, float o
     const float a_minus_c = a - c;
     const float b_plus_d = b + d;
     const float a_plus_c = a + c;
-    const float d_minus_b = -b + d;
+    const float d_minus_b = d - b;
     const float below = a_minus_c*a_minus_c + b_plus_d*b_plus_d;
     const float above = a_plus_c*a_plus_c + d_minus_b*d_minus_b;
     const float product_1 = a_plus_c*b_plus_d;
@@ -697,7 +697,7 @@ void attitude_rotate_to_inertial(double a, double b, double c, double d, double 
     const double norm_squared = a*a + b*b + c*c + d*d;
     const double factor = 2.0/norm_squared;
     const double across_x = c*z - d*y;
-    const double across_y = -b*z + d*x;
+    const double across_y = d*x - b*z;
     const double across_z = b*y - c*x;
     out[0] = factor*(a*across_x - across_y*d + across_z*c) + x;
     out[1] = factor*(a*across_y + across_x*d - across_z*b) + y;
@@ -710,7 +710,7 @@ void attitude_rotate_to_inertial_f(float a, float b, float c, float d, float x, 
     const float norm_squared = a*a + b*b + c*c + d*d;
     const float factor = 2.0f/norm_squared;
     const float across_x = c*z - d*y;
-    const float across_y = -b*z + d*x;
+    const float across_y = d*x - b*z;
     const float across_z = b*y - c*x;
     out[0] = factor*(a*across_x - across_y*d + across_z*c) + x;
     out[1] = factor*(a*across_y + across_x*d - across_z*b) + y;
@@ -722,9 +722,9 @@ void attitude_rotate_to_body(double a, double b, double c, double d, double x, d
 {
     const double norm_squared = a*a + b*b + c*c + d*d;
     const double factor = 2.0/norm_squared;
-    const double across_x = -c*z + d*y;
+    const double across_x = d*y - c*z;
     const double across_y = b*z - d*x;
-    const double across_z = -b*y + c*x;
+    const double across_z = c*x - b*y;
     out[0] = factor*(a*across_x + across_y*d - across_z*c) + x;
     out[1] = factor*(a*across_y - across_x*d + across_z*b) + y;
     out[2] = factor*(a*across_z + across_x*c - across_y*b) + z;
@@ -735,9 +735,9 @@ void attitude_rotate_to_body_f(float a, float b, float c, float d, float x, floa
 {
     const float norm_squared = a*a + b*b + c*c + d*d;
     const float factor = 2.0f/norm_squared;
-    const float across_x = -c*z + d*y;
+    const float across_x = d*y - c*z;
     const float across_y = b*z - d*x;
-    const float across_z = -b*y + c*x;
+    const float across_z = c*x - b*y;
     out[0] = factor*(a*across_x + across_y*d - across_z*c) + x;
     out[1] = factor*(a*across_y - across_x*d + across_z*b) + y;
     out[2] = factor*(a*across_z + across_x*c - across_y*b) + z;
@@ -893,19 +893,19 @@ void attitude_matrix_from_angles(double first, double second, double third, doub
         first_stays_z*second_sine_x;
     const double turned_31 = first_sine_y*second_stays_z + first_sine_z*second_sine_x +
         first_stays_x*second_sine_y;
-    const double turned_32 = -first_sine_x*second_stays_z + first_sine_z*second_sine_y -
+    const double turned_32 = first_sine_z*second_sine_y - first_sine_x*second_stays_z -
         first_stays_y*second_sine_x;
     const double turned_33 = -first_sine_x_second_sine_x - first_sine_y_second_sine_y +
         first_stays_z*second_stays_z;
-    out[0] = -third_sine_y*turned_31 + third_sine_z*turned_21 + third_stays_x*turned_11;
-    out[1] = -third_sine_y*turned_32 + third_sine_z*turned_22 + third_stays_x*turned_12;
-    out[2] = -third_sine_y*turned_33 + third_sine_z*turned_23 + third_stays_x*turned_13;
+    out[0] = third_sine_z*turned_21 - third_sine_y*turned_31 + third_stays_x*turned_11;
+    out[1] = third_sine_z*turned_22 - third_sine_y*turned_32 + third_stays_x*turned_12;
+    out[2] = third_sine_z*turned_23 - third_sine_y*turned_33 + third_stays_x*turned_13;
     out[3] = third_sine_x*turned_31 - third_sine_z*turned_11 + third_stays_y*turned_21;
     out[4] = third_sine_x*turned_32 - third_sine_z*turned_12 + third_stays_y*turned_22;
     out[5] = third_sine_x*turned_33 - third_sine_z*turned_13 + third_stays_y*turned_23;
-    out[6] = -third_sine_x*turned_21 + third_sine_y*turned_11 + third_stays_z*turned_31;
-    out[7] = -third_sine_x*turned_22 + third_sine_y*turned_12 + third_stays_z*turned_32;
-    out[8] = -third_sine_x*turned_23 + third_sine_y*turned_13 + third_stays_z*turned_33;
+    out[6] = third_sine_y*turned_11 - third_sine_x*turned_21 + third_stays_z*turned_31;
+    out[7] = third_sine_y*turned_12 - third_sine_x*turned_22 + third_stays_z*turned_32;
+    out[8] = third_sine_y*turned_13 - third_sine_x*turned_23 + third_stays_z*turned_33;
 }
 
 void attitude_matrix_from_angles_f(float first, float second, float third, float first_axis,
@@ -1006,19 +1006,19 @@ void attitude_matrix_from_angles_f(float first, float second, float third, float
         first_stays_z*second_sine_x;
     const float turned_31 = first_sine_y*second_stays_z + first_sine_z*second_sine_x +
         first_stays_x*second_sine_y;
-    const float turned_32 = -first_sine_x*second_stays_z + first_sine_z*second_sine_y -
+    const float turned_32 = first_sine_z*second_sine_y - first_sine_x*second_stays_z -
         first_stays_y*second_sine_x;
     const float turned_33 = -first_sine_x_second_sine_x - first_sine_y_second_sine_y +
         first_stays_z*second_stays_z;
-    out[0] = -third_sine_y*turned_31 + third_sine_z*turned_21 + third_stays_x*turned_11;
-    out[1] = -third_sine_y*turned_32 + third_sine_z*turned_22 + third_stays_x*turned_12;
-    out[2] = -third_sine_y*turned_33 + third_sine_z*turned_23 + third_stays_x*turned_13;
+    out[0] = third_sine_z*turned_21 - third_sine_y*turned_31 + third_stays_x*turned_11;
+    out[1] = third_sine_z*turned_22 - third_sine_y*turned_32 + third_stays_x*turned_12;
+    out[2] = third_sine_z*turned_23 - third_sine_y*turned_33 + third_stays_x*turned_13;
     out[3] = third_sine_x*turned_31 - third_sine_z*turned_11 + third_stays_y*turned_21;
     out[4] = third_sine_x*turned_32 - third_sine_z*turned_12 + third_stays_y*turned_22;
     out[5] = third_sine_x*turned_33 - third_sine_z*turned_13 + third_stays_y*turned_23;
-    out[6] = -third_sine_x*turned_21 + third_sine_y*turned_11 + third_stays_z*turned_31;
-    out[7] = -third_sine_x*turned_22 + third_sine_y*turned_12 + third_stays_z*turned_32;
-    out[8] = -third_sine_x*turned_23 + third_sine_y*turned_13 + third_stays_z*turned_33;
+    out[6] = third_sine_y*turned_11 - third_sine_x*turned_21 + third_stays_z*turned_31;
+    out[7] = third_sine_y*turned_12 - third_sine_x*turned_22 + third_stays_z*turned_32;
+    out[8] = third_sine_y*turned_13 - third_sine_x*turned_23 + third_stays_z*turned_33;
 }
 
 int attitude_angles_from_matrix(double r11, double r12, double r13, double r21, double r22,
@@ -1079,9 +1079,9 @@ int attitude_angles_from_matrix(double r11, double r12, double r13, double r21, 
         third_y = (double)NAN;
         third_z = (double)NAN;
     }
-    const double across_x = -first_y*second_z + first_z*second_y;
+    const double across_x = first_z*second_y - first_y*second_z;
     const double across_y = first_x*second_z - first_z*second_x;
-    const double across_z = -first_x*second_y + first_y*second_x;
+    const double across_z = first_y*second_x - first_x*second_y;
     const double sign_of_roll = across_x*third_x + across_y*third_y + across_z*third_z;
     const double axis_again = first_x*third_x + first_y*third_y + first_z*third_z;
     const double axis_other = 1.0 - axis_again;
@@ -1093,16 +1093,16 @@ int attitude_angles_from_matrix(double r11, double r12, double r13, double r21, 
     const double along_second = sign*(second_x*seen_1 + second_y*seen_2 + second_z*seen_3);
     const double along_first = first_x*seen_1 + first_y*seen_2 + first_z*seen_3;
     const double size = hypot(along_across, along_second);
-    const double level_1 = -across_x*along_second + along_across*second_x;
-    const double level_2 = -across_y*along_second + along_across*second_y;
-    const double level_3 = -across_z*along_second + along_across*second_z;
+    const double level_1 = along_across*second_x - across_x*along_second;
+    const double level_2 = along_across*second_y - across_y*along_second;
+    const double level_3 = along_across*second_z - across_z*along_second;
     const double moved_1 = level_1*r11 + level_2*r12 + level_3*r13;
     const double moved_2 = level_1*r21 + level_2*r22 + level_3*r23;
     const double moved_3 = level_1*r31 + level_2*r32 + level_3*r33;
     const double row_1 = r11*second_x + r21*second_y + r31*second_z;
     const double row_2 = r12*second_x + r22*second_y + r32*second_z;
     const double row_3 = r13*second_x + r23*second_y + r33*second_z;
-    const double second_angle = atan2(-along_first*sign_of_roll + axis_again*size,
+    const double second_angle = atan2(axis_again*size - along_first*sign_of_roll,
         along_first*axis_again + axis_other*size);
     const int locked = size < 1.7763568394002505e-15*fabs(along_first);
     double first_angle, third_angle;
@@ -1180,9 +1180,9 @@ int attitude_angles_from_matrix_f(float r11, float r12, float r13, float r21, fl
         third_y = NAN;
         third_z = NAN;
     }
-    const float across_x = -first_y*second_z + first_z*second_y;
+    const float across_x = first_z*second_y - first_y*second_z;
     const float across_y = first_x*second_z - first_z*second_x;
-    const float across_z = -first_x*second_y + first_y*second_x;
+    const float across_z = first_y*second_x - first_x*second_y;
     const float sign_of_roll = across_x*third_x + across_y*third_y + across_z*third_z;
     const float axis_again = first_x*third_x + first_y*third_y + first_z*third_z;
     const float axis_other = 1.0f - axis_again;
@@ -1194,16 +1194,16 @@ int attitude_angles_from_matrix_f(float r11, float r12, float r13, float r21, fl
     const float along_second = sign*(second_x*seen_1 + second_y*seen_2 + second_z*seen_3);
     const float along_first = first_x*seen_1 + first_y*seen_2 + first_z*seen_3;
     const float size = hypotf(along_across, along_second);
-    const float level_1 = -across_x*along_second + along_across*second_x;
-    const float level_2 = -across_y*along_second + along_across*second_y;
-    const float level_3 = -across_z*along_second + along_across*second_z;
+    const float level_1 = along_across*second_x - across_x*along_second;
+    const float level_2 = along_across*second_y - across_y*along_second;
+    const float level_3 = along_across*second_z - across_z*along_second;
     const float moved_1 = level_1*r11 + level_2*r12 + level_3*r13;
     const float moved_2 = level_1*r21 + level_2*r22 + level_3*r23;
     const float moved_3 = level_1*r31 + level_2*r32 + level_3*r33;
     const float row_1 = r11*second_x + r21*second_y + r31*second_z;
     const float row_2 = r12*second_x + r22*second_y + r32*second_z;
     const float row_3 = r13*second_x + r23*second_y + r33*second_z;
-    const float second_angle = atan2f(-along_first*sign_of_roll + axis_again*size,
+    const float second_angle = atan2f(axis_again*size - along_first*sign_of_roll,
         along_first*axis_again + axis_other*size);
     const int locked = size < 9.5367431640625e-07f*fabsf(along_first);
     float first_angle, third_angle;
@@ -1486,9 +1486,9 @@ int attitude_angles_from_quaternion(double a, double b, double c, double d, doub
         third_y = (double)NAN;
         third_z = (double)NAN;
     }
-    const double across_x = -first_y*second_z + first_z*second_y;
+    const double across_x = first_z*second_y - first_y*second_z;
     const double across_y = first_x*second_z - first_z*second_x;
-    const double across_z = -first_x*second_y + first_y*second_x;
+    const double across_z = first_y*second_x - first_x*second_y;
     const double sign_of_roll = across_x*third_x + across_y*third_y + across_z*third_z;
     const double axis_again = first_x*third_x + first_y*third_y + first_z*third_z;
     const double axis_other = 1.0 - axis_again;
@@ -1508,7 +1508,7 @@ int attitude_angles_from_quaternion(double a, double b, double c, double d, doub
     const double product_4 = part_2*part_4;
     const double half_sine = a*along_second - along_across*along_first;
     const double root = sqrt(above)*sqrt(below);
-    const double rest = 0.5*axis_again*(-above + below) + 2.0*axis_other*half_sine;
+    const double rest = 0.5*axis_again*(below - above) + 2.0*axis_other*half_sine;
     const double second_angle = atan2(axis_again*root + axis_other*rest, axis_again*rest +
         axis_other*root);
     const int locked = root < 1.7763568394002505e-15*fabs(rest);
@@ -1584,9 +1584,9 @@ int attitude_angles_from_quaternion_f(float a, float b, float c, float d, float 
         third_y = NAN;
         third_z = NAN;
     }
-    const float across_x = -first_y*second_z + first_z*second_y;
+    const float across_x = first_z*second_y - first_y*second_z;
     const float across_y = first_x*second_z - first_z*second_x;
-    const float across_z = -first_x*second_y + first_y*second_x;
+    const float across_z = first_y*second_x - first_x*second_y;
     const float sign_of_roll = across_x*third_x + across_y*third_y + across_z*third_z;
     const float axis_again = first_x*third_x + first_y*third_y + first_z*third_z;
     const float axis_other = 1.0f - axis_again;
@@ -1606,7 +1606,7 @@ int attitude_angles_from_quaternion_f(float a, float b, float c, float d, float 
     const float product_4 = part_2*part_4;
     const float half_sine = a*along_second - along_across*along_first;
     const float root = sqrtf(above)*sqrtf(below);
-    const float rest = 0.5f*axis_again*(-above + below) + 2.0f*axis_other*half_sine;
+    const float rest = 0.5f*axis_again*(below - above) + 2.0f*axis_other*half_sine;
     const float second_angle = atan2f(axis_again*root + axis_other*rest, axis_again*rest +
         axis_other*root);
     const int locked = root < 9.5367431640625e-07f*fabsf(rest);
@@ -1686,16 +1686,16 @@ void attitude_angle_rates_matrix(double second, double third, double first_axis,
         third_y = (double)NAN;
         third_z = (double)NAN;
     }
-    const double across_x = -first_y*second_z + first_z*second_y;
+    const double across_x = first_z*second_y - first_y*second_z;
     const double across_y = first_x*second_z - first_z*second_x;
-    const double across_z = -first_x*second_y + first_y*second_x;
+    const double across_z = first_y*second_x - first_x*second_y;
     const double sign_of_roll = across_x*third_x + across_y*third_y + across_z*third_z;
     const double axis_again = first_x*third_x + first_y*third_y + first_z*third_z;
     const double volume = axis_again*sin_second + cos_second*sign_of_roll;
     const double over_volume = volume != 0.0 ? 1.0/volume : (double)NAN;
-    const double before_11 = over_volume*(-across_x*axis_again + first_x*sign_of_roll);
-    const double before_12 = over_volume*(-across_y*axis_again + first_y*sign_of_roll);
-    const double before_13 = over_volume*(-across_z*axis_again + first_z*sign_of_roll);
+    const double before_11 = over_volume*(first_x*sign_of_roll - across_x*axis_again);
+    const double before_12 = over_volume*(first_y*sign_of_roll - across_y*axis_again);
+    const double before_13 = over_volume*(first_z*sign_of_roll - across_z*axis_again);
     const double before_21 = second_x;
     const double before_22 = second_y;
     const double before_23 = second_z;
@@ -1709,13 +1709,13 @@ void attitude_angle_rates_matrix(double second, double third, double first_axis,
     const double third_sine_y = sin_third*third_y;
     const double third_sine_z = sin_third*third_z;
     out[0] = before_11*third_stays_x + before_12*third_sine_z - before_13*third_sine_y;
-    out[1] = -before_11*third_sine_z + before_12*third_stays_y + before_13*third_sine_x;
+    out[1] = before_12*third_stays_y - before_11*third_sine_z + before_13*third_sine_x;
     out[2] = before_11*third_sine_y - before_12*third_sine_x + before_13*third_stays_z;
     out[3] = before_21*third_stays_x + before_22*third_sine_z - before_23*third_sine_y;
-    out[4] = -before_21*third_sine_z + before_22*third_stays_y + before_23*third_sine_x;
+    out[4] = before_22*third_stays_y - before_21*third_sine_z + before_23*third_sine_x;
     out[5] = before_21*third_sine_y - before_22*third_sine_x + before_23*third_stays_z;
     out[6] = before_31*third_stays_x + before_32*third_sine_z - before_33*third_sine_y;
-    out[7] = -before_31*third_sine_z + before_32*third_stays_y + before_33*third_sine_x;
+    out[7] = before_32*third_stays_y - before_31*third_sine_z + before_33*third_sine_x;
     out[8] = before_31*third_sine_y - before_32*third_sine_x + before_33*third_stays_z;
 }
 
@@ -1780,16 +1780,16 @@ void attitude_angle_rates_matrix_f(float second, float third, float first_axis, 
         third_y = NAN;
         third_z = NAN;
     }
-    const float across_x = -first_y*second_z + first_z*second_y;
+    const float across_x = first_z*second_y - first_y*second_z;
     const float across_y = first_x*second_z - first_z*second_x;
-    const float across_z = -first_x*second_y + first_y*second_x;
+    const float across_z = first_y*second_x - first_x*second_y;
     const float sign_of_roll = across_x*third_x + across_y*third_y + across_z*third_z;
     const float axis_again = first_x*third_x + first_y*third_y + first_z*third_z;
     const float volume = axis_again*sin_second + cos_second*sign_of_roll;
     const float over_volume = volume != 0.0f ? 1.0f/volume : NAN;
-    const float before_11 = over_volume*(-across_x*axis_again + first_x*sign_of_roll);
-    const float before_12 = over_volume*(-across_y*axis_again + first_y*sign_of_roll);
-    const float before_13 = over_volume*(-across_z*axis_again + first_z*sign_of_roll);
+    const float before_11 = over_volume*(first_x*sign_of_roll - across_x*axis_again);
+    const float before_12 = over_volume*(first_y*sign_of_roll - across_y*axis_again);
+    const float before_13 = over_volume*(first_z*sign_of_roll - across_z*axis_again);
     const float before_21 = second_x;
     const float before_22 = second_y;
     const float before_23 = second_z;
@@ -1803,13 +1803,13 @@ void attitude_angle_rates_matrix_f(float second, float third, float first_axis, 
     const float third_sine_y = sin_third*third_y;
     const float third_sine_z = sin_third*third_z;
     out[0] = before_11*third_stays_x + before_12*third_sine_z - before_13*third_sine_y;
-    out[1] = -before_11*third_sine_z + before_12*third_stays_y + before_13*third_sine_x;
+    out[1] = before_12*third_stays_y - before_11*third_sine_z + before_13*third_sine_x;
     out[2] = before_11*third_sine_y - before_12*third_sine_x + before_13*third_stays_z;
     out[3] = before_21*third_stays_x + before_22*third_sine_z - before_23*third_sine_y;
-    out[4] = -before_21*third_sine_z + before_22*third_stays_y + before_23*third_sine_x;
+    out[4] = before_22*third_stays_y - before_21*third_sine_z + before_23*third_sine_x;
     out[5] = before_21*third_sine_y - before_22*third_sine_x + before_23*third_stays_z;
     out[6] = before_31*third_stays_x + before_32*third_sine_z - before_33*third_sine_y;
-    out[7] = -before_31*third_sine_z + before_32*third_stays_y + before_33*third_sine_x;
+    out[7] = before_32*third_stays_y - before_31*third_sine_z + before_33*third_sine_x;
     out[8] = before_31*third_sine_y - before_32*third_sine_x + before_33*third_stays_z;
 }
 
@@ -1842,9 +1842,9 @@ void attitude_sensor_measures(double m11, double m12, double m13, double m21, do
     double sensitivity_z, double bias_x, double bias_y, double bias_z, double x, double y, double z,
     double out[3])
 {
-    const double own_x = -bias_x + sensitivity_x*x;
-    const double own_y = -bias_y + sensitivity_y*y;
-    const double own_z = -bias_z + sensitivity_z*z;
+    const double own_x = sensitivity_x*x - bias_x;
+    const double own_y = sensitivity_y*y - bias_y;
+    const double own_z = sensitivity_z*z - bias_z;
     out[0] = m11*own_x + m12*own_y + m13*own_z;
     out[1] = m21*own_x + m22*own_y + m23*own_z;
     out[2] = m31*own_x + m32*own_y + m33*own_z;
@@ -1854,9 +1854,9 @@ void attitude_sensor_measures_f(float m11, float m12, float m13, float m21, floa
     float m31, float m32, float m33, float sensitivity_x, float sensitivity_y, float sensitivity_z,
     float bias_x, float bias_y, float bias_z, float x, float y, float z, float out[3])
 {
-    const float own_x = -bias_x + sensitivity_x*x;
-    const float own_y = -bias_y + sensitivity_y*y;
-    const float own_z = -bias_z + sensitivity_z*z;
+    const float own_x = sensitivity_x*x - bias_x;
+    const float own_y = sensitivity_y*y - bias_y;
+    const float own_z = sensitivity_z*z - bias_z;
     out[0] = m11*own_x + m12*own_y + m13*own_z;
     out[1] = m21*own_x + m22*own_y + m23*own_z;
     out[2] = m31*own_x + m32*own_y + m33*own_z;
@@ -1975,25 +1975,25 @@ void attitude_iron_added_f(float n11, float n12, float n13, float n21, float n22
 
 void attitude_vector_rate(double x, double y, double z, double p, double q, double r, double out[3])
 {
-    out[0] = -q*z + r*y;
+    out[0] = r*y - q*z;
     out[1] = p*z - r*x;
-    out[2] = -p*y + q*x;
+    out[2] = q*x - p*y;
 }
 
 void attitude_vector_rate_f(float x, float y, float z, float p, float q, float r, float out[3])
 {
-    out[0] = -q*z + r*y;
+    out[0] = r*y - q*z;
     out[1] = p*z - r*x;
-    out[2] = -p*y + q*x;
+    out[2] = q*x - p*y;
 }
 
 void attitude_norm_misfit(double a_xx, double a_xy, double a_xz, double a_yy, double a_yz,
     double a_zz, double centre_x, double centre_y, double centre_z, double x, double y, double z,
     double out[10])
 {
-    const double common_0 = -centre_x + x;
-    const double common_1 = -centre_y + y;
-    const double common_2 = -centre_z + z;
+    const double common_0 = x - centre_x;
+    const double common_1 = y - centre_y;
+    const double common_2 = z - centre_z;
     const double common_3 = a_xx*common_0 + a_xy*common_1 + a_xz*common_2;
     const double common_4 = a_xy*common_0 + a_yy*common_1 + a_yz*common_2;
     const double common_5 = a_xz*common_0 + a_yz*common_1 + a_zz*common_2;
@@ -2023,9 +2023,9 @@ void attitude_norm_misfit(double a_xx, double a_xy, double a_xz, double a_yy, do
 void attitude_norm_misfit_f(float a_xx, float a_xy, float a_xz, float a_yy, float a_yz, float a_zz,
     float centre_x, float centre_y, float centre_z, float x, float y, float z, float out[10])
 {
-    const float common_0 = -centre_x + x;
-    const float common_1 = -centre_y + y;
-    const float common_2 = -centre_z + z;
+    const float common_0 = x - centre_x;
+    const float common_1 = y - centre_y;
+    const float common_2 = z - centre_z;
     const float common_3 = a_xx*common_0 + a_xy*common_1 + a_xz*common_2;
     const float common_4 = a_xy*common_0 + a_yy*common_1 + a_yz*common_2;
     const float common_5 = a_xz*common_0 + a_yz*common_1 + a_zz*common_2;
@@ -2258,8 +2258,8 @@ void attitude_observer_turn(double a, double b, double c, double d, double p, do
     const double predicted_d = a*turn_d + b*turn_c - c*turn_b + d*turn_a;
     const double e_x = 2.0*predicted_a*predicted_c - 2.0*predicted_b*predicted_d;
     const double e_y = -2.0*predicted_a*predicted_b - 2.0*predicted_c*predicted_d;
-    const double e_z = -(predicted_a*predicted_a) + predicted_b*predicted_b +
-        predicted_c*predicted_c - (predicted_d*predicted_d);
+    const double e_z = predicted_b*predicted_b - (predicted_a*predicted_a) + predicted_c*predicted_c
+        - (predicted_d*predicted_d);
     const double size = fabs(accel_x) + fabs(accel_y) + fabs(accel_z);
     const int has_direction = size <= 1.7976931348623157e+308 && size > 0.0;
     double reading_x, reading_y, reading_z;
@@ -2272,13 +2272,13 @@ void attitude_observer_turn(double a, double b, double c, double d, double p, do
         reading_y = 0.0;
         reading_z = 0.0;
     }
-    const double across_x = -e_y*reading_z + e_z*reading_y;
+    const double across_x = e_z*reading_y - e_y*reading_z;
     const double across_y = e_x*reading_z - e_z*reading_x;
-    const double across_z = -e_x*reading_y + e_y*reading_x;
+    const double across_z = e_y*reading_x - e_x*reading_y;
     const double moved_a = -across_x*predicted_b - across_y*predicted_c - across_z*predicted_d;
     const double moved_b = across_x*predicted_a - across_y*predicted_d + across_z*predicted_c;
     const double moved_c = across_x*predicted_d + across_y*predicted_a - across_z*predicted_b;
-    const double moved_d = -across_x*predicted_c + across_y*predicted_b + across_z*predicted_a;
+    const double moved_d = across_y*predicted_b - across_x*predicted_c + across_z*predicted_a;
     const double sine_off = sqrt(across_x*across_x + across_y*across_y + across_z*across_z);
     const double half_turn_back = 0.5*gain*atan2(sine_off, e_x*reading_x + e_y*reading_y +
         e_z*reading_z);
@@ -2331,7 +2331,7 @@ void attitude_observer_turn_f(float a, float b, float c, float d, float p, float
     const float predicted_d = a*turn_d + b*turn_c - c*turn_b + d*turn_a;
     const float e_x = 2.0f*predicted_a*predicted_c - 2.0f*predicted_b*predicted_d;
     const float e_y = -2.0f*predicted_a*predicted_b - 2.0f*predicted_c*predicted_d;
-    const float e_z = -(predicted_a*predicted_a) + predicted_b*predicted_b + predicted_c*predicted_c
+    const float e_z = predicted_b*predicted_b - (predicted_a*predicted_a) + predicted_c*predicted_c
         - (predicted_d*predicted_d);
     const float size = fabsf(accel_x) + fabsf(accel_y) + fabsf(accel_z);
     const int has_direction = size <= 3.4028234663852886e+38f && size > 0.0f;
@@ -2345,13 +2345,13 @@ void attitude_observer_turn_f(float a, float b, float c, float d, float p, float
         reading_y = 0.0f;
         reading_z = 0.0f;
     }
-    const float across_x = -e_y*reading_z + e_z*reading_y;
+    const float across_x = e_z*reading_y - e_y*reading_z;
     const float across_y = e_x*reading_z - e_z*reading_x;
-    const float across_z = -e_x*reading_y + e_y*reading_x;
+    const float across_z = e_y*reading_x - e_x*reading_y;
     const float moved_a = -across_x*predicted_b - across_y*predicted_c - across_z*predicted_d;
     const float moved_b = across_x*predicted_a - across_y*predicted_d + across_z*predicted_c;
     const float moved_c = across_x*predicted_d + across_y*predicted_a - across_z*predicted_b;
-    const float moved_d = -across_x*predicted_c + across_y*predicted_b + across_z*predicted_a;
+    const float moved_d = across_y*predicted_b - across_x*predicted_c + across_z*predicted_a;
     const float sine_off = sqrtf(across_x*across_x + across_y*across_y + across_z*across_z);
     const float half_turn_back = 0.5f*gain*atan2f(sine_off, e_x*reading_x + e_y*reading_y +
         e_z*reading_z);
@@ -2392,7 +2392,6 @@ void attitude_observer_step(double roll, double pitch, double yaw, double p, dou
         cos_half_roll*cos_half_yaw_sin_half_pitch;
     const double start_d = cos_half_pitch_sin_half_yaw*cos_half_roll -
         cos_half_yaw_sin_half_pitch*sin_half_roll;
-    const double start_sign = start_a >= 0.0 ? 1.0 : -1.0;
     const double abs_p = fabs(p);
     const double abs_q = fabs(q);
     const double abs_r = fabs(r);
@@ -2417,22 +2416,14 @@ void attitude_observer_step(double roll, double pitch, double yaw, double p, dou
     const double turn_b = common_17*rate_x;
     const double turn_c = common_17*rate_y;
     const double turn_d = common_17*rate_z;
-    const double start_b_start_sign = start_b*start_sign;
-    const double start_c_start_sign = start_c*start_sign;
-    const double start_d_start_sign = start_d*start_sign;
-    const double predicted_a = start_a*start_sign*turn_a - start_b_start_sign*turn_b -
-        start_c_start_sign*turn_c - start_d_start_sign*turn_d;
-    const double start_a_start_sign = start_a*start_sign;
-    const double predicted_b = start_a_start_sign*turn_b + start_b_start_sign*turn_a +
-        start_c_start_sign*turn_d - start_d_start_sign*turn_c;
-    const double predicted_c = start_a_start_sign*turn_c - start_b_start_sign*turn_d +
-        start_c_start_sign*turn_a + start_d_start_sign*turn_b;
-    const double predicted_d = start_a_start_sign*turn_d + start_b_start_sign*turn_c -
-        start_c_start_sign*turn_b + start_d_start_sign*turn_a;
+    const double predicted_a = start_a*turn_a - start_b*turn_b - start_c*turn_c - start_d*turn_d;
+    const double predicted_b = start_a*turn_b + start_b*turn_a + start_c*turn_d - start_d*turn_c;
+    const double predicted_c = start_a*turn_c - start_b*turn_d + start_c*turn_a + start_d*turn_b;
+    const double predicted_d = start_a*turn_d + start_b*turn_c - start_c*turn_b + start_d*turn_a;
     const double e_x = 2.0*predicted_a*predicted_c - 2.0*predicted_b*predicted_d;
     const double e_y = -2.0*predicted_a*predicted_b - 2.0*predicted_c*predicted_d;
-    const double e_z = -(predicted_a*predicted_a) + predicted_b*predicted_b +
-        predicted_c*predicted_c - (predicted_d*predicted_d);
+    const double e_z = predicted_b*predicted_b - (predicted_a*predicted_a) + predicted_c*predicted_c
+        - (predicted_d*predicted_d);
     const double size = fabs(accel_x) + fabs(accel_y) + fabs(accel_z);
     const int has_direction = size <= 1.7976931348623157e+308 && size > 0.0;
     double reading_x, reading_y, reading_z;
@@ -2445,13 +2436,13 @@ void attitude_observer_step(double roll, double pitch, double yaw, double p, dou
         reading_y = 0.0;
         reading_z = 0.0;
     }
-    const double across_x = -e_y*reading_z + e_z*reading_y;
+    const double across_x = e_z*reading_y - e_y*reading_z;
     const double across_y = e_x*reading_z - e_z*reading_x;
-    const double across_z = -e_x*reading_y + e_y*reading_x;
+    const double across_z = e_y*reading_x - e_x*reading_y;
     const double moved_a = -across_x*predicted_b - across_y*predicted_c - across_z*predicted_d;
     const double moved_b = across_x*predicted_a - across_y*predicted_d + across_z*predicted_c;
     const double moved_c = across_x*predicted_d + across_y*predicted_a - across_z*predicted_b;
-    const double moved_d = -across_x*predicted_c + across_y*predicted_b + across_z*predicted_a;
+    const double moved_d = across_y*predicted_b - across_x*predicted_c + across_z*predicted_a;
     const double sine_off = sqrt(across_x*across_x + across_y*across_y + across_z*across_z);
     const double half_turn_back = 0.5*gain*atan2(sine_off, e_x*reading_x + e_y*reading_y +
         e_z*reading_z);
@@ -2472,7 +2463,7 @@ void attitude_observer_step(double roll, double pitch, double yaw, double p, dou
     const double end_a_minus_c = end_a - end_c;
     const double end_b_plus_d = end_b + end_d;
     const double end_a_plus_c = end_a + end_c;
-    const double end_d_minus_b = -end_b + end_d;
+    const double end_d_minus_b = end_d - end_b;
     const double end_below = end_a_minus_c*end_a_minus_c + end_b_plus_d*end_b_plus_d;
     const double end_above = end_a_plus_c*end_a_plus_c + end_d_minus_b*end_d_minus_b;
     const double end_product_1 = end_a_plus_c*end_b_plus_d;
@@ -2517,7 +2508,6 @@ void attitude_observer_step_f(float roll, float pitch, float yaw, float p, float
         cos_half_roll*cos_half_yaw_sin_half_pitch;
     const float start_d = cos_half_pitch_sin_half_yaw*cos_half_roll -
         cos_half_yaw_sin_half_pitch*sin_half_roll;
-    const float start_sign = start_a >= 0.0f ? 1.0f : -1.0f;
     const float abs_p = fabsf(p);
     const float abs_q = fabsf(q);
     const float abs_r = fabsf(r);
@@ -2542,21 +2532,13 @@ void attitude_observer_step_f(float roll, float pitch, float yaw, float p, float
     const float turn_b = common_17*rate_x;
     const float turn_c = common_17*rate_y;
     const float turn_d = common_17*rate_z;
-    const float start_b_start_sign = start_b*start_sign;
-    const float start_c_start_sign = start_c*start_sign;
-    const float start_d_start_sign = start_d*start_sign;
-    const float predicted_a = start_a*start_sign*turn_a - start_b_start_sign*turn_b -
-        start_c_start_sign*turn_c - start_d_start_sign*turn_d;
-    const float start_a_start_sign = start_a*start_sign;
-    const float predicted_b = start_a_start_sign*turn_b + start_b_start_sign*turn_a +
-        start_c_start_sign*turn_d - start_d_start_sign*turn_c;
-    const float predicted_c = start_a_start_sign*turn_c - start_b_start_sign*turn_d +
-        start_c_start_sign*turn_a + start_d_start_sign*turn_b;
-    const float predicted_d = start_a_start_sign*turn_d + start_b_start_sign*turn_c -
-        start_c_start_sign*turn_b + start_d_start_sign*turn_a;
+    const float predicted_a = start_a*turn_a - start_b*turn_b - start_c*turn_c - start_d*turn_d;
+    const float predicted_b = start_a*turn_b + start_b*turn_a + start_c*turn_d - start_d*turn_c;
+    const float predicted_c = start_a*turn_c - start_b*turn_d + start_c*turn_a + start_d*turn_b;
+    const float predicted_d = start_a*turn_d + start_b*turn_c - start_c*turn_b + start_d*turn_a;
     const float e_x = 2.0f*predicted_a*predicted_c - 2.0f*predicted_b*predicted_d;
     const float e_y = -2.0f*predicted_a*predicted_b - 2.0f*predicted_c*predicted_d;
-    const float e_z = -(predicted_a*predicted_a) + predicted_b*predicted_b + predicted_c*predicted_c
+    const float e_z = predicted_b*predicted_b - (predicted_a*predicted_a) + predicted_c*predicted_c
         - (predicted_d*predicted_d);
     const float size = fabsf(accel_x) + fabsf(accel_y) + fabsf(accel_z);
     const int has_direction = size <= 3.4028234663852886e+38f && size > 0.0f;
@@ -2570,13 +2552,13 @@ void attitude_observer_step_f(float roll, float pitch, float yaw, float p, float
         reading_y = 0.0f;
         reading_z = 0.0f;
     }
-    const float across_x = -e_y*reading_z + e_z*reading_y;
+    const float across_x = e_z*reading_y - e_y*reading_z;
     const float across_y = e_x*reading_z - e_z*reading_x;
-    const float across_z = -e_x*reading_y + e_y*reading_x;
+    const float across_z = e_y*reading_x - e_x*reading_y;
     const float moved_a = -across_x*predicted_b - across_y*predicted_c - across_z*predicted_d;
     const float moved_b = across_x*predicted_a - across_y*predicted_d + across_z*predicted_c;
     const float moved_c = across_x*predicted_d + across_y*predicted_a - across_z*predicted_b;
-    const float moved_d = -across_x*predicted_c + across_y*predicted_b + across_z*predicted_a;
+    const float moved_d = across_y*predicted_b - across_x*predicted_c + across_z*predicted_a;
     const float sine_off = sqrtf(across_x*across_x + across_y*across_y + across_z*across_z);
     const float half_turn_back = 0.5f*gain*atan2f(sine_off, e_x*reading_x + e_y*reading_y +
         e_z*reading_z);
@@ -2597,7 +2579,7 @@ void attitude_observer_step_f(float roll, float pitch, float yaw, float p, float
     const float end_a_minus_c = end_a - end_c;
     const float end_b_plus_d = end_b + end_d;
     const float end_a_plus_c = end_a + end_c;
-    const float end_d_minus_b = -end_b + end_d;
+    const float end_d_minus_b = end_d - end_b;
     const float end_below = end_a_minus_c*end_a_minus_c + end_b_plus_d*end_b_plus_d;
     const float end_above = end_a_plus_c*end_a_plus_c + end_d_minus_b*end_d_minus_b;
     const float end_product_1 = end_a_plus_c*end_b_plus_d;
@@ -2668,8 +2650,8 @@ void attitude_euler_observer_step(double roll, double pitch, double yaw, double 
     }
     const double predicted_roll = dt*(rate_across*tan_pitch + rate_x) + roll;
     const double predicted_pitch = dt*(cos_roll*rate_y - rate_z*sin_roll) + pitch;
-    const double roll_to_measured = -predicted_roll + seen_roll;
-    const double pitch_to_measured = -predicted_pitch + seen_pitch;
+    const double roll_to_measured = seen_roll - predicted_roll;
+    const double pitch_to_measured = seen_pitch - predicted_pitch;
     double roll_off, pitch_off;
     if (seen_has_direction) {
         roll_off = gain*(roll_to_measured -
@@ -2732,8 +2714,8 @@ void attitude_euler_observer_step_f(float roll, float pitch, float yaw, float p,
     }
     const float predicted_roll = dt*(rate_across*tan_pitch + rate_x) + roll;
     const float predicted_pitch = dt*(cos_roll*rate_y - rate_z*sin_roll) + pitch;
-    const float roll_to_measured = -predicted_roll + seen_roll;
-    const float pitch_to_measured = -predicted_pitch + seen_pitch;
+    const float roll_to_measured = seen_roll - predicted_roll;
+    const float pitch_to_measured = seen_pitch - predicted_pitch;
     float roll_off, pitch_off;
     if (seen_has_direction) {
         roll_off = gain*(roll_to_measured -
@@ -2947,8 +2929,8 @@ void attitude_monitored_turn(double a, double b, double c, double d, double abov
     const double predicted_d = a*turn_d + b*turn_c - c*turn_b + d*turn_a;
     const double e_x = 2.0*predicted_a*predicted_c - 2.0*predicted_b*predicted_d;
     const double e_y = -2.0*predicted_a*predicted_b - 2.0*predicted_c*predicted_d;
-    const double e_z = -(predicted_a*predicted_a) + predicted_b*predicted_b +
-        predicted_c*predicted_c - (predicted_d*predicted_d);
+    const double e_z = predicted_b*predicted_b - (predicted_a*predicted_a) + predicted_c*predicted_c
+        - (predicted_d*predicted_d);
     const double size = fabs(accel_x) + fabs(accel_y) + fabs(accel_z);
     const int has_direction = size <= 1.7976931348623157e+308 && size > 0.0;
     double reading_x, reading_y, reading_z;
@@ -2961,13 +2943,13 @@ void attitude_monitored_turn(double a, double b, double c, double d, double abov
         reading_y = 0.0;
         reading_z = 0.0;
     }
-    const double across_x = -e_y*reading_z + e_z*reading_y;
+    const double across_x = e_z*reading_y - e_y*reading_z;
     const double across_y = e_x*reading_z - e_z*reading_x;
-    const double across_z = -e_x*reading_y + e_y*reading_x;
+    const double across_z = e_y*reading_x - e_x*reading_y;
     const double moved_a = -across_x*predicted_b - across_y*predicted_c - across_z*predicted_d;
     const double moved_b = across_x*predicted_a - across_y*predicted_d + across_z*predicted_c;
     const double moved_c = across_x*predicted_d + across_y*predicted_a - across_z*predicted_b;
-    const double moved_d = -across_x*predicted_c + across_y*predicted_b + across_z*predicted_a;
+    const double moved_d = across_y*predicted_b - across_x*predicted_c + across_z*predicted_a;
     const double sine_off = sqrt(across_x*across_x + across_y*across_y + across_z*across_z);
     const double half_turn_back = 0.5*chosen_gain*atan2(sine_off, e_x*reading_x + e_y*reading_y +
         e_z*reading_z);
@@ -3069,7 +3051,7 @@ void attitude_monitored_turn_f(float a, float b, float c, float d, float above, 
     const float predicted_d = a*turn_d + b*turn_c - c*turn_b + d*turn_a;
     const float e_x = 2.0f*predicted_a*predicted_c - 2.0f*predicted_b*predicted_d;
     const float e_y = -2.0f*predicted_a*predicted_b - 2.0f*predicted_c*predicted_d;
-    const float e_z = -(predicted_a*predicted_a) + predicted_b*predicted_b + predicted_c*predicted_c
+    const float e_z = predicted_b*predicted_b - (predicted_a*predicted_a) + predicted_c*predicted_c
         - (predicted_d*predicted_d);
     const float size = fabsf(accel_x) + fabsf(accel_y) + fabsf(accel_z);
     const int has_direction = size <= 3.4028234663852886e+38f && size > 0.0f;
@@ -3083,13 +3065,13 @@ void attitude_monitored_turn_f(float a, float b, float c, float d, float above, 
         reading_y = 0.0f;
         reading_z = 0.0f;
     }
-    const float across_x = -e_y*reading_z + e_z*reading_y;
+    const float across_x = e_z*reading_y - e_y*reading_z;
     const float across_y = e_x*reading_z - e_z*reading_x;
-    const float across_z = -e_x*reading_y + e_y*reading_x;
+    const float across_z = e_y*reading_x - e_x*reading_y;
     const float moved_a = -across_x*predicted_b - across_y*predicted_c - across_z*predicted_d;
     const float moved_b = across_x*predicted_a - across_y*predicted_d + across_z*predicted_c;
     const float moved_c = across_x*predicted_d + across_y*predicted_a - across_z*predicted_b;
-    const float moved_d = -across_x*predicted_c + across_y*predicted_b + across_z*predicted_a;
+    const float moved_d = across_y*predicted_b - across_x*predicted_c + across_z*predicted_a;
     const float sine_off = sqrtf(across_x*across_x + across_y*across_y + across_z*across_z);
     const float half_turn_back = 0.5f*chosen_gain*atan2f(sine_off, e_x*reading_x + e_y*reading_y +
         e_z*reading_z);
@@ -3162,11 +3144,11 @@ void attitude_inertial_acceleration(double accel_x, double accel_y, double accel
     const double sin_roll_sin_yaw = sin_roll*sin_yaw;
     const double cos_roll_cos_yaw = cos_roll*cos_yaw;
     const double cos_roll_sin_yaw = cos_roll*sin_yaw;
-    out[0] = accel_x_cos_pitch*cos_yaw + accel_y*(-cos_roll_sin_yaw + cos_yaw_sin_roll*sin_pitch) +
+    out[0] = accel_x_cos_pitch*cos_yaw + accel_y*(cos_yaw_sin_roll*sin_pitch - cos_roll_sin_yaw) +
         accel_z*(cos_roll_cos_yaw*sin_pitch + sin_roll_sin_yaw);
     out[1] = accel_x_cos_pitch*sin_yaw + accel_y*(cos_roll_cos_yaw + sin_pitch*sin_roll_sin_yaw) +
         accel_z*(cos_roll_sin_yaw*sin_pitch - cos_yaw_sin_roll);
-    out[2] = -accel_x*sin_pitch + accel_y*cos_pitch*sin_roll + accel_z*cos_pitch*cos_roll + gravity;
+    out[2] = accel_y*cos_pitch*sin_roll - accel_x*sin_pitch + accel_z*cos_pitch*cos_roll + gravity;
 }
 
 void attitude_inertial_acceleration_f(float accel_x, float accel_y, float accel_z, float roll,
@@ -3183,11 +3165,11 @@ void attitude_inertial_acceleration_f(float accel_x, float accel_y, float accel_
     const float sin_roll_sin_yaw = sin_roll*sin_yaw;
     const float cos_roll_cos_yaw = cos_roll*cos_yaw;
     const float cos_roll_sin_yaw = cos_roll*sin_yaw;
-    out[0] = accel_x_cos_pitch*cos_yaw + accel_y*(-cos_roll_sin_yaw + cos_yaw_sin_roll*sin_pitch) +
+    out[0] = accel_x_cos_pitch*cos_yaw + accel_y*(cos_yaw_sin_roll*sin_pitch - cos_roll_sin_yaw) +
         accel_z*(cos_roll_cos_yaw*sin_pitch + sin_roll_sin_yaw);
     out[1] = accel_x_cos_pitch*sin_yaw + accel_y*(cos_roll_cos_yaw + sin_pitch*sin_roll_sin_yaw) +
         accel_z*(cos_roll_sin_yaw*sin_pitch - cos_yaw_sin_roll);
-    out[2] = -accel_x*sin_pitch + accel_y*cos_pitch*sin_roll + accel_z*cos_pitch*cos_roll + gravity;
+    out[2] = accel_y*cos_pitch*sin_roll - accel_x*sin_pitch + accel_z*cos_pitch*cos_roll + gravity;
 }
 
 void attitude_accelerometer_from_acceleration(double accel_north, double accel_east,
@@ -3207,7 +3189,7 @@ void attitude_accelerometer_from_acceleration(double accel_north, double accel_e
     const double sin_pitch_sin_roll = sin_pitch*sin_roll;
     const double cos_pitch_cos_roll = cos_pitch*cos_roll;
     const double cos_roll_sin_pitch = cos_roll*sin_pitch;
-    out[0] = -accel_down*sin_pitch + accel_east_sin_yaw*cos_pitch + accel_north_cos_yaw*cos_pitch +
+    out[0] = accel_east_sin_yaw*cos_pitch - accel_down*sin_pitch + accel_north_cos_yaw*cos_pitch +
         gravity*sin_pitch;
     out[1] = accel_down*cos_pitch_sin_roll + accel_east_cos_yaw*cos_roll +
         accel_east_sin_yaw*sin_pitch_sin_roll + accel_north_cos_yaw*sin_pitch_sin_roll -
@@ -3234,7 +3216,7 @@ void attitude_accelerometer_from_acceleration_f(float accel_north, float accel_e
     const float sin_pitch_sin_roll = sin_pitch*sin_roll;
     const float cos_pitch_cos_roll = cos_pitch*cos_roll;
     const float cos_roll_sin_pitch = cos_roll*sin_pitch;
-    out[0] = -accel_down*sin_pitch + accel_east_sin_yaw*cos_pitch + accel_north_cos_yaw*cos_pitch +
+    out[0] = accel_east_sin_yaw*cos_pitch - accel_down*sin_pitch + accel_north_cos_yaw*cos_pitch +
         gravity*sin_pitch;
     out[1] = accel_down*cos_pitch_sin_roll + accel_east_cos_yaw*cos_roll +
         accel_east_sin_yaw*sin_pitch_sin_roll + accel_north_cos_yaw*sin_pitch_sin_roll -
@@ -3569,7 +3551,7 @@ void attitude_averaging_turn(double a, double b, double c, double d, double mean
     const double slope_after_d = bent*slope_d + off_d*steeper;
     const double mean_e_squared_plus_mean_n_squared = mean_e*mean_e + mean_n*mean_n;
     const double mean_length_after = sqrt(mean_e_squared_plus_mean_n_squared + mean_d*mean_d);
-    const double upright = -mean_d + mean_length_after;
+    const double upright = mean_length_after - mean_d;
     const double level_size = sqrt(mean_e_squared_plus_mean_n_squared + upright*upright);
     double level_a, level_b, level_c;
     if (level_size > 0.0) {
@@ -3619,7 +3601,7 @@ void attitude_averaging_turn(double a, double b, double c, double d, double mean
     out[5] = 2.0*level_a_slope_after_d*level_c + level_a_squared*slope_after_n +
         level_b_squared*slope_after_n - level_c_squared*slope_after_n +
         slope_after_e*twice_level_b_level_c;
-    out[6] = -2.0*level_a_slope_after_d*level_b + level_a_squared*slope_after_e -
+    out[6] = level_a_squared*slope_after_e - 2.0*level_a_slope_after_d*level_b -
         level_b_squared*slope_after_e + level_c_squared*slope_after_e +
         slope_after_n*twice_level_b_level_c;
     out[7] = 2.0*level_a*level_b*slope_after_e - 2.0*level_a*level_c*slope_after_n +
@@ -3771,7 +3753,7 @@ void attitude_averaging_turn_f(float a, float b, float c, float d, float mean_le
     const float slope_after_d = bent*slope_d + off_d*steeper;
     const float mean_e_squared_plus_mean_n_squared = mean_e*mean_e + mean_n*mean_n;
     const float mean_length_after = sqrtf(mean_e_squared_plus_mean_n_squared + mean_d*mean_d);
-    const float upright = -mean_d + mean_length_after;
+    const float upright = mean_length_after - mean_d;
     const float level_size = sqrtf(mean_e_squared_plus_mean_n_squared + upright*upright);
     float level_a, level_b, level_c;
     if (level_size > 0.0f) {
@@ -3821,7 +3803,7 @@ void attitude_averaging_turn_f(float a, float b, float c, float d, float mean_le
     out[5] = 2.0f*level_a_slope_after_d*level_c + level_a_squared*slope_after_n +
         level_b_squared*slope_after_n - level_c_squared*slope_after_n +
         slope_after_e*twice_level_b_level_c;
-    out[6] = -2.0f*level_a_slope_after_d*level_b + level_a_squared*slope_after_e -
+    out[6] = level_a_squared*slope_after_e - 2.0f*level_a_slope_after_d*level_b -
         level_b_squared*slope_after_e + level_c_squared*slope_after_e +
         slope_after_n*twice_level_b_level_c;
     out[7] = 2.0f*level_a*level_b*slope_after_e - 2.0f*level_a*level_c*slope_after_n +
@@ -3976,7 +3958,7 @@ void attitude_averaging_heading_turn(double a, double b, double c, double d, dou
     const double slope_after_d = bent*slope_d + off_d*steeper;
     const double mean_e_squared_plus_mean_n_squared = mean_e*mean_e + mean_n*mean_n;
     const double mean_length_after = sqrt(mean_e_squared_plus_mean_n_squared + mean_d*mean_d);
-    const double upright = -mean_d + mean_length_after;
+    const double upright = mean_length_after - mean_d;
     const double level_size = sqrt(mean_e_squared_plus_mean_n_squared + upright*upright);
     double level_a, level_b, level_c;
     if (level_size > 0.0) {
@@ -4025,8 +4007,8 @@ void attitude_averaging_heading_turn(double a, double b, double c, double d, dou
     const double level_slope_n = 2.0*level_a_slope_after_d*level_c + level_a_squared*slope_after_n +
         level_b_squared*slope_after_n - level_c_squared*slope_after_n +
         slope_after_e*twice_level_b_level_c;
-    const double level_slope_e = -2.0*level_a_slope_after_d*level_b + level_a_squared*slope_after_e
-        - level_b_squared*slope_after_e + level_c_squared*slope_after_e +
+    const double level_slope_e = level_a_squared*slope_after_e - 2.0*level_a_slope_after_d*level_b -
+        level_b_squared*slope_after_e + level_c_squared*slope_after_e +
         slope_after_n*twice_level_b_level_c;
     const double level_slope_d = 2.0*level_a*level_b*slope_after_e -
         2.0*level_a*level_c*slope_after_n + level_a_squared*slope_after_d -
@@ -4062,8 +4044,8 @@ void attitude_averaging_heading_turn(double a, double b, double c, double d, dou
         field_y*level_attitude_b_squared + field_y*level_attitude_c_squared -
         field_y*level_attitude_d_squared - level_attitude_b*twice_field_z_level_attitude_a +
         level_attitude_c*twice_field_z_level_attitude_d;
-    const double field_d = -2.0*field_x*level_attitude_a*level_attitude_c +
-        2.0*field_x*level_attitude_b*level_attitude_d +
+    const double field_d = 2.0*field_x*level_attitude_b*level_attitude_d -
+        2.0*field_x*level_attitude_a*level_attitude_c +
         2.0*field_y*level_attitude_a*level_attitude_b +
         2.0*field_y*level_attitude_c*level_attitude_d + field_z*level_attitude_a_squared -
         field_z*level_attitude_b_squared - field_z*level_attitude_c_squared +
@@ -4098,7 +4080,7 @@ void attitude_averaging_heading_turn(double a, double b, double c, double d, dou
     }
     double field_length_after, field_down_after;
     if (field_is_the_same) {
-        field_length_after = field_length + field_share*(-field_length + length_now);
+        field_length_after = field_length + field_share*(length_now - field_length);
         field_down_after = field_down + field_share*(down_now - field_down);
     } else {
         field_length_after = field_length;
@@ -4313,7 +4295,7 @@ void attitude_averaging_heading_turn_f(float a, float b, float c, float d, float
     const float slope_after_d = bent*slope_d + off_d*steeper;
     const float mean_e_squared_plus_mean_n_squared = mean_e*mean_e + mean_n*mean_n;
     const float mean_length_after = sqrtf(mean_e_squared_plus_mean_n_squared + mean_d*mean_d);
-    const float upright = -mean_d + mean_length_after;
+    const float upright = mean_length_after - mean_d;
     const float level_size = sqrtf(mean_e_squared_plus_mean_n_squared + upright*upright);
     float level_a, level_b, level_c;
     if (level_size > 0.0f) {
@@ -4362,8 +4344,8 @@ void attitude_averaging_heading_turn_f(float a, float b, float c, float d, float
     const float level_slope_n = 2.0f*level_a_slope_after_d*level_c + level_a_squared*slope_after_n +
         level_b_squared*slope_after_n - level_c_squared*slope_after_n +
         slope_after_e*twice_level_b_level_c;
-    const float level_slope_e = -2.0f*level_a_slope_after_d*level_b + level_a_squared*slope_after_e
-        - level_b_squared*slope_after_e + level_c_squared*slope_after_e +
+    const float level_slope_e = level_a_squared*slope_after_e - 2.0f*level_a_slope_after_d*level_b -
+        level_b_squared*slope_after_e + level_c_squared*slope_after_e +
         slope_after_n*twice_level_b_level_c;
     const float level_slope_d = 2.0f*level_a*level_b*slope_after_e -
         2.0f*level_a*level_c*slope_after_n + level_a_squared*slope_after_d -
@@ -4399,8 +4381,8 @@ void attitude_averaging_heading_turn_f(float a, float b, float c, float d, float
         field_y*level_attitude_b_squared + field_y*level_attitude_c_squared -
         field_y*level_attitude_d_squared - level_attitude_b*twice_field_z_level_attitude_a +
         level_attitude_c*twice_field_z_level_attitude_d;
-    const float field_d = -2.0f*field_x*level_attitude_a*level_attitude_c +
-        2.0f*field_x*level_attitude_b*level_attitude_d +
+    const float field_d = 2.0f*field_x*level_attitude_b*level_attitude_d -
+        2.0f*field_x*level_attitude_a*level_attitude_c +
         2.0f*field_y*level_attitude_a*level_attitude_b +
         2.0f*field_y*level_attitude_c*level_attitude_d + field_z*level_attitude_a_squared -
         field_z*level_attitude_b_squared - field_z*level_attitude_c_squared +
@@ -4435,7 +4417,7 @@ void attitude_averaging_heading_turn_f(float a, float b, float c, float d, float
     }
     float field_length_after, field_down_after;
     if (field_is_the_same) {
-        field_length_after = field_length + field_share*(-field_length + length_now);
+        field_length_after = field_length + field_share*(length_now - field_length);
         field_down_after = field_down + field_share*(down_now - field_down);
     } else {
         field_length_after = field_length;
@@ -4541,8 +4523,8 @@ void attitude_observer_heading_turn(double a, double b, double c, double d, doub
     const double predicted_d = a*turn_d + b*turn_c - c*turn_b + d*turn_a;
     const double e_x = 2.0*predicted_a*predicted_c - 2.0*predicted_b*predicted_d;
     const double e_y = -2.0*predicted_a*predicted_b - 2.0*predicted_c*predicted_d;
-    const double e_z = -(predicted_a*predicted_a) + predicted_b*predicted_b +
-        predicted_c*predicted_c - (predicted_d*predicted_d);
+    const double e_z = predicted_b*predicted_b - (predicted_a*predicted_a) + predicted_c*predicted_c
+        - (predicted_d*predicted_d);
     const double size = fabs(accel_x) + fabs(accel_y) + fabs(accel_z);
     const int has_direction = size <= 1.7976931348623157e+308 && size > 0.0;
     double reading_x, reading_y, reading_z;
@@ -4555,13 +4537,13 @@ void attitude_observer_heading_turn(double a, double b, double c, double d, doub
         reading_y = 0.0;
         reading_z = 0.0;
     }
-    const double across_x = -e_y*reading_z + e_z*reading_y;
+    const double across_x = e_z*reading_y - e_y*reading_z;
     const double across_y = e_x*reading_z - e_z*reading_x;
-    const double across_z = -e_x*reading_y + e_y*reading_x;
+    const double across_z = e_y*reading_x - e_x*reading_y;
     const double moved_a = -across_x*predicted_b - across_y*predicted_c - across_z*predicted_d;
     const double moved_b = across_x*predicted_a - across_y*predicted_d + across_z*predicted_c;
     const double moved_c = across_x*predicted_d + across_y*predicted_a - across_z*predicted_b;
-    const double moved_d = -across_x*predicted_c + across_y*predicted_b + across_z*predicted_a;
+    const double moved_d = across_y*predicted_b - across_x*predicted_c + across_z*predicted_a;
     const double sine_off = sqrt(across_x*across_x + across_y*across_y + across_z*across_z);
     const double half_turn_back = 0.5*gain*atan2(sine_off, e_x*reading_x + e_y*reading_y +
         e_z*reading_z);
@@ -4655,7 +4637,7 @@ void attitude_observer_heading_turn_f(float a, float b, float c, float d, float 
     const float predicted_d = a*turn_d + b*turn_c - c*turn_b + d*turn_a;
     const float e_x = 2.0f*predicted_a*predicted_c - 2.0f*predicted_b*predicted_d;
     const float e_y = -2.0f*predicted_a*predicted_b - 2.0f*predicted_c*predicted_d;
-    const float e_z = -(predicted_a*predicted_a) + predicted_b*predicted_b + predicted_c*predicted_c
+    const float e_z = predicted_b*predicted_b - (predicted_a*predicted_a) + predicted_c*predicted_c
         - (predicted_d*predicted_d);
     const float size = fabsf(accel_x) + fabsf(accel_y) + fabsf(accel_z);
     const int has_direction = size <= 3.4028234663852886e+38f && size > 0.0f;
@@ -4669,13 +4651,13 @@ void attitude_observer_heading_turn_f(float a, float b, float c, float d, float 
         reading_y = 0.0f;
         reading_z = 0.0f;
     }
-    const float across_x = -e_y*reading_z + e_z*reading_y;
+    const float across_x = e_z*reading_y - e_y*reading_z;
     const float across_y = e_x*reading_z - e_z*reading_x;
-    const float across_z = -e_x*reading_y + e_y*reading_x;
+    const float across_z = e_y*reading_x - e_x*reading_y;
     const float moved_a = -across_x*predicted_b - across_y*predicted_c - across_z*predicted_d;
     const float moved_b = across_x*predicted_a - across_y*predicted_d + across_z*predicted_c;
     const float moved_c = across_x*predicted_d + across_y*predicted_a - across_z*predicted_b;
-    const float moved_d = -across_x*predicted_c + across_y*predicted_b + across_z*predicted_a;
+    const float moved_d = across_y*predicted_b - across_x*predicted_c + across_z*predicted_a;
     const float sine_off = sqrtf(across_x*across_x + across_y*across_y + across_z*across_z);
     const float half_turn_back = 0.5f*gain*atan2f(sine_off, e_x*reading_x + e_y*reading_y +
         e_z*reading_z);

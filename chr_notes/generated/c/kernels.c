@@ -39,7 +39,7 @@ EVERY_INSTRUCTION_SET static int64_t matrix_from_euler
             results[0][row] = cos_pitch*cos_yaw;
             results[1][row] = cos_pitch*sin_yaw;
             results[2][row] = -sin_pitch;
-            results[3][row] = -cos_roll_sin_yaw + cos_yaw_sin_roll*sin_pitch;
+            results[3][row] = cos_yaw_sin_roll*sin_pitch - cos_roll_sin_yaw;
             results[4][row] = cos_roll_cos_yaw + sin_pitch*sin_roll_sin_yaw;
             results[5][row] = cos_pitch*sin_roll;
             results[6][row] = cos_roll_cos_yaw*sin_pitch + sin_roll_sin_yaw;
@@ -80,7 +80,7 @@ EVERY_INSTRUCTION_SET static int64_t euler_from_matrix
             const double r31 = matrix_in[6][row];
             const double r32 = matrix_in[7][row];
             const double r33 = matrix_in[8][row];
-            const double roll_sine = -r11*r32 + r12*r31;
+            const double roll_sine = r12*r31 - r11*r32;
             const double roll_cosine = r11*r22 - r12*r21;
             const double r11_squared_plus_r12_squared = r11*r11 + r12*r12;
             const double pitch = column_atan2(-r13, sqrt(r11_squared_plus_r12_squared));
@@ -89,10 +89,10 @@ EVERY_INSTRUCTION_SET static int64_t euler_from_matrix
             const double yaw = column_atan2(r12, r11);
             const double off_11 = r11_squared_plus_r12_squared - 1.0 + r13*r13;
             const double off_21 = r11*r21 + r12*r22 + r13*r23;
-            const double off_22 = -1.0 + r21*r21 + r22*r22 + r23*r23;
+            const double off_22 = r21*r21 - 1.0 + r22*r22 + r23*r23;
             const double off_31 = r11*r31 + r12*r32 + r13*r33;
             const double off_32 = r21*r31 + r22*r32 + r23*r33;
-            const double off_33 = -1.0 + r31*r31 + r32*r32 + r33*r33;
+            const double off_33 = r31*r31 - 1.0 + r32*r32 + r33*r33;
             const double squared_defect = 0.1111111111111111*(off_11*off_11) +
                 0.2222222222222222*(off_21*off_21) + 0.1111111111111111*(off_22*off_22) +
                 0.2222222222222222*(off_31*off_31) + 0.2222222222222222*(off_32*off_32) +
@@ -137,17 +137,17 @@ EVERY_INSTRUCTION_SET static int64_t rotation_defect
             const double r31 = matrix_in[6][row];
             const double r32 = matrix_in[7][row];
             const double r33 = matrix_in[8][row];
-            const double off_11 = -1.0 + r11*r11 + r12*r12 + r13*r13;
+            const double off_11 = r11*r11 - 1.0 + r12*r12 + r13*r13;
             const double off_21 = r11*r21 + r12*r22 + r13*r23;
-            const double off_22 = -1.0 + r21*r21 + r22*r22 + r23*r23;
+            const double off_22 = r21*r21 - 1.0 + r22*r22 + r23*r23;
             const double off_31 = r11*r31 + r12*r32 + r13*r33;
             const double off_32 = r21*r31 + r22*r32 + r23*r33;
-            const double off_33 = -1.0 + r31*r31 + r32*r32 + r33*r33;
+            const double off_33 = r31*r31 - 1.0 + r32*r32 + r33*r33;
             results[0][row] = sqrt(0.1111111111111111*(off_11*off_11) +
                 0.2222222222222222*(off_21*off_21) + 0.1111111111111111*(off_22*off_22) +
                 0.2222222222222222*(off_31*off_31) + 0.2222222222222222*(off_32*off_32) +
                 0.1111111111111111*(off_33*off_33));
-            results[1][row] = r13*(r21*r32 - r22*r31) + r23*(-r11*r32 + r12*r31) + r33*(r11*r22 -
+            results[1][row] = r13*(r21*r32 - r22*r31) + r23*(r12*r31 - r11*r32) + r33*(r11*r22 -
                 r12*r21);
             left[row] = !(FINITE(r11 + r12 + r13 + r21 + r22 + r23 + r31 + r32 + r33));
             some |= left[row];
@@ -358,15 +358,15 @@ EVERY_INSTRUCTION_SET static int64_t matrix_from_quaternion
             const double a_c = a*c;
             const double c_d = c*d;
             const double a_b = a*b;
-            results[0][row] = scale*(-across_x + along_x);
+            results[0][row] = scale*(along_x - across_x);
             results[1][row] = twice_scale*(a_d + b_c);
-            results[2][row] = twice_scale*(-a_c + b_d);
-            results[3][row] = twice_scale*(-a_d + b_c);
-            results[4][row] = scale*(-across_y + along_y);
+            results[2][row] = twice_scale*(b_d - a_c);
+            results[3][row] = twice_scale*(b_c - a_d);
+            results[4][row] = scale*(along_y - across_y);
             results[5][row] = twice_scale*(a_b + c_d);
             results[6][row] = twice_scale*(a_c + b_d);
-            results[7][row] = twice_scale*(-a_b + c_d);
-            results[8][row] = scale*(-across_z + along_z);
+            results[7][row] = twice_scale*(c_d - a_b);
+            results[8][row] = scale*(along_z - across_z);
             left[row] = !(FINITE(a + b + c + d) & IN_RANGE(norm_squared));
             some |= left[row];
         }
@@ -401,27 +401,27 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_from_matrix
             const double r31 = matrix_in[6][row];
             const double r32 = matrix_in[7][row];
             const double r33 = matrix_in[8][row];
-            const double a = (r11 > r22) & (r33 < 0.0) ? r23 - r32 : r33 < 0.0 ? -r13 + r31 : r11 <
+            const double a = (r11 > r22) & (r33 < 0.0) ? r23 - r32 : r33 < 0.0 ? r31 - r13 : r11 <
                 -r22 ? r12 - r21 : r11 + r22 + r33 + 1.0;
             const double b = (r11 > r22) & (r33 < 0.0) ? r11 - r22 - r33 + 1.0 : r33 < 0.0 ? r12 +
                 r21 : r11 < -r22 ? r13 + r31 : r23 - r32;
-            const double c = (r11 > r22) & (r33 < 0.0) ? r12 + r21 : r33 < 0.0 ? -r11 + r22 - r33 +
-                1.0 : r11 < -r22 ? r23 + r32 : -r13 + r31;
+            const double c = (r11 > r22) & (r33 < 0.0) ? r12 + r21 : r33 < 0.0 ? r22 - r11 - r33 +
+                1.0 : r11 < -r22 ? r23 + r32 : r31 - r13;
             const double d = (r11 > r22) & (r33 < 0.0) ? r13 + r31 : r33 < 0.0 ? r23 + r32 : r11 <
                 -r22 ? -r11 - r22 + r33 + 1.0 : r12 - r21;
             const double norm_squared = a*a + b*b + c*c + d*d;
             const double sign = a >= 0.0 ? 1.0 : -1.0;
-            const double off_11 = -1.0 + r11*r11 + r12*r12 + r13*r13;
+            const double off_11 = r11*r11 - 1.0 + r12*r12 + r13*r13;
             const double off_21 = r11*r21 + r12*r22 + r13*r23;
-            const double off_22 = -1.0 + r21*r21 + r22*r22 + r23*r23;
+            const double off_22 = r21*r21 - 1.0 + r22*r22 + r23*r23;
             const double off_31 = r11*r31 + r12*r32 + r13*r33;
             const double off_32 = r21*r31 + r22*r32 + r23*r33;
-            const double off_33 = -1.0 + r31*r31 + r32*r32 + r33*r33;
+            const double off_33 = r31*r31 - 1.0 + r32*r32 + r33*r33;
             const double squared_defect = 0.1111111111111111*(off_11*off_11) +
                 0.2222222222222222*(off_21*off_21) + 0.1111111111111111*(off_22*off_22) +
                 0.2222222222222222*(off_31*off_31) + 0.2222222222222222*(off_32*off_32) +
                 0.1111111111111111*(off_33*off_33);
-            const double determinant = r13*(r21*r32 - r22*r31) + r23*(-r11*r32 + r12*r31) +
+            const double determinant = r13*(r21*r32 - r22*r31) + r23*(r12*r31 - r11*r32) +
                 r33*(r11*r22 - r12*r21);
             const int rotation = (squared_defect <= 1e-08) & (determinant >= 0.0);
             const double common_0 = sign/sqrt(norm_squared);
@@ -513,7 +513,7 @@ EVERY_INSTRUCTION_SET static int64_t euler_from_quaternion
             const double a_minus_c = a - c;
             const double b_plus_d = b + d;
             const double a_plus_c = a + c;
-            const double d_minus_b = -b + d;
+            const double d_minus_b = d - b;
             const double below = a_minus_c*a_minus_c + b_plus_d*b_plus_d;
             const double above = a_plus_c*a_plus_c + d_minus_b*d_minus_b;
             const double product_1 = a_plus_c*b_plus_d;
@@ -793,7 +793,7 @@ EVERY_INSTRUCTION_SET static int64_t rotate_to_inertial
             const double norm_squared = a*a + b*b + c*c + d*d;
             const double factor = 2.0/norm_squared;
             const double across_x = c*z - d*y;
-            const double across_y = -b*z + d*x;
+            const double across_y = d*x - b*z;
             const double across_z = b*y - c*x;
             results[0][row] = factor*(a*across_x - across_y*d + across_z*c) + x;
             results[1][row] = factor*(a*across_y + across_x*d - across_z*b) + y;
@@ -834,9 +834,9 @@ EVERY_INSTRUCTION_SET static int64_t rotate_to_body
             const double z = v_inertial_in[2][row];
             const double norm_squared = a*a + b*b + c*c + d*d;
             const double factor = 2.0/norm_squared;
-            const double across_x = -c*z + d*y;
+            const double across_x = d*y - c*z;
             const double across_y = b*z - d*x;
-            const double across_z = -b*y + c*x;
+            const double across_z = c*x - b*y;
             results[0][row] = factor*(a*across_x + across_y*d - across_z*c) + x;
             results[1][row] = factor*(a*across_y - across_x*d + across_z*b) + y;
             results[2][row] = factor*(a*across_z + across_x*c - across_y*b) + z;
@@ -901,8 +901,8 @@ EVERY_INSTRUCTION_SET static int64_t matrix_from_angles_zyx
             results[3][row] = third_sine_x*turned_31 + third_stays_y*turned_21;
             results[4][row] = third_sine_x*turned_32 + third_stays_y*turned_22;
             results[5][row] = third_sine_x*turned_33;
-            results[6][row] = -third_sine_x*turned_21 + third_stays_z*turned_31;
-            results[7][row] = -third_sine_x*turned_22 + third_stays_z*turned_32;
+            results[6][row] = third_stays_z*turned_31 - third_sine_x*turned_21;
+            results[7][row] = third_stays_z*turned_32 - third_sine_x*turned_22;
             results[8][row] = third_stays_z*turned_33;
             left[row] = !(FINITE(first + second + third) & (fabs(first) < LARGEST_ANGLE) &
                 (fabs(second) < LARGEST_ANGLE) & (fabs(third) < LARGEST_ANGLE));
@@ -964,8 +964,8 @@ EVERY_INSTRUCTION_SET static int64_t matrix_from_angles_zyz
             results[0][row] = third_sine_z*turned_21 + third_stays_x*turned_11;
             results[1][row] = third_sine_z*turned_22 + third_stays_x*turned_12;
             results[2][row] = third_stays_x*turned_13;
-            results[3][row] = -third_sine_z*turned_11 + third_stays_y*turned_21;
-            results[4][row] = -third_sine_z*turned_12 + third_stays_y*turned_22;
+            results[3][row] = third_stays_y*turned_21 - third_sine_z*turned_11;
+            results[4][row] = third_stays_y*turned_22 - third_sine_z*turned_12;
             results[5][row] = -third_sine_z*turned_13;
             results[6][row] = turned_31;
             results[7][row] = turned_32;
@@ -1029,17 +1029,17 @@ EVERY_INSTRUCTION_SET static int64_t angles_from_matrix_zyx
             const int locked = size < 1.7763568394002505e-15*fabs(along_first);
             const double first_angle = column_atan2(along_second, along_across);
             const double third_angle = column_atan2(-moved_3, moved_2);
-            const double off_11 = -1.0 + r11*r11 + r12*r12 + r13*r13;
+            const double off_11 = r11*r11 - 1.0 + r12*r12 + r13*r13;
             const double off_21 = r11*r21 + r12*r22 + r13*r23;
-            const double off_22 = -1.0 + r21*r21 + r22*r22 + r23*r23;
+            const double off_22 = r21*r21 - 1.0 + r22*r22 + r23*r23;
             const double off_31 = r11*r31 + r12*r32 + r13*r33;
             const double off_32 = r21*r31 + r22*r32 + r23*r33;
-            const double off_33 = -1.0 + r31*r31 + r32*r32 + r33*r33;
+            const double off_33 = r31*r31 - 1.0 + r32*r32 + r33*r33;
             const double squared_defect = 0.1111111111111111*(off_11*off_11) +
                 0.2222222222222222*(off_21*off_21) + 0.1111111111111111*(off_22*off_22) +
                 0.2222222222222222*(off_31*off_31) + 0.2222222222222222*(off_32*off_32) +
                 0.1111111111111111*(off_33*off_33);
-            const double determinant = r13*(r21*r32 - r22*r31) + r23*(-r11*r32 + r12*r31) +
+            const double determinant = r13*(r21*r32 - r22*r31) + r23*(r12*r31 - r11*r32) +
                 r33*(r11*r22 - r12*r21);
             const int rotation = (squared_defect <= 1e-08) & (determinant >= 0.0);
             results[0][row] = first_angle;
@@ -1102,17 +1102,17 @@ EVERY_INSTRUCTION_SET static int64_t angles_from_matrix_zyz
             const int locked = size < 1.7763568394002505e-15*fabs(along_first);
             const double first_angle = column_atan2(along_second, along_across);
             const double third_angle = column_atan2(moved_1, moved_2);
-            const double off_11 = -1.0 + r11*r11 + r12*r12 + r13*r13;
+            const double off_11 = r11*r11 - 1.0 + r12*r12 + r13*r13;
             const double off_21 = r11*r21 + r12*r22 + r13*r23;
-            const double off_22 = -1.0 + r21*r21 + r22*r22 + r23*r23;
+            const double off_22 = r21*r21 - 1.0 + r22*r22 + r23*r23;
             const double off_31 = r11*r31 + r12*r32 + r13*r33;
             const double off_32 = r21*r31 + r22*r32 + r23*r33;
-            const double off_33 = -1.0 + r31*r31 + r32*r32 + r33*r33;
+            const double off_33 = r31*r31 - 1.0 + r32*r32 + r33*r33;
             const double squared_defect = 0.1111111111111111*(off_11*off_11) +
                 0.2222222222222222*(off_21*off_21) + 0.1111111111111111*(off_22*off_22) +
                 0.2222222222222222*(off_31*off_31) + 0.2222222222222222*(off_32*off_32) +
                 0.1111111111111111*(off_33*off_33);
-            const double determinant = r13*(r21*r32 - r22*r31) + r23*(-r11*r32 + r12*r31) +
+            const double determinant = r13*(r21*r32 - r22*r31) + r23*(r12*r31 - r11*r32) +
                 r33*(r11*r22 - r12*r21);
             const int rotation = (squared_defect <= 1e-08) & (determinant >= 0.0);
             results[0][row] = first_angle;
@@ -1336,7 +1336,7 @@ EVERY_INSTRUCTION_SET static int64_t angles_from_quaternion_zyz
             const double product_3 = part_1*part_3;
             const double product_4 = part_2*part_4;
             const double root = sqrt(above)*sqrt(below);
-            const double rest = -0.5*above + 0.5*below;
+            const double rest = 0.5*below - 0.5*above;
             const double second_angle = column_atan2(root, rest);
             const int locked = root < 1.7763568394002505e-15*fabs(rest);
             const double first_angle = column_atan2(product_1 - product_2, product_3 + product_4);
@@ -1550,9 +1550,9 @@ EVERY_INSTRUCTION_SET static int64_t sensor_measures
             const double x = actual_in[0][row];
             const double y = actual_in[1][row];
             const double z = actual_in[2][row];
-            const double own_x = -bias_x + sensitivity_x*x;
-            const double own_y = -bias_y + sensitivity_y*y;
-            const double own_z = -bias_z + sensitivity_z*z;
+            const double own_x = sensitivity_x*x - bias_x;
+            const double own_y = sensitivity_y*y - bias_y;
+            const double own_z = sensitivity_z*z - bias_z;
             results[0][row] = m11*own_x + m12*own_y + m13*own_z;
             results[1][row] = m21*own_x + m22*own_y + m23*own_z;
             results[2][row] = m31*own_x + m32*own_y + m33*own_z;
@@ -1885,9 +1885,9 @@ EVERY_INSTRUCTION_SET static int64_t vector_rate
             const double p = body_rates_in[0][row];
             const double q = body_rates_in[1][row];
             const double r = body_rates_in[2][row];
-            results[0][row] = -q*z + r*y;
+            results[0][row] = r*y - q*z;
             results[1][row] = p*z - r*x;
-            results[2][row] = -p*y + q*x;
+            results[2][row] = q*x - p*y;
             left[row] = !(FINITE(x + y + z + p + q + r));
             some |= left[row];
         }
@@ -1929,9 +1929,9 @@ EVERY_INSTRUCTION_SET static int64_t norm_misfit
             const double x = reading_in[0][row];
             const double y = reading_in[1][row];
             const double z = reading_in[2][row];
-            const double common_0 = -centre_x + x;
-            const double common_1 = -centre_y + y;
-            const double common_2 = -centre_z + z;
+            const double common_0 = x - centre_x;
+            const double common_1 = y - centre_y;
+            const double common_2 = z - centre_z;
             const double common_3 = a_xx*common_0 + a_xy*common_1 + a_xz*common_2;
             const double common_4 = a_xy*common_0 + a_yy*common_1 + a_yz*common_2;
             const double common_5 = a_xz*common_0 + a_yz*common_1 + a_zz*common_2;
@@ -2183,13 +2183,12 @@ EVERY_INSTRUCTION_SET static int64_t inertial_acceleration
             const double sin_roll_sin_yaw = sin_roll*sin_yaw;
             const double cos_roll_cos_yaw = cos_roll*cos_yaw;
             const double cos_roll_sin_yaw = cos_roll*sin_yaw;
-            results[0][row] = accel_x_cos_pitch*cos_yaw + accel_y*(-cos_roll_sin_yaw +
-                cos_yaw_sin_roll*sin_pitch) + accel_z*(cos_roll_cos_yaw*sin_pitch +
-                sin_roll_sin_yaw);
+            results[0][row] = accel_x_cos_pitch*cos_yaw + accel_y*(cos_yaw_sin_roll*sin_pitch -
+                cos_roll_sin_yaw) + accel_z*(cos_roll_cos_yaw*sin_pitch + sin_roll_sin_yaw);
             results[1][row] = accel_x_cos_pitch*sin_yaw + accel_y*(cos_roll_cos_yaw +
                 sin_pitch*sin_roll_sin_yaw) + accel_z*(cos_roll_sin_yaw*sin_pitch -
                 cos_yaw_sin_roll);
-            results[2][row] = -accel_x*sin_pitch + accel_y*cos_pitch*sin_roll +
+            results[2][row] = accel_y*cos_pitch*sin_roll - accel_x*sin_pitch +
                 accel_z*cos_pitch*cos_roll + gravity;
             left[row] = !(FINITE(accel_x + accel_y + accel_z + roll + pitch + yaw + gravity) &
                 (fabs(pitch) < LARGEST_ANGLE) & (fabs(roll) < LARGEST_ANGLE) & (fabs(yaw) <
@@ -2243,7 +2242,7 @@ EVERY_INSTRUCTION_SET static int64_t accelerometer_from_acceleration
             const double sin_pitch_sin_roll = sin_pitch*sin_roll;
             const double cos_pitch_cos_roll = cos_pitch*cos_roll;
             const double cos_roll_sin_pitch = cos_roll*sin_pitch;
-            results[0][row] = -accel_down*sin_pitch + accel_east_sin_yaw*cos_pitch +
+            results[0][row] = accel_east_sin_yaw*cos_pitch - accel_down*sin_pitch +
                 accel_north_cos_yaw*cos_pitch + gravity*sin_pitch;
             results[1][row] = accel_down*cos_pitch_sin_roll + accel_east_cos_yaw*cos_roll +
                 accel_east_sin_yaw*sin_pitch_sin_roll + accel_north_cos_yaw*sin_pitch_sin_roll -
@@ -2542,7 +2541,7 @@ static int64_t gyro_turn
         const double next_a = (a*turn_a - b*turn_b) + (-c*turn_c - d*turn_d);
         const double next_b = (a*turn_b + b*turn_a) + (c*turn_d - d*turn_c);
         const double next_c = (a*turn_c - b*turn_d) + (c*turn_a + d*turn_b);
-        const double next_d = (a*turn_d + b*turn_c) + (-c*turn_b + d*turn_a);
+        const double next_d = (a*turn_d + b*turn_c) + (d*turn_a - c*turn_b);
         out[row * 4 + 0] = a = next_a;
         out[row * 4 + 1] = b = next_b;
         out[row * 4 + 2] = c = next_c;
@@ -2588,23 +2587,23 @@ static int64_t observer_turn
         const double predicted_a = (a*turn_a - b*turn_b) + (-c*turn_c - d*turn_d);
         const double predicted_b = (a*turn_b + b*turn_a) + (c*turn_d - d*turn_c);
         const double predicted_c = (a*turn_c - b*turn_d) + (c*turn_a + d*turn_b);
-        const double predicted_d = (a*turn_d + b*turn_c) + (-c*turn_b + d*turn_a);
+        const double predicted_d = (a*turn_d + b*turn_c) + (d*turn_a - c*turn_b);
         const double e_x = 2.0*predicted_a*predicted_c - 2.0*predicted_b*predicted_d;
         const double e_y = -2.0*predicted_a*predicted_b - 2.0*predicted_c*predicted_d;
-        const double e_z = (-(predicted_a*predicted_a) + predicted_b*predicted_b) +
+        const double e_z = (predicted_b*predicted_b - (predicted_a*predicted_a)) +
             (predicted_c*predicted_c - (predicted_d*predicted_d));
         const double size = fabs(accel_x) + fabs(accel_y) + fabs(accel_z);
         const int has_direction = (size <= 1.7976931348623157e+308) & (size > 0.0);
         const double reading_x = has_direction ? accel_x/size : 0.0;
         const double reading_y = has_direction ? accel_y/size : 0.0;
         const double reading_z = has_direction ? accel_z/size : 0.0;
-        const double across_x = -e_y*reading_z + e_z*reading_y;
+        const double across_x = e_z*reading_y - e_y*reading_z;
         const double across_y = e_x*reading_z - e_z*reading_x;
-        const double across_z = -e_x*reading_y + e_y*reading_x;
+        const double across_z = e_y*reading_x - e_x*reading_y;
         const double moved_a = -across_x*predicted_b - across_y*predicted_c - across_z*predicted_d;
         const double moved_b = across_x*predicted_a - across_y*predicted_d + across_z*predicted_c;
         const double moved_c = across_x*predicted_d + across_y*predicted_a - across_z*predicted_b;
-        const double moved_d = -across_x*predicted_c + across_y*predicted_b + across_z*predicted_a;
+        const double moved_d = across_y*predicted_b - across_x*predicted_c + across_z*predicted_a;
         const double common_5 = across_x*across_x + across_y*across_y + across_z*across_z;
         const double common_6 = e_x*reading_x + e_y*reading_y + e_z*reading_z;
         const double turn_back_a = step_cos_of_share(0.5*gain, common_5, common_6);
@@ -2660,7 +2659,6 @@ static int64_t observer_step
             cos_half_roll*cos_half_yaw_sin_half_pitch;
         const double start_d = cos_half_pitch_sin_half_yaw*cos_half_roll -
             cos_half_yaw_sin_half_pitch*sin_half_roll;
-        const double start_sign = start_a >= 0.0 ? 1.0 : -1.0;
         const double abs_p = fabs(p);
         const double abs_q = fabs(q);
         const double abs_r = fabs(r);
@@ -2677,38 +2675,34 @@ static int64_t observer_step
         const double turn_b = common_14*rate_x;
         const double turn_c = common_14*rate_y;
         const double turn_d = common_14*rate_z;
-        const double start_b_start_sign = start_b*start_sign;
-        const double start_c_start_sign = start_c*start_sign;
-        const double start_d_start_sign = start_d*start_sign;
-        const double predicted_a = (start_a*start_sign*turn_a - start_b_start_sign*turn_b) +
-            (-start_c_start_sign*turn_c - start_d_start_sign*turn_d);
-        const double start_a_start_sign = start_a*start_sign;
-        const double predicted_b = (start_a_start_sign*turn_b + start_b_start_sign*turn_a) +
-            (start_c_start_sign*turn_d - start_d_start_sign*turn_c);
-        const double predicted_c = (start_a_start_sign*turn_c - start_b_start_sign*turn_d) +
-            (start_c_start_sign*turn_a + start_d_start_sign*turn_b);
-        const double predicted_d = (start_a_start_sign*turn_d + start_b_start_sign*turn_c) +
-            (-start_c_start_sign*turn_b + start_d_start_sign*turn_a);
+        const double predicted_a = (start_a*turn_a - start_b*turn_b) + (-start_c*turn_c -
+            start_d*turn_d);
+        const double predicted_b = (start_a*turn_b + start_b*turn_a) + (start_c*turn_d -
+            start_d*turn_c);
+        const double predicted_c = (start_a*turn_c - start_b*turn_d) + (start_c*turn_a +
+            start_d*turn_b);
+        const double predicted_d = (start_a*turn_d + start_b*turn_c) + (start_d*turn_a -
+            start_c*turn_b);
         const double e_x = 2.0*predicted_a*predicted_c - 2.0*predicted_b*predicted_d;
         const double e_y = -2.0*predicted_a*predicted_b - 2.0*predicted_c*predicted_d;
-        const double e_z = (-(predicted_a*predicted_a) + predicted_b*predicted_b) +
+        const double e_z = (predicted_b*predicted_b - (predicted_a*predicted_a)) +
             (predicted_c*predicted_c - (predicted_d*predicted_d));
         const double size = fabs(accel_x) + fabs(accel_y) + fabs(accel_z);
         const int has_direction = (size <= 1.7976931348623157e+308) & (size > 0.0);
         const double reading_x = has_direction ? accel_x/size : 0.0;
         const double reading_y = has_direction ? accel_y/size : 0.0;
         const double reading_z = has_direction ? accel_z/size : 0.0;
-        const double across_x = -e_y*reading_z + e_z*reading_y;
+        const double across_x = e_z*reading_y - e_y*reading_z;
         const double across_y = e_x*reading_z - e_z*reading_x;
-        const double across_z = -e_x*reading_y + e_y*reading_x;
+        const double across_z = e_y*reading_x - e_x*reading_y;
         const double moved_a = -across_x*predicted_b - across_y*predicted_c - across_z*predicted_d;
         const double moved_b = across_x*predicted_a - across_y*predicted_d + across_z*predicted_c;
         const double moved_c = across_x*predicted_d + across_y*predicted_a - across_z*predicted_b;
-        const double moved_d = -across_x*predicted_c + across_y*predicted_b + across_z*predicted_a;
-        const double common_19 = across_x*across_x + across_y*across_y + across_z*across_z;
-        const double common_20 = e_x*reading_x + e_y*reading_y + e_z*reading_z;
-        const double turn_back_a = step_cos_of_share(0.5*gain, common_19, common_20);
-        const double factor = step_sin_of_share(0.5*gain, common_19, common_20);
+        const double moved_d = across_y*predicted_b - across_x*predicted_c + across_z*predicted_a;
+        const double common_15 = across_x*across_x + across_y*across_y + across_z*across_z;
+        const double common_16 = e_x*reading_x + e_y*reading_y + e_z*reading_z;
+        const double turn_back_a = step_cos_of_share(0.5*gain, common_15, common_16);
+        const double factor = step_sin_of_share(0.5*gain, common_15, common_16);
         const double end_a = factor*moved_a + predicted_a*turn_back_a;
         const double end_b = factor*moved_b + predicted_b*turn_back_a;
         const double end_c = factor*moved_c + predicted_c*turn_back_a;
@@ -2716,7 +2710,7 @@ static int64_t observer_step
         const double end_a_minus_c = end_a - end_c;
         const double end_b_plus_d = end_b + end_d;
         const double end_a_plus_c = end_a + end_c;
-        const double end_d_minus_b = -end_b + end_d;
+        const double end_d_minus_b = end_d - end_b;
         const double end_below = end_a_minus_c*end_a_minus_c + end_b_plus_d*end_b_plus_d;
         const double end_above = end_a_plus_c*end_a_plus_c + end_d_minus_b*end_d_minus_b;
         const double end_product_1 = end_a_plus_c*end_b_plus_d;
@@ -2783,8 +2777,8 @@ static int64_t euler_observer_step
             (double)NAN;
         const double predicted_roll = dt*(rate_across*tan_pitch + rate_x) + roll;
         const double predicted_pitch = dt*(cos_roll*rate_y - rate_z*sin_roll) + pitch;
-        const double roll_to_measured = -predicted_roll + seen_roll;
-        const double pitch_to_measured = -predicted_pitch + seen_pitch;
+        const double roll_to_measured = seen_roll - predicted_roll;
+        const double pitch_to_measured = seen_pitch - predicted_pitch;
         const double roll_off = seen_has_direction ? gain*(roll_to_measured -
             6.283185307179586*floor(0.15915494309189535*roll_to_measured + 0.5)) : 0.0;
         const double pitch_off = seen_has_direction ? gain*(pitch_to_measured -
@@ -2847,23 +2841,23 @@ static int64_t monitored_turn
         const double predicted_a = (a*turn_a - b*turn_b) + (-c*turn_c - d*turn_d);
         const double predicted_b = (a*turn_b + b*turn_a) + (c*turn_d - d*turn_c);
         const double predicted_c = (a*turn_c - b*turn_d) + (c*turn_a + d*turn_b);
-        const double predicted_d = (a*turn_d + b*turn_c) + (-c*turn_b + d*turn_a);
+        const double predicted_d = (a*turn_d + b*turn_c) + (d*turn_a - c*turn_b);
         const double e_x = 2.0*predicted_a*predicted_c - 2.0*predicted_b*predicted_d;
         const double e_y = -2.0*predicted_a*predicted_b - 2.0*predicted_c*predicted_d;
-        const double e_z = (-(predicted_a*predicted_a) + predicted_b*predicted_b) +
+        const double e_z = (predicted_b*predicted_b - (predicted_a*predicted_a)) +
             (predicted_c*predicted_c - (predicted_d*predicted_d));
         const double size = fabs(accel_x) + fabs(accel_y) + fabs(accel_z);
         const int has_direction = (size <= 1.7976931348623157e+308) & (size > 0.0);
         const double reading_x = has_direction ? accel_x/size : 0.0;
         const double reading_y = has_direction ? accel_y/size : 0.0;
         const double reading_z = has_direction ? accel_z/size : 0.0;
-        const double across_x = -e_y*reading_z + e_z*reading_y;
+        const double across_x = e_z*reading_y - e_y*reading_z;
         const double across_y = e_x*reading_z - e_z*reading_x;
-        const double across_z = -e_x*reading_y + e_y*reading_x;
+        const double across_z = e_y*reading_x - e_x*reading_y;
         const double moved_a = -across_x*predicted_b - across_y*predicted_c - across_z*predicted_d;
         const double moved_b = across_x*predicted_a - across_y*predicted_d + across_z*predicted_c;
         const double moved_c = across_x*predicted_d + across_y*predicted_a - across_z*predicted_b;
-        const double moved_d = -across_x*predicted_c + across_y*predicted_b + across_z*predicted_a;
+        const double moved_d = across_y*predicted_b - across_x*predicted_c + across_z*predicted_a;
         const double common_5 = across_x*across_x + across_y*across_y + across_z*across_z;
         const double common_6 = e_x*reading_x + e_y*reading_y + e_z*reading_z;
         const double turn_back_a = step_cos_of_share(0.5*chosen_gain, common_5, common_6);
@@ -2988,7 +2982,7 @@ static int64_t averaging_turn
         const double predicted_a = (a*turn_a - b*turn_b) + (-c*turn_c - d*turn_d);
         const double predicted_b = (a*turn_b + b*turn_a) + (c*turn_d - d*turn_c);
         const double predicted_c = (a*turn_c - b*turn_d) + (c*turn_a + d*turn_b);
-        const double predicted_d = (a*turn_d + b*turn_c) + (-c*turn_b + d*turn_a);
+        const double predicted_d = (a*turn_d + b*turn_c) + (d*turn_a - c*turn_b);
         const double force_size = fabs(accel_x) + fabs(accel_y) + fabs(accel_z);
         const int force_heard = (force_size > 1e-12) & (force_size < 1000000000000.0) &
             ((4.0*force_size >= mean_length) || (2.0*averaged < time_constant));
@@ -3049,7 +3043,7 @@ static int64_t averaging_turn
         const double slope_after_d = bent*slope_d + off_d*steeper;
         const double mean_e_squared_plus_mean_n_squared = mean_e*mean_e + mean_n*mean_n;
         const double mean_length_after = sqrt(mean_e_squared_plus_mean_n_squared + mean_d*mean_d);
-        const double upright = -mean_d + mean_length_after;
+        const double upright = mean_length_after - mean_d;
         const double level_size = sqrt(mean_e_squared_plus_mean_n_squared + upright*upright);
         const double level_a = level_size > 0.0 ? upright/level_size : mean_length_after > 0.0 ? 0.0
             : 1.0;
@@ -3082,8 +3076,8 @@ static int64_t averaging_turn
         const double next_slope_n = 2.0*level_a_slope_after_d*level_c +
             level_a_squared*slope_after_n + level_b_squared*slope_after_n -
             level_c_squared*slope_after_n + slope_after_e*twice_level_b_level_c;
-        const double next_slope_e = -2.0*level_a_slope_after_d*level_b +
-            level_a_squared*slope_after_e - level_b_squared*slope_after_e +
+        const double next_slope_e = level_a_squared*slope_after_e -
+            2.0*level_a_slope_after_d*level_b - level_b_squared*slope_after_e +
             level_c_squared*slope_after_e + slope_after_n*twice_level_b_level_c;
         const double next_slope_d = 2.0*level_a*level_b*slope_after_e -
             2.0*level_a*level_c*slope_after_n + level_a_squared*slope_after_d -
@@ -3165,7 +3159,7 @@ static int64_t averaging_heading_turn
         const double predicted_a = (a*turn_a - b*turn_b) + (-c*turn_c - d*turn_d);
         const double predicted_b = (a*turn_b + b*turn_a) + (c*turn_d - d*turn_c);
         const double predicted_c = (a*turn_c - b*turn_d) + (c*turn_a + d*turn_b);
-        const double predicted_d = (a*turn_d + b*turn_c) + (-c*turn_b + d*turn_a);
+        const double predicted_d = (a*turn_d + b*turn_c) + (d*turn_a - c*turn_b);
         const double force_size = fabs(accel_x) + fabs(accel_y) + fabs(accel_z);
         const int force_heard = (force_size > 1e-12) & (force_size < 1000000000000.0) &
             ((4.0*force_size >= mean_length) || (2.0*averaged < time_constant));
@@ -3226,7 +3220,7 @@ static int64_t averaging_heading_turn
         const double slope_after_d = bent*slope_d + off_d*steeper;
         const double mean_e_squared_plus_mean_n_squared = mean_e*mean_e + mean_n*mean_n;
         const double mean_length_after = sqrt(mean_e_squared_plus_mean_n_squared + mean_d*mean_d);
-        const double upright = -mean_d + mean_length_after;
+        const double upright = mean_length_after - mean_d;
         const double level_size = sqrt(mean_e_squared_plus_mean_n_squared + upright*upright);
         const double level_a = level_size > 0.0 ? upright/level_size : mean_length_after > 0.0 ? 0.0
             : 1.0;
@@ -3262,8 +3256,8 @@ static int64_t averaging_heading_turn
         const double level_slope_n = 2.0*level_a_slope_after_d*level_c +
             level_a_squared*slope_after_n + level_b_squared*slope_after_n -
             level_c_squared*slope_after_n + slope_after_e*twice_level_b_level_c;
-        const double level_slope_e = -2.0*level_a_slope_after_d*level_b +
-            level_a_squared*slope_after_e - level_b_squared*slope_after_e +
+        const double level_slope_e = level_a_squared*slope_after_e -
+            2.0*level_a_slope_after_d*level_b - level_b_squared*slope_after_e +
             level_c_squared*slope_after_e + slope_after_n*twice_level_b_level_c;
         const double level_slope_d = 2.0*level_a*level_b*slope_after_e -
             2.0*level_a*level_c*slope_after_n + level_a_squared*slope_after_d -
@@ -3292,8 +3286,8 @@ static int64_t averaging_heading_turn
             field_y*level_attitude_b_squared + field_y*level_attitude_c_squared -
             field_y*level_attitude_d_squared - level_attitude_b*twice_field_z_level_attitude_a +
             level_attitude_c*twice_field_z_level_attitude_d;
-        const double field_d = -2.0*field_x*level_attitude_a*level_attitude_c +
-            2.0*field_x*level_attitude_b*level_attitude_d +
+        const double field_d = 2.0*field_x*level_attitude_b*level_attitude_d -
+            2.0*field_x*level_attitude_a*level_attitude_c +
             2.0*field_y*level_attitude_a*level_attitude_b +
             2.0*field_y*level_attitude_c*level_attitude_d + field_z*level_attitude_a_squared -
             field_z*level_attitude_b_squared - field_z*level_attitude_c_squared +
@@ -3312,8 +3306,8 @@ static int64_t averaging_heading_turn
             field_known : field_known - step_counted > 0.0 ? field_known - step_counted : 0.0;
         const double field_share = field_known + step_counted > 0.0 ? step_counted/(field_known +
             step_counted) : 1.0;
-        const double field_length_after = field_is_the_same ? field_length +
-            field_share*(-field_length + length_now) : field_length;
+        const double field_length_after = field_is_the_same ? field_length + field_share*(length_now
+            - field_length) : field_length;
         const double field_down_after = field_is_the_same ? field_down + field_share*(down_now -
             field_down) : field_down;
         const int field_used = (field_is_the_same) & ((field_known_after >= 1.0) ||
@@ -3416,23 +3410,23 @@ static int64_t observer_heading_turn
         const double predicted_a = (a*turn_a - b*turn_b) + (-c*turn_c - d*turn_d);
         const double predicted_b = (a*turn_b + b*turn_a) + (c*turn_d - d*turn_c);
         const double predicted_c = (a*turn_c - b*turn_d) + (c*turn_a + d*turn_b);
-        const double predicted_d = (a*turn_d + b*turn_c) + (-c*turn_b + d*turn_a);
+        const double predicted_d = (a*turn_d + b*turn_c) + (d*turn_a - c*turn_b);
         const double e_x = 2.0*predicted_a*predicted_c - 2.0*predicted_b*predicted_d;
         const double e_y = -2.0*predicted_a*predicted_b - 2.0*predicted_c*predicted_d;
-        const double e_z = (-(predicted_a*predicted_a) + predicted_b*predicted_b) +
+        const double e_z = (predicted_b*predicted_b - (predicted_a*predicted_a)) +
             (predicted_c*predicted_c - (predicted_d*predicted_d));
         const double size = fabs(accel_x) + fabs(accel_y) + fabs(accel_z);
         const int has_direction = (size <= 1.7976931348623157e+308) & (size > 0.0);
         const double reading_x = has_direction ? accel_x/size : 0.0;
         const double reading_y = has_direction ? accel_y/size : 0.0;
         const double reading_z = has_direction ? accel_z/size : 0.0;
-        const double across_x = -e_y*reading_z + e_z*reading_y;
+        const double across_x = e_z*reading_y - e_y*reading_z;
         const double across_y = e_x*reading_z - e_z*reading_x;
-        const double across_z = -e_x*reading_y + e_y*reading_x;
+        const double across_z = e_y*reading_x - e_x*reading_y;
         const double moved_a = -across_x*predicted_b - across_y*predicted_c - across_z*predicted_d;
         const double moved_b = across_x*predicted_a - across_y*predicted_d + across_z*predicted_c;
         const double moved_c = across_x*predicted_d + across_y*predicted_a - across_z*predicted_b;
-        const double moved_d = -across_x*predicted_c + across_y*predicted_b + across_z*predicted_a;
+        const double moved_d = across_y*predicted_b - across_x*predicted_c + across_z*predicted_a;
         const double common_7 = across_x*across_x + across_y*across_y + across_z*across_z;
         const double common_8 = e_x*reading_x + e_y*reading_y + e_z*reading_z;
         const double turn_back_a = step_cos_of_share(0.5*gain, common_7, common_8);

@@ -35,7 +35,7 @@ export function matrixFromEuler(roll, pitch, yaw) {
     cosPitch*cosYaw,
     cosPitch*sinYaw,
     -sinPitch,
-    -cosRollSinYaw + cosYawSinRoll*sinPitch,
+    cosYawSinRoll*sinPitch - cosRollSinYaw,
     cosRollCosYaw + sinPitch*sinRollSinYaw,
     cosPitch*sinRoll,
     cosRollCosYaw*sinPitch + sinRollSinYaw,
@@ -61,7 +61,7 @@ export function matrixFromEuler(roll, pitch, yaw) {
  * @returns {[number, number, number, boolean]} last: whether at gimbal lock, where roll, the angle of the last turn, is set to 0
  */
 export function eulerFromMatrix(r11, r12, r13, r21, r22, r23, r31, r32, r33) {
-  const rollSine = -r11*r32 + r12*r31;
+  const rollSine = r12*r31 - r11*r32;
   const rollCosine = r11*r22 - r12*r21;
   const pitch = Math.atan2(-r13, Math.hypot(r11, r12));
   const locked = Math.abs(pitch) > 1.5707963267948948;
@@ -91,17 +91,17 @@ export function eulerFromMatrix(r11, r12, r13, r21, r22, r23, r31, r32, r33) {
  * @returns {[number, number]}
  */
 export function rotationDefect(r11, r12, r13, r21, r22, r23, r31, r32, r33) {
-  const off11 = -1 + r11*r11 + r12*r12 + r13*r13;
+  const off11 = r11*r11 - 1 + r12*r12 + r13*r13;
   const off21 = r11*r21 + r12*r22 + r13*r23;
-  const off22 = -1 + r21*r21 + r22*r22 + r23*r23;
+  const off22 = r21*r21 - 1 + r22*r22 + r23*r23;
   const off31 = r11*r31 + r12*r32 + r13*r33;
   const off32 = r21*r31 + r22*r32 + r23*r33;
-  const off33 = -1 + r31*r31 + r32*r32 + r33*r33;
+  const off33 = r31*r31 - 1 + r32*r32 + r33*r33;
   return [
     Math.sqrt(0.1111111111111111*(off11*off11) + 0.2222222222222222*(off21*off21) +
         0.1111111111111111*(off22*off22) + 0.2222222222222222*(off31*off31) +
         0.2222222222222222*(off32*off32) + 0.1111111111111111*(off33*off33)),
-    r13*(r21*r32 - r22*r31) + r23*(-r11*r32 + r12*r31) + r33*(r11*r22 - r12*r21),
+    r13*(r21*r32 - r22*r31) + r23*(r12*r31 - r11*r32) + r33*(r11*r22 - r12*r21),
   ];
 }
 
@@ -257,15 +257,15 @@ export function matrixFromQuaternion(a, b, c, d) {
   const cD = c*d;
   const aB = a*b;
   return [
-    scale*(-acrossX + alongX),
+    scale*(alongX - acrossX),
     twiceScale*(aD + bC),
-    twiceScale*(-aC + bD),
-    twiceScale*(-aD + bC),
-    scale*(-acrossY + alongY),
+    twiceScale*(bD - aC),
+    twiceScale*(bC - aD),
+    scale*(alongY - acrossY),
     twiceScale*(aB + cD),
     twiceScale*(aC + bD),
-    twiceScale*(-aB + cD),
-    scale*(-acrossZ + alongZ),
+    twiceScale*(cD - aB),
+    scale*(alongZ - acrossZ),
   ];
 }
 
@@ -294,9 +294,9 @@ export function quaternionFromMatrix(r11, r12, r13, r21, r22, r23, r31, r32, r33
     c = r12 + r21;
     d = r13 + r31;
   } else if (r33 < 0) {
-    a = -r13 + r31;
+    a = r31 - r13;
     b = r12 + r21;
-    c = -r11 + r22 - r33 + 1;
+    c = r22 - r11 - r33 + 1;
     d = r23 + r32;
   } else if (r11 < -r22) {
     a = r12 - r21;
@@ -306,7 +306,7 @@ export function quaternionFromMatrix(r11, r12, r13, r21, r22, r23, r31, r32, r33
   } else {
     a = r11 + r22 + r33 + 1;
     b = r23 - r32;
-    c = -r13 + r31;
+    c = r31 - r13;
     d = r12 - r21;
   }
   const normSquared = a*a + b*b + c*c + d*d;
@@ -360,7 +360,7 @@ export function eulerFromQuaternion(a, b, c, d) {
   const aMinusC = a - c;
   const bPlusD = b + d;
   const aPlusC = a + c;
-  const dMinusB = -b + d;
+  const dMinusB = d - b;
   const below = aMinusC*aMinusC + bPlusD*bPlusD;
   const above = aPlusC*aPlusC + dMinusB*dMinusB;
   const product1 = aPlusC*bPlusD;
@@ -533,7 +533,7 @@ export function rotateToInertial(a, b, c, d, x, y, z) {
   const normSquared = a*a + b*b + c*c + d*d;
   const factor = 2/normSquared;
   const acrossX = c*z - d*y;
-  const acrossY = -b*z + d*x;
+  const acrossY = d*x - b*z;
   const acrossZ = b*y - c*x;
   return [
     factor*(a*acrossX - acrossY*d + acrossZ*c) + x,
@@ -559,9 +559,9 @@ export function rotateToInertial(a, b, c, d, x, y, z) {
 export function rotateToBody(a, b, c, d, x, y, z) {
   const normSquared = a*a + b*b + c*c + d*d;
   const factor = 2/normSquared;
-  const acrossX = -c*z + d*y;
+  const acrossX = d*y - c*z;
   const acrossY = b*z - d*x;
-  const acrossZ = -b*y + c*x;
+  const acrossZ = c*x - b*y;
   return [
     factor*(a*acrossX + acrossY*d - acrossZ*c) + x,
     factor*(a*acrossY - acrossX*d + acrossZ*b) + y,
@@ -721,18 +721,18 @@ export function matrixFromAngles(first, second, third, firstAxis, secondAxis, th
   const turned22 = -firstSineXSecondSineX - firstSineZSecondSineZ + firstStaysY*secondStaysY;
   const turned23 = firstSineX*secondStaysY + firstSineY*secondSineZ + firstStaysZ*secondSineX;
   const turned31 = firstSineY*secondStaysZ + firstSineZ*secondSineX + firstStaysX*secondSineY;
-  const turned32 = -firstSineX*secondStaysZ + firstSineZ*secondSineY - firstStaysY*secondSineX;
+  const turned32 = firstSineZ*secondSineY - firstSineX*secondStaysZ - firstStaysY*secondSineX;
   const turned33 = -firstSineXSecondSineX - firstSineYSecondSineY + firstStaysZ*secondStaysZ;
   return [
-    -thirdSineY*turned31 + thirdSineZ*turned21 + thirdStaysX*turned11,
-    -thirdSineY*turned32 + thirdSineZ*turned22 + thirdStaysX*turned12,
-    -thirdSineY*turned33 + thirdSineZ*turned23 + thirdStaysX*turned13,
+    thirdSineZ*turned21 - thirdSineY*turned31 + thirdStaysX*turned11,
+    thirdSineZ*turned22 - thirdSineY*turned32 + thirdStaysX*turned12,
+    thirdSineZ*turned23 - thirdSineY*turned33 + thirdStaysX*turned13,
     thirdSineX*turned31 - thirdSineZ*turned11 + thirdStaysY*turned21,
     thirdSineX*turned32 - thirdSineZ*turned12 + thirdStaysY*turned22,
     thirdSineX*turned33 - thirdSineZ*turned13 + thirdStaysY*turned23,
-    -thirdSineX*turned21 + thirdSineY*turned11 + thirdStaysZ*turned31,
-    -thirdSineX*turned22 + thirdSineY*turned12 + thirdStaysZ*turned32,
-    -thirdSineX*turned23 + thirdSineY*turned13 + thirdStaysZ*turned33,
+    thirdSineY*turned11 - thirdSineX*turned21 + thirdStaysZ*turned31,
+    thirdSineY*turned12 - thirdSineX*turned22 + thirdStaysZ*turned32,
+    thirdSineY*turned13 - thirdSineX*turned23 + thirdStaysZ*turned33,
   ];
 }
 
@@ -812,9 +812,9 @@ export function anglesFromMatrix(
     thirdY = NaN;
     thirdZ = NaN;
   }
-  const acrossX = -firstY*secondZ + firstZ*secondY;
+  const acrossX = firstZ*secondY - firstY*secondZ;
   const acrossY = firstX*secondZ - firstZ*secondX;
-  const acrossZ = -firstX*secondY + firstY*secondX;
+  const acrossZ = firstY*secondX - firstX*secondY;
   const signOfRoll = acrossX*thirdX + acrossY*thirdY + acrossZ*thirdZ;
   const axisAgain = firstX*thirdX + firstY*thirdY + firstZ*thirdZ;
   const axisOther = 1 - axisAgain;
@@ -826,16 +826,16 @@ export function anglesFromMatrix(
   const alongSecond = sign*(secondX*seen1 + secondY*seen2 + secondZ*seen3);
   const alongFirst = firstX*seen1 + firstY*seen2 + firstZ*seen3;
   const size = Math.hypot(alongAcross, alongSecond);
-  const level1 = -acrossX*alongSecond + alongAcross*secondX;
-  const level2 = -acrossY*alongSecond + alongAcross*secondY;
-  const level3 = -acrossZ*alongSecond + alongAcross*secondZ;
+  const level1 = alongAcross*secondX - acrossX*alongSecond;
+  const level2 = alongAcross*secondY - acrossY*alongSecond;
+  const level3 = alongAcross*secondZ - acrossZ*alongSecond;
   const moved1 = level1*r11 + level2*r12 + level3*r13;
   const moved2 = level1*r21 + level2*r22 + level3*r23;
   const moved3 = level1*r31 + level2*r32 + level3*r33;
   const row1 = r11*secondX + r21*secondY + r31*secondZ;
   const row2 = r12*secondX + r22*secondY + r32*secondZ;
   const row3 = r13*secondX + r23*secondY + r33*secondZ;
-  const secondAngle = Math.atan2(-alongFirst*signOfRoll + axisAgain*size, alongFirst*axisAgain +
+  const secondAngle = Math.atan2(axisAgain*size - alongFirst*signOfRoll, alongFirst*axisAgain +
       axisOther*size);
   const locked = size < 1.7763568394002505e-15*Math.abs(alongFirst);
   let firstAngle, thirdAngle;
@@ -1026,9 +1026,9 @@ export function anglesFromQuaternion(a, b, c, d, firstAxis, secondAxis, thirdAxi
     thirdY = NaN;
     thirdZ = NaN;
   }
-  const acrossX = -firstY*secondZ + firstZ*secondY;
+  const acrossX = firstZ*secondY - firstY*secondZ;
   const acrossY = firstX*secondZ - firstZ*secondX;
-  const acrossZ = -firstX*secondY + firstY*secondX;
+  const acrossZ = firstY*secondX - firstX*secondY;
   const signOfRoll = acrossX*thirdX + acrossY*thirdY + acrossZ*thirdZ;
   const axisAgain = firstX*thirdX + firstY*thirdY + firstZ*thirdZ;
   const axisOther = 1 - axisAgain;
@@ -1048,7 +1048,7 @@ export function anglesFromQuaternion(a, b, c, d, firstAxis, secondAxis, thirdAxi
   const product4 = part2*part4;
   const halfSine = a*alongSecond - alongAcross*alongFirst;
   const root = Math.sqrt(above)*Math.sqrt(below);
-  const rest = 0.5*axisAgain*(-above + below) + 2*axisOther*halfSine;
+  const rest = 0.5*axisAgain*(below - above) + 2*axisOther*halfSine;
   const secondAngle = Math.atan2(axisAgain*root + axisOther*rest, axisAgain*rest + axisOther*root);
   const locked = root < 1.7763568394002505e-15*Math.abs(rest);
   let firstAngle, thirdAngle;
@@ -1132,16 +1132,16 @@ export function angleRatesMatrix(second, third, firstAxis, secondAxis, thirdAxis
     thirdY = NaN;
     thirdZ = NaN;
   }
-  const acrossX = -firstY*secondZ + firstZ*secondY;
+  const acrossX = firstZ*secondY - firstY*secondZ;
   const acrossY = firstX*secondZ - firstZ*secondX;
-  const acrossZ = -firstX*secondY + firstY*secondX;
+  const acrossZ = firstY*secondX - firstX*secondY;
   const signOfRoll = acrossX*thirdX + acrossY*thirdY + acrossZ*thirdZ;
   const axisAgain = firstX*thirdX + firstY*thirdY + firstZ*thirdZ;
   const volume = axisAgain*sinSecond + cosSecond*signOfRoll;
   const overVolume = volume != 0 ? 1/volume : NaN;
-  const before11 = overVolume*(-acrossX*axisAgain + firstX*signOfRoll);
-  const before12 = overVolume*(-acrossY*axisAgain + firstY*signOfRoll);
-  const before13 = overVolume*(-acrossZ*axisAgain + firstZ*signOfRoll);
+  const before11 = overVolume*(firstX*signOfRoll - acrossX*axisAgain);
+  const before12 = overVolume*(firstY*signOfRoll - acrossY*axisAgain);
+  const before13 = overVolume*(firstZ*signOfRoll - acrossZ*axisAgain);
   const before21 = secondX;
   const before22 = secondY;
   const before23 = secondZ;
@@ -1156,13 +1156,13 @@ export function angleRatesMatrix(second, third, firstAxis, secondAxis, thirdAxis
   const thirdSineZ = sinThird*thirdZ;
   return [
     before11*thirdStaysX + before12*thirdSineZ - before13*thirdSineY,
-    -before11*thirdSineZ + before12*thirdStaysY + before13*thirdSineX,
+    before12*thirdStaysY - before11*thirdSineZ + before13*thirdSineX,
     before11*thirdSineY - before12*thirdSineX + before13*thirdStaysZ,
     before21*thirdStaysX + before22*thirdSineZ - before23*thirdSineY,
-    -before21*thirdSineZ + before22*thirdStaysY + before23*thirdSineX,
+    before22*thirdStaysY - before21*thirdSineZ + before23*thirdSineX,
     before21*thirdSineY - before22*thirdSineX + before23*thirdStaysZ,
     before31*thirdStaysX + before32*thirdSineZ - before33*thirdSineY,
-    -before31*thirdSineZ + before32*thirdStaysY + before33*thirdSineX,
+    before32*thirdStaysY - before31*thirdSineZ + before33*thirdSineX,
     before31*thirdSineY - before32*thirdSineX + before33*thirdStaysZ,
   ];
 }
@@ -1229,9 +1229,9 @@ export function sensorMeasures(
   y,
   z,
 ) {
-  const ownX = -biasX + sensitivityX*x;
-  const ownY = -biasY + sensitivityY*y;
-  const ownZ = -biasZ + sensitivityZ*z;
+  const ownX = sensitivityX*x - biasX;
+  const ownY = sensitivityY*y - biasY;
+  const ownZ = sensitivityZ*z - biasZ;
   return [
     m11*ownX + m12*ownY + m13*ownZ, m21*ownX + m22*ownY + m23*ownZ, m31*ownX + m32*ownY + m33*ownZ
   ];
@@ -1511,7 +1511,7 @@ export function ironAdded(
  * @returns {[number, number, number]}
  */
 export function vectorRate(x, y, z, p, q, r) {
-  return [-q*z + r*y, p*z - r*x, -p*y + q*x];
+  return [r*y - q*z, p*z - r*x, q*x - p*y];
 }
 
 /**
@@ -1532,9 +1532,9 @@ export function vectorRate(x, y, z, p, q, r) {
  * @returns {[number, number, number, number, number, number, number, number, number, number]}
  */
 export function normMisfit(aXx, aXy, aXz, aYy, aYz, aZz, centreX, centreY, centreZ, x, y, z) {
-  const common0 = -centreX + x;
-  const common1 = -centreY + y;
-  const common2 = -centreZ + z;
+  const common0 = x - centreX;
+  const common1 = y - centreY;
+  const common2 = z - centreZ;
   const common3 = aXx*common0 + aXy*common1 + aXz*common2;
   const common4 = aXy*common0 + aYy*common1 + aYz*common2;
   const common5 = aXz*common0 + aYz*common1 + aZz*common2;
@@ -1730,7 +1730,7 @@ export function observerTurn(a, b, c, d, p, q, r, accelX, accelY, accelZ, dt, ga
   const predictedD = a*turnD + b*turnC - c*turnB + d*turnA;
   const eX = 2*predictedA*predictedC - 2*predictedB*predictedD;
   const eY = -2*predictedA*predictedB - 2*predictedC*predictedD;
-  const eZ = -(predictedA*predictedA) + predictedB*predictedB + predictedC*predictedC -
+  const eZ = predictedB*predictedB - (predictedA*predictedA) + predictedC*predictedC -
       (predictedD*predictedD);
   const size = Math.abs(accelX) + Math.abs(accelY) + Math.abs(accelZ);
   const hasDirection = size <= 1.7976931348623157e+308 && size > 0;
@@ -1744,13 +1744,13 @@ export function observerTurn(a, b, c, d, p, q, r, accelX, accelY, accelZ, dt, ga
     readingY = 0;
     readingZ = 0;
   }
-  const acrossX = -eY*readingZ + eZ*readingY;
+  const acrossX = eZ*readingY - eY*readingZ;
   const acrossY = eX*readingZ - eZ*readingX;
-  const acrossZ = -eX*readingY + eY*readingX;
+  const acrossZ = eY*readingX - eX*readingY;
   const movedA = -acrossX*predictedB - acrossY*predictedC - acrossZ*predictedD;
   const movedB = acrossX*predictedA - acrossY*predictedD + acrossZ*predictedC;
   const movedC = acrossX*predictedD + acrossY*predictedA - acrossZ*predictedB;
-  const movedD = -acrossX*predictedC + acrossY*predictedB + acrossZ*predictedA;
+  const movedD = acrossY*predictedB - acrossX*predictedC + acrossZ*predictedA;
   const sineOff = Math.sqrt(acrossX*acrossX + acrossY*acrossY + acrossZ*acrossZ);
   const halfTurnBack = 0.5*gain*Math.atan2(sineOff, eX*readingX + eY*readingY + eZ*readingZ);
   const cosHalfTurnBack = Math.cos(halfTurnBack);
@@ -1805,7 +1805,6 @@ export function observerStep(roll, pitch, yaw, p, q, r, accelX, accelY, accelZ, 
   const cosHalfYawSinHalfPitch = cosHalfYaw*sinHalfPitch;
   const startC = cosHalfPitchSinHalfYaw*sinHalfRoll + cosHalfRoll*cosHalfYawSinHalfPitch;
   const startD = cosHalfPitchSinHalfYaw*cosHalfRoll - cosHalfYawSinHalfPitch*sinHalfRoll;
-  const startSign = startA >= 0 ? 1 : -1;
   const absP = Math.abs(p);
   const absQ = Math.abs(q);
   const absR = Math.abs(r);
@@ -1830,21 +1829,13 @@ export function observerStep(roll, pitch, yaw, p, q, r, accelX, accelY, accelZ, 
   const turnB = common17*rateX;
   const turnC = common17*rateY;
   const turnD = common17*rateZ;
-  const startBStartSign = startB*startSign;
-  const startCStartSign = startC*startSign;
-  const startDStartSign = startD*startSign;
-  const predictedA = startA*startSign*turnA - startBStartSign*turnB - startCStartSign*turnC -
-      startDStartSign*turnD;
-  const startAStartSign = startA*startSign;
-  const predictedB = startAStartSign*turnB + startBStartSign*turnA + startCStartSign*turnD -
-      startDStartSign*turnC;
-  const predictedC = startAStartSign*turnC - startBStartSign*turnD + startCStartSign*turnA +
-      startDStartSign*turnB;
-  const predictedD = startAStartSign*turnD + startBStartSign*turnC - startCStartSign*turnB +
-      startDStartSign*turnA;
+  const predictedA = startA*turnA - startB*turnB - startC*turnC - startD*turnD;
+  const predictedB = startA*turnB + startB*turnA + startC*turnD - startD*turnC;
+  const predictedC = startA*turnC - startB*turnD + startC*turnA + startD*turnB;
+  const predictedD = startA*turnD + startB*turnC - startC*turnB + startD*turnA;
   const eX = 2*predictedA*predictedC - 2*predictedB*predictedD;
   const eY = -2*predictedA*predictedB - 2*predictedC*predictedD;
-  const eZ = -(predictedA*predictedA) + predictedB*predictedB + predictedC*predictedC -
+  const eZ = predictedB*predictedB - (predictedA*predictedA) + predictedC*predictedC -
       (predictedD*predictedD);
   const size = Math.abs(accelX) + Math.abs(accelY) + Math.abs(accelZ);
   const hasDirection = size <= 1.7976931348623157e+308 && size > 0;
@@ -1858,13 +1849,13 @@ export function observerStep(roll, pitch, yaw, p, q, r, accelX, accelY, accelZ, 
     readingY = 0;
     readingZ = 0;
   }
-  const acrossX = -eY*readingZ + eZ*readingY;
+  const acrossX = eZ*readingY - eY*readingZ;
   const acrossY = eX*readingZ - eZ*readingX;
-  const acrossZ = -eX*readingY + eY*readingX;
+  const acrossZ = eY*readingX - eX*readingY;
   const movedA = -acrossX*predictedB - acrossY*predictedC - acrossZ*predictedD;
   const movedB = acrossX*predictedA - acrossY*predictedD + acrossZ*predictedC;
   const movedC = acrossX*predictedD + acrossY*predictedA - acrossZ*predictedB;
-  const movedD = -acrossX*predictedC + acrossY*predictedB + acrossZ*predictedA;
+  const movedD = acrossY*predictedB - acrossX*predictedC + acrossZ*predictedA;
   const sineOff = Math.sqrt(acrossX*acrossX + acrossY*acrossY + acrossZ*acrossZ);
   const halfTurnBack = 0.5*gain*Math.atan2(sineOff, eX*readingX + eY*readingY + eZ*readingZ);
   const cosHalfTurnBack = Math.cos(halfTurnBack);
@@ -1884,7 +1875,7 @@ export function observerStep(roll, pitch, yaw, p, q, r, accelX, accelY, accelZ, 
   const endAMinusC = endA - endC;
   const endBPlusD = endB + endD;
   const endAPlusC = endA + endC;
-  const endDMinusB = -endB + endD;
+  const endDMinusB = endD - endB;
   const endBelow = endAMinusC*endAMinusC + endBPlusD*endBPlusD;
   const endAbove = endAPlusC*endAPlusC + endDMinusB*endDMinusB;
   const endProduct1 = endAPlusC*endBPlusD;
@@ -1970,8 +1961,8 @@ export function eulerObserverStep(roll, pitch, yaw, p, q, r, accelX, accelY, acc
   }
   const predictedRoll = dt*(rateAcross*tanPitch + rateX) + roll;
   const predictedPitch = dt*(cosRoll*rateY - rateZ*sinRoll) + pitch;
-  const rollToMeasured = -predictedRoll + seenRoll;
-  const pitchToMeasured = -predictedPitch + seenPitch;
+  const rollToMeasured = seenRoll - predictedRoll;
+  const pitchToMeasured = seenPitch - predictedPitch;
   let rollOff, pitchOff;
   if (seenHasDirection) {
     rollOff = gain*(rollToMeasured - 6.283185307179586*Math.floor(0.15915494309189535*rollToMeasured
@@ -2190,7 +2181,7 @@ export function monitoredTurn(
   const predictedD = a*turnD + b*turnC - c*turnB + d*turnA;
   const eX = 2*predictedA*predictedC - 2*predictedB*predictedD;
   const eY = -2*predictedA*predictedB - 2*predictedC*predictedD;
-  const eZ = -(predictedA*predictedA) + predictedB*predictedB + predictedC*predictedC -
+  const eZ = predictedB*predictedB - (predictedA*predictedA) + predictedC*predictedC -
       (predictedD*predictedD);
   const size = Math.abs(accelX) + Math.abs(accelY) + Math.abs(accelZ);
   const hasDirection = size <= 1.7976931348623157e+308 && size > 0;
@@ -2204,13 +2195,13 @@ export function monitoredTurn(
     readingY = 0;
     readingZ = 0;
   }
-  const acrossX = -eY*readingZ + eZ*readingY;
+  const acrossX = eZ*readingY - eY*readingZ;
   const acrossY = eX*readingZ - eZ*readingX;
-  const acrossZ = -eX*readingY + eY*readingX;
+  const acrossZ = eY*readingX - eX*readingY;
   const movedA = -acrossX*predictedB - acrossY*predictedC - acrossZ*predictedD;
   const movedB = acrossX*predictedA - acrossY*predictedD + acrossZ*predictedC;
   const movedC = acrossX*predictedD + acrossY*predictedA - acrossZ*predictedB;
-  const movedD = -acrossX*predictedC + acrossY*predictedB + acrossZ*predictedA;
+  const movedD = acrossY*predictedB - acrossX*predictedC + acrossZ*predictedA;
   const sineOff = Math.sqrt(acrossX*acrossX + acrossY*acrossY + acrossZ*acrossZ);
   const halfTurnBack = 0.5*chosenGain*Math.atan2(sineOff, eX*readingX + eY*readingY + eZ*readingZ);
   const cosHalfTurnBack = Math.cos(halfTurnBack);
@@ -2288,11 +2279,11 @@ export function inertialAcceleration(accelX, accelY, accelZ, roll, pitch, yaw, g
   const cosRollCosYaw = cosRoll*cosYaw;
   const cosRollSinYaw = cosRoll*sinYaw;
   return [
-    accelXCosPitch*cosYaw + accelY*(-cosRollSinYaw + cosYawSinRoll*sinPitch) +
+    accelXCosPitch*cosYaw + accelY*(cosYawSinRoll*sinPitch - cosRollSinYaw) +
         accelZ*(cosRollCosYaw*sinPitch + sinRollSinYaw),
     accelXCosPitch*sinYaw + accelY*(cosRollCosYaw + sinPitch*sinRollSinYaw) +
         accelZ*(cosRollSinYaw*sinPitch - cosYawSinRoll),
-    -accelX*sinPitch + accelY*cosPitch*sinRoll + accelZ*cosPitch*cosRoll + gravity,
+    accelY*cosPitch*sinRoll - accelX*sinPitch + accelZ*cosPitch*cosRoll + gravity,
   ];
 }
 
@@ -2327,7 +2318,7 @@ export function accelerometerFromAcceleration(
   const cosPitchCosRoll = cosPitch*cosRoll;
   const cosRollSinPitch = cosRoll*sinPitch;
   return [
-    -accelDown*sinPitch + accelEastSinYaw*cosPitch + accelNorthCosYaw*cosPitch + gravity*sinPitch,
+    accelEastSinYaw*cosPitch - accelDown*sinPitch + accelNorthCosYaw*cosPitch + gravity*sinPitch,
     accelDown*cosPitchSinRoll + accelEastCosYaw*cosRoll + accelEastSinYaw*sinPitchSinRoll +
         accelNorthCosYaw*sinPitchSinRoll - accelNorthSinYaw*cosRoll - cosPitchSinRoll*gravity,
     accelDown*cosPitchCosRoll - accelEastCosYaw*sinRoll + accelEastSinYaw*cosRollSinPitch +
@@ -2693,7 +2684,7 @@ export function averagingTurn(
   const slopeAfterD = bent*slopeD + offD*steeper;
   const meanESquaredPlusMeanNSquared = meanE*meanE + meanN*meanN;
   const meanLengthAfter = Math.sqrt(meanESquaredPlusMeanNSquared + meanD*meanD);
-  const upright = -meanD + meanLengthAfter;
+  const upright = meanLengthAfter - meanD;
   const levelSize = Math.sqrt(meanESquaredPlusMeanNSquared + upright*upright);
   let levelA, levelB, levelC;
   if (levelSize > 0) {
@@ -2743,7 +2734,7 @@ export function averagingTurn(
     meanLengthAfter,
     2*levelASlopeAfterD*levelC + levelASquared*slopeAfterN + levelBSquared*slopeAfterN -
         levelCSquared*slopeAfterN + slopeAfterE*twiceLevelBLevelC,
-    -2*levelASlopeAfterD*levelB + levelASquared*slopeAfterE - levelBSquared*slopeAfterE +
+    levelASquared*slopeAfterE - 2*levelASlopeAfterD*levelB - levelBSquared*slopeAfterE +
         levelCSquared*slopeAfterE + slopeAfterN*twiceLevelBLevelC,
     2*levelA*levelB*slopeAfterE - 2*levelA*levelC*slopeAfterN + levelASquared*slopeAfterD -
         levelBSquared*slopeAfterD - levelCSquared*slopeAfterD,
@@ -2948,7 +2939,7 @@ export function averagingHeadingTurn(
   const slopeAfterD = bent*slopeD + offD*steeper;
   const meanESquaredPlusMeanNSquared = meanE*meanE + meanN*meanN;
   const meanLengthAfter = Math.sqrt(meanESquaredPlusMeanNSquared + meanD*meanD);
-  const upright = -meanD + meanLengthAfter;
+  const upright = meanLengthAfter - meanD;
   const levelSize = Math.sqrt(meanESquaredPlusMeanNSquared + upright*upright);
   let levelA, levelB, levelC;
   if (levelSize > 0) {
@@ -2996,7 +2987,7 @@ export function averagingHeadingTurn(
   const levelCSquared = levelC*levelC;
   const levelSlopeN = 2*levelASlopeAfterD*levelC + levelASquared*slopeAfterN +
       levelBSquared*slopeAfterN - levelCSquared*slopeAfterN + slopeAfterE*twiceLevelBLevelC;
-  const levelSlopeE = -2*levelASlopeAfterD*levelB + levelASquared*slopeAfterE -
+  const levelSlopeE = levelASquared*slopeAfterE - 2*levelASlopeAfterD*levelB -
       levelBSquared*slopeAfterE + levelCSquared*slopeAfterE + slopeAfterN*twiceLevelBLevelC;
   const levelSlopeD = 2*levelA*levelB*slopeAfterE - 2*levelA*levelC*slopeAfterN +
       levelASquared*slopeAfterD - levelBSquared*slopeAfterD - levelCSquared*slopeAfterD;
@@ -3028,7 +3019,7 @@ export function averagingHeadingTurn(
       fieldY*levelAttitudeASquared - fieldY*levelAttitudeBSquared + fieldY*levelAttitudeCSquared -
       fieldY*levelAttitudeDSquared - levelAttitudeB*twiceFieldZLevelAttitudeA +
       levelAttitudeC*twiceFieldZLevelAttitudeD;
-  const fieldD = -2*fieldX*levelAttitudeA*levelAttitudeC + 2*fieldX*levelAttitudeB*levelAttitudeD +
+  const fieldD = 2*fieldX*levelAttitudeB*levelAttitudeD - 2*fieldX*levelAttitudeA*levelAttitudeC +
       2*fieldY*levelAttitudeA*levelAttitudeB + 2*fieldY*levelAttitudeC*levelAttitudeD +
       fieldZ*levelAttitudeASquared - fieldZ*levelAttitudeBSquared - fieldZ*levelAttitudeCSquared +
       fieldZ*levelAttitudeDSquared;
@@ -3061,7 +3052,7 @@ export function averagingHeadingTurn(
   }
   let fieldLengthAfter, fieldDownAfter;
   if (fieldIsTheSame) {
-    fieldLengthAfter = fieldLength + fieldShare*(-fieldLength + lengthNow);
+    fieldLengthAfter = fieldLength + fieldShare*(lengthNow - fieldLength);
     fieldDownAfter = fieldDown + fieldShare*(downNow - fieldDown);
   } else {
     fieldLengthAfter = fieldLength;
@@ -3182,7 +3173,7 @@ export function observerHeadingTurn(
   const predictedD = a*turnD + b*turnC - c*turnB + d*turnA;
   const eX = 2*predictedA*predictedC - 2*predictedB*predictedD;
   const eY = -2*predictedA*predictedB - 2*predictedC*predictedD;
-  const eZ = -(predictedA*predictedA) + predictedB*predictedB + predictedC*predictedC -
+  const eZ = predictedB*predictedB - (predictedA*predictedA) + predictedC*predictedC -
       (predictedD*predictedD);
   const size = Math.abs(accelX) + Math.abs(accelY) + Math.abs(accelZ);
   const hasDirection = size <= 1.7976931348623157e+308 && size > 0;
@@ -3196,13 +3187,13 @@ export function observerHeadingTurn(
     readingY = 0;
     readingZ = 0;
   }
-  const acrossX = -eY*readingZ + eZ*readingY;
+  const acrossX = eZ*readingY - eY*readingZ;
   const acrossY = eX*readingZ - eZ*readingX;
-  const acrossZ = -eX*readingY + eY*readingX;
+  const acrossZ = eY*readingX - eX*readingY;
   const movedA = -acrossX*predictedB - acrossY*predictedC - acrossZ*predictedD;
   const movedB = acrossX*predictedA - acrossY*predictedD + acrossZ*predictedC;
   const movedC = acrossX*predictedD + acrossY*predictedA - acrossZ*predictedB;
-  const movedD = -acrossX*predictedC + acrossY*predictedB + acrossZ*predictedA;
+  const movedD = acrossY*predictedB - acrossX*predictedC + acrossZ*predictedA;
   const sineOff = Math.sqrt(acrossX*acrossX + acrossY*acrossY + acrossZ*acrossZ);
   const halfTurnBack = 0.5*gain*Math.atan2(sineOff, eX*readingX + eY*readingY + eZ*readingZ);
   const cosHalfTurnBack = Math.cos(halfTurnBack);

@@ -40,11 +40,11 @@ def inertial_acceleration(
     cos_roll_cos_yaw = cos_roll*cos_yaw
     cos_roll_sin_yaw = cos_roll*sin_yaw
     return (
-        accel_x_cos_pitch*cos_yaw + accel_y*(-cos_roll_sin_yaw + cos_yaw_sin_roll*sin_pitch) +
+        accel_x_cos_pitch*cos_yaw + accel_y*(cos_yaw_sin_roll*sin_pitch - cos_roll_sin_yaw) +
             accel_z*(cos_roll_cos_yaw*sin_pitch + sin_roll_sin_yaw),
         accel_x_cos_pitch*sin_yaw + accel_y*(cos_roll_cos_yaw + sin_pitch*sin_roll_sin_yaw) +
             accel_z*(cos_roll_sin_yaw*sin_pitch - cos_yaw_sin_roll),
-        -accel_x*sin_pitch + accel_y*cos_pitch*sin_roll + accel_z*cos_pitch*cos_roll + gravity,
+        accel_y*cos_pitch*sin_roll - accel_x*sin_pitch + accel_z*cos_pitch*cos_roll + gravity,
     )
 
 
@@ -84,7 +84,7 @@ def accelerometer_from_acceleration(
     cos_pitch_cos_roll = cos_pitch*cos_roll
     cos_roll_sin_pitch = cos_roll*sin_pitch
     return (
-        -accel_down*sin_pitch + accel_east_sin_yaw*cos_pitch + accel_north_cos_yaw*cos_pitch +
+        accel_east_sin_yaw*cos_pitch - accel_down*sin_pitch + accel_north_cos_yaw*cos_pitch +
             gravity*sin_pitch,
         accel_down*cos_pitch_sin_roll + accel_east_cos_yaw*cos_roll +
             accel_east_sin_yaw*sin_pitch_sin_roll + accel_north_cos_yaw*sin_pitch_sin_roll -

@@ -189,7 +189,7 @@ def observer_turn(
     e_x = 2.0*predicted_a*predicted_c - 2.0*predicted_b*predicted_d
     e_y = -2.0*predicted_a*predicted_b - 2.0*predicted_c*predicted_d
     e_z = (
-        -(predicted_a*predicted_a) + predicted_b*predicted_b + predicted_c*predicted_c -
+        predicted_b*predicted_b - (predicted_a*predicted_a) + predicted_c*predicted_c -
             (predicted_d*predicted_d)
     )
     size = abs(accel_x) + abs(accel_y) + abs(accel_z)
@@ -202,13 +202,13 @@ def observer_turn(
         reading_x = 0.0
         reading_y = 0.0
         reading_z = 0.0
-    across_x = -e_y*reading_z + e_z*reading_y
+    across_x = e_z*reading_y - e_y*reading_z
     across_y = e_x*reading_z - e_z*reading_x
-    across_z = -e_x*reading_y + e_y*reading_x
+    across_z = e_y*reading_x - e_x*reading_y
     moved_a = -across_x*predicted_b - across_y*predicted_c - across_z*predicted_d
     moved_b = across_x*predicted_a - across_y*predicted_d + across_z*predicted_c
     moved_c = across_x*predicted_d + across_y*predicted_a - across_z*predicted_b
-    moved_d = -across_x*predicted_c + across_y*predicted_b + across_z*predicted_a
+    moved_d = across_y*predicted_b - across_x*predicted_c + across_z*predicted_a
     sine_off = sqrt(across_x*across_x + across_y*across_y + across_z*across_z)
     half_turn_back = 0.5*gain*atan2(sine_off, e_x*reading_x + e_y*reading_y + e_z*reading_z)
     cos_half_turn_back = cos(half_turn_back)
@@ -268,7 +268,6 @@ def observer_step(
     cos_half_yaw_sin_half_pitch = cos_half_yaw*sin_half_pitch
     start_c = cos_half_pitch_sin_half_yaw*sin_half_roll + cos_half_roll*cos_half_yaw_sin_half_pitch
     start_d = cos_half_pitch_sin_half_yaw*cos_half_roll - cos_half_yaw_sin_half_pitch*sin_half_roll
-    start_sign = 1.0 if start_a >= 0.0 else -1.0
     abs_p = abs(p)
     abs_q = abs(q)
     abs_r = abs(r)
@@ -296,30 +295,14 @@ def observer_step(
     turn_b = common_17*rate_x
     turn_c = common_17*rate_y
     turn_d = common_17*rate_z
-    start_b_start_sign = start_b*start_sign
-    start_c_start_sign = start_c*start_sign
-    start_d_start_sign = start_d*start_sign
-    predicted_a = (
-        start_a*start_sign*turn_a - start_b_start_sign*turn_b - start_c_start_sign*turn_c -
-            start_d_start_sign*turn_d
-    )
-    start_a_start_sign = start_a*start_sign
-    predicted_b = (
-        start_a_start_sign*turn_b + start_b_start_sign*turn_a + start_c_start_sign*turn_d -
-            start_d_start_sign*turn_c
-    )
-    predicted_c = (
-        start_a_start_sign*turn_c - start_b_start_sign*turn_d + start_c_start_sign*turn_a +
-            start_d_start_sign*turn_b
-    )
-    predicted_d = (
-        start_a_start_sign*turn_d + start_b_start_sign*turn_c - start_c_start_sign*turn_b +
-            start_d_start_sign*turn_a
-    )
+    predicted_a = start_a*turn_a - start_b*turn_b - start_c*turn_c - start_d*turn_d
+    predicted_b = start_a*turn_b + start_b*turn_a + start_c*turn_d - start_d*turn_c
+    predicted_c = start_a*turn_c - start_b*turn_d + start_c*turn_a + start_d*turn_b
+    predicted_d = start_a*turn_d + start_b*turn_c - start_c*turn_b + start_d*turn_a
     e_x = 2.0*predicted_a*predicted_c - 2.0*predicted_b*predicted_d
     e_y = -2.0*predicted_a*predicted_b - 2.0*predicted_c*predicted_d
     e_z = (
-        -(predicted_a*predicted_a) + predicted_b*predicted_b + predicted_c*predicted_c -
+        predicted_b*predicted_b - (predicted_a*predicted_a) + predicted_c*predicted_c -
             (predicted_d*predicted_d)
     )
     size = abs(accel_x) + abs(accel_y) + abs(accel_z)
@@ -332,13 +315,13 @@ def observer_step(
         reading_x = 0.0
         reading_y = 0.0
         reading_z = 0.0
-    across_x = -e_y*reading_z + e_z*reading_y
+    across_x = e_z*reading_y - e_y*reading_z
     across_y = e_x*reading_z - e_z*reading_x
-    across_z = -e_x*reading_y + e_y*reading_x
+    across_z = e_y*reading_x - e_x*reading_y
     moved_a = -across_x*predicted_b - across_y*predicted_c - across_z*predicted_d
     moved_b = across_x*predicted_a - across_y*predicted_d + across_z*predicted_c
     moved_c = across_x*predicted_d + across_y*predicted_a - across_z*predicted_b
-    moved_d = -across_x*predicted_c + across_y*predicted_b + across_z*predicted_a
+    moved_d = across_y*predicted_b - across_x*predicted_c + across_z*predicted_a
     sine_off = sqrt(across_x*across_x + across_y*across_y + across_z*across_z)
     half_turn_back = 0.5*gain*atan2(sine_off, e_x*reading_x + e_y*reading_y + e_z*reading_z)
     cos_half_turn_back = cos(half_turn_back)
@@ -356,7 +339,7 @@ def observer_step(
     end_a_minus_c = end_a - end_c
     end_b_plus_d = end_b + end_d
     end_a_plus_c = end_a + end_c
-    end_d_minus_b = -end_b + end_d
+    end_d_minus_b = end_d - end_b
     end_below = end_a_minus_c*end_a_minus_c + end_b_plus_d*end_b_plus_d
     end_above = end_a_plus_c*end_a_plus_c + end_d_minus_b*end_d_minus_b
     end_product_1 = end_a_plus_c*end_b_plus_d
@@ -447,8 +430,8 @@ def euler_observer_step(
         seen_pitch = nan
     predicted_roll = dt*(rate_across*tan_pitch + rate_x) + roll
     predicted_pitch = dt*(cos_roll*rate_y - rate_z*sin_roll) + pitch
-    roll_to_measured = -predicted_roll + seen_roll
-    pitch_to_measured = -predicted_pitch + seen_pitch
+    roll_to_measured = seen_roll - predicted_roll
+    pitch_to_measured = seen_pitch - predicted_pitch
     if seen_has_direction:
         roll_off = (
             gain*(roll_to_measured - 6.283185307179586*((0.15915494309189535*roll_to_measured + 0.5)
@@ -662,7 +645,7 @@ def averaging_turn(
     slope_after_d = bent*slope_d + off_d*steeper
     mean_e_squared_plus_mean_n_squared = mean_e*mean_e + mean_n*mean_n
     mean_length_after = sqrt(mean_e_squared_plus_mean_n_squared + mean_d*mean_d)
-    upright = -mean_d + mean_length_after
+    upright = mean_length_after - mean_d
     level_size = sqrt(mean_e_squared_plus_mean_n_squared + upright*upright)
     if level_size > 0.0:
         level_a = upright/level_size
@@ -708,7 +691,7 @@ def averaging_turn(
         2.0*level_a_slope_after_d*level_c + level_a_squared*slope_after_n +
             level_b_squared*slope_after_n - level_c_squared*slope_after_n +
             slope_after_e*twice_level_b_level_c,
-        -2.0*level_a_slope_after_d*level_b + level_a_squared*slope_after_e -
+        level_a_squared*slope_after_e - 2.0*level_a_slope_after_d*level_b -
             level_b_squared*slope_after_e + level_c_squared*slope_after_e +
             slope_after_n*twice_level_b_level_c,
         2.0*level_a*level_b*slope_after_e - 2.0*level_a*level_c*slope_after_n +
@@ -917,7 +900,7 @@ def averaging_heading_turn(
     slope_after_d = bent*slope_d + off_d*steeper
     mean_e_squared_plus_mean_n_squared = mean_e*mean_e + mean_n*mean_n
     mean_length_after = sqrt(mean_e_squared_plus_mean_n_squared + mean_d*mean_d)
-    upright = -mean_d + mean_length_after
+    upright = mean_length_after - mean_d
     level_size = sqrt(mean_e_squared_plus_mean_n_squared + upright*upright)
     if level_size > 0.0:
         level_a = upright/level_size
@@ -964,7 +947,7 @@ def averaging_heading_turn(
             slope_after_e*twice_level_b_level_c
     )
     level_slope_e = (
-        -2.0*level_a_slope_after_d*level_b + level_a_squared*slope_after_e -
+        level_a_squared*slope_after_e - 2.0*level_a_slope_after_d*level_b -
             level_b_squared*slope_after_e + level_c_squared*slope_after_e +
             slope_after_n*twice_level_b_level_c
     )
@@ -1007,8 +990,8 @@ def averaging_heading_turn(
             level_attitude_c*twice_field_z_level_attitude_d
     )
     field_d = (
-        -2.0*field_x*level_attitude_a*level_attitude_c +
-            2.0*field_x*level_attitude_b*level_attitude_d +
+        2.0*field_x*level_attitude_b*level_attitude_d -
+            2.0*field_x*level_attitude_a*level_attitude_c +
             2.0*field_y*level_attitude_a*level_attitude_b +
             2.0*field_y*level_attitude_c*level_attitude_d + field_z*level_attitude_a_squared -
             field_z*level_attitude_b_squared - field_z*level_attitude_c_squared +
@@ -1038,7 +1021,7 @@ def averaging_heading_turn(
     else:
         field_share = 1.0
     if field_is_the_same:
-        field_length_after = field_length + field_share*(-field_length + length_now)
+        field_length_after = field_length + field_share*(length_now - field_length)
         field_down_after = field_down + field_share*(down_now - field_down)
     else:
         field_length_after = field_length
@@ -1173,7 +1156,7 @@ def observer_heading_turn(
     e_x = 2.0*predicted_a*predicted_c - 2.0*predicted_b*predicted_d
     e_y = -2.0*predicted_a*predicted_b - 2.0*predicted_c*predicted_d
     e_z = (
-        -(predicted_a*predicted_a) + predicted_b*predicted_b + predicted_c*predicted_c -
+        predicted_b*predicted_b - (predicted_a*predicted_a) + predicted_c*predicted_c -
             (predicted_d*predicted_d)
     )
     size = abs(accel_x) + abs(accel_y) + abs(accel_z)
@@ -1186,13 +1169,13 @@ def observer_heading_turn(
         reading_x = 0.0
         reading_y = 0.0
         reading_z = 0.0
-    across_x = -e_y*reading_z + e_z*reading_y
+    across_x = e_z*reading_y - e_y*reading_z
     across_y = e_x*reading_z - e_z*reading_x
-    across_z = -e_x*reading_y + e_y*reading_x
+    across_z = e_y*reading_x - e_x*reading_y
     moved_a = -across_x*predicted_b - across_y*predicted_c - across_z*predicted_d
     moved_b = across_x*predicted_a - across_y*predicted_d + across_z*predicted_c
     moved_c = across_x*predicted_d + across_y*predicted_a - across_z*predicted_b
-    moved_d = -across_x*predicted_c + across_y*predicted_b + across_z*predicted_a
+    moved_d = across_y*predicted_b - across_x*predicted_c + across_z*predicted_a
     sine_off = sqrt(across_x*across_x + across_y*across_y + across_z*across_z)
     half_turn_back = 0.5*gain*atan2(sine_off, e_x*reading_x + e_y*reading_y + e_z*reading_z)
     cos_half_turn_back = cos(half_turn_back)

@@ -31,7 +31,7 @@ def matrix_from_euler(
         cos_pitch*cos_yaw,
         cos_pitch*sin_yaw,
         -sin_pitch,
-        -cos_roll_sin_yaw + cos_yaw_sin_roll*sin_pitch,
+        cos_yaw_sin_roll*sin_pitch - cos_roll_sin_yaw,
         cos_roll_cos_yaw + sin_pitch*sin_roll_sin_yaw,
         cos_pitch*sin_roll,
         cos_roll_cos_yaw*sin_pitch + sin_roll_sin_yaw,
@@ -67,7 +67,7 @@ def euler_from_matrix(
 
     Right for rotations alone.
     """
-    roll_sine = -r11*r32 + r12*r31
+    roll_sine = r12*r31 - r11*r32
     roll_cosine = r11*r22 - r12*r21
     pitch = atan2(-r13, hypot(r11, r12))
     locked = abs(pitch) > 1.5707963267948948
@@ -103,17 +103,17 @@ def rotation_defect(
     r32: row 3, column 2 of the matrix from the inertial to the body frame
     r33: row 3, column 3 of the matrix from the inertial to the body frame
     """
-    off_11 = -1.0 + r11*r11 + r12*r12 + r13*r13
+    off_11 = r11*r11 - 1.0 + r12*r12 + r13*r13
     off_21 = r11*r21 + r12*r22 + r13*r23
-    off_22 = -1.0 + r21*r21 + r22*r22 + r23*r23
+    off_22 = r21*r21 - 1.0 + r22*r22 + r23*r23
     off_31 = r11*r31 + r12*r32 + r13*r33
     off_32 = r21*r31 + r22*r32 + r23*r33
-    off_33 = -1.0 + r31*r31 + r32*r32 + r33*r33
+    off_33 = r31*r31 - 1.0 + r32*r32 + r33*r33
     return (
         sqrt(0.1111111111111111*(off_11*off_11) + 0.2222222222222222*(off_21*off_21) +
             0.1111111111111111*(off_22*off_22) + 0.2222222222222222*(off_31*off_31) +
             0.2222222222222222*(off_32*off_32) + 0.1111111111111111*(off_33*off_33)),
-        r13*(r21*r32 - r22*r31) + r23*(-r11*r32 + r12*r31) + r33*(r11*r22 - r12*r21),
+        r13*(r21*r32 - r22*r31) + r23*(r12*r31 - r11*r32) + r33*(r11*r22 - r12*r21),
     )
 
 

@@ -40,15 +40,15 @@ def matrix_from_quaternion(
     c_d = c*d
     a_b = a*b
     return (
-        scale*(-across_x + along_x),
+        scale*(along_x - across_x),
         twice_scale*(a_d + b_c),
-        twice_scale*(-a_c + b_d),
-        twice_scale*(-a_d + b_c),
-        scale*(-across_y + along_y),
+        twice_scale*(b_d - a_c),
+        twice_scale*(b_c - a_d),
+        scale*(along_y - across_y),
         twice_scale*(a_b + c_d),
         twice_scale*(a_c + b_d),
-        twice_scale*(-a_b + c_d),
-        scale*(-across_z + along_z),
+        twice_scale*(c_d - a_b),
+        scale*(along_z - across_z),
     )
 
 
@@ -84,9 +84,9 @@ def quaternion_from_matrix(
         c = r12 + r21
         d = r13 + r31
     elif r33 < 0.0:
-        a = -r13 + r31
+        a = r31 - r13
         b = r12 + r21
-        c = -r11 + r22 - r33 + 1.0
+        c = r22 - r11 - r33 + 1.0
         d = r23 + r32
     elif r11 < -r22:
         a = r12 - r21
@@ -96,7 +96,7 @@ def quaternion_from_matrix(
     else:
         a = r11 + r22 + r33 + 1.0
         b = r23 - r32
-        c = -r13 + r31
+        c = r31 - r13
         d = r12 - r21
     norm_squared = a*a + b*b + c*c + d*d
     sign = 1.0 if a >= 0.0 else -1.0
@@ -151,7 +151,7 @@ def euler_from_quaternion(
     a_minus_c = a - c
     b_plus_d = b + d
     a_plus_c = a + c
-    d_minus_b = -b + d
+    d_minus_b = d - b
     below = a_minus_c*a_minus_c + b_plus_d*b_plus_d
     above = a_plus_c*a_plus_c + d_minus_b*d_minus_b
     product_1 = a_plus_c*b_plus_d
@@ -321,7 +321,7 @@ def rotate_to_inertial(
     norm_squared = a*a + b*b + c*c + d*d
     factor = 2.0/norm_squared
     across_x = c*z - d*y
-    across_y = -b*z + d*x
+    across_y = d*x - b*z
     across_z = b*y - c*x
     return (
         factor*(a*across_x - across_y*d + across_z*c) + x,
@@ -348,9 +348,9 @@ def rotate_to_body(
     """
     norm_squared = a*a + b*b + c*c + d*d
     factor = 2.0/norm_squared
-    across_x = -c*z + d*y
+    across_x = d*y - c*z
     across_y = b*z - d*x
-    across_z = -b*y + c*x
+    across_z = c*x - b*y
     return (
         factor*(a*across_x + across_y*d - across_z*c) + x,
         factor*(a*across_y - across_x*d + across_z*b) + y,

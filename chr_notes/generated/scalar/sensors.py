@@ -66,9 +66,9 @@ def sensor_measures(
 
     Ledger: sensors.2.3, sensors.2.4.
     """
-    own_x = -bias_x + sensitivity_x*x
-    own_y = -bias_y + sensitivity_y*y
-    own_z = -bias_z + sensitivity_z*z
+    own_x = sensitivity_x*x - bias_x
+    own_y = sensitivity_y*y - bias_y
+    own_z = sensitivity_z*z - bias_z
     return (
         m11*own_x + m12*own_y + m13*own_z,
         m21*own_x + m22*own_y + m23*own_z,
@@ -377,7 +377,7 @@ def vector_rate(
     q: body rate about y, rad/s
     r: body rate about z, rad/s
     """
-    return (-q*z + r*y, p*z - r*x, -p*y + q*x)
+    return (r*y - q*z, p*z - r*x, q*x - p*y)
 
 
 def norm_misfit(
@@ -409,9 +409,9 @@ def norm_misfit(
     y: what the sensor reads along y
     z: what the sensor reads along z
     """
-    common_0 = -centre_x + x
-    common_1 = -centre_y + y
-    common_2 = -centre_z + z
+    common_0 = x - centre_x
+    common_1 = y - centre_y
+    common_2 = z - centre_z
     common_3 = a_xx*common_0 + a_xy*common_1 + a_xz*common_2
     common_4 = a_xy*common_0 + a_yy*common_1 + a_yz*common_2
     common_5 = a_xz*common_0 + a_yz*common_1 + a_zz*common_2

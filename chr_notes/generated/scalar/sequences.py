@@ -118,21 +118,21 @@ def matrix_from_angles(
         first_sine_y*second_stays_z + first_sine_z*second_sine_x + first_stays_x*second_sine_y
     )
     turned_32 = (
-        -first_sine_x*second_stays_z + first_sine_z*second_sine_y - first_stays_y*second_sine_x
+        first_sine_z*second_sine_y - first_sine_x*second_stays_z - first_stays_y*second_sine_x
     )
     turned_33 = (
         -first_sine_x_second_sine_x - first_sine_y_second_sine_y + first_stays_z*second_stays_z
     )
     return (
-        -third_sine_y*turned_31 + third_sine_z*turned_21 + third_stays_x*turned_11,
-        -third_sine_y*turned_32 + third_sine_z*turned_22 + third_stays_x*turned_12,
-        -third_sine_y*turned_33 + third_sine_z*turned_23 + third_stays_x*turned_13,
+        third_sine_z*turned_21 - third_sine_y*turned_31 + third_stays_x*turned_11,
+        third_sine_z*turned_22 - third_sine_y*turned_32 + third_stays_x*turned_12,
+        third_sine_z*turned_23 - third_sine_y*turned_33 + third_stays_x*turned_13,
         third_sine_x*turned_31 - third_sine_z*turned_11 + third_stays_y*turned_21,
         third_sine_x*turned_32 - third_sine_z*turned_12 + third_stays_y*turned_22,
         third_sine_x*turned_33 - third_sine_z*turned_13 + third_stays_y*turned_23,
-        -third_sine_x*turned_21 + third_sine_y*turned_11 + third_stays_z*turned_31,
-        -third_sine_x*turned_22 + third_sine_y*turned_12 + third_stays_z*turned_32,
-        -third_sine_x*turned_23 + third_sine_y*turned_13 + third_stays_z*turned_33,
+        third_sine_y*turned_11 - third_sine_x*turned_21 + third_stays_z*turned_31,
+        third_sine_y*turned_12 - third_sine_x*turned_22 + third_stays_z*turned_32,
+        third_sine_y*turned_13 - third_sine_x*turned_23 + third_stays_z*turned_33,
     )
 
 
@@ -217,9 +217,9 @@ def angles_from_matrix(
         third_x = nan
         third_y = nan
         third_z = nan
-    across_x = -first_y*second_z + first_z*second_y
+    across_x = first_z*second_y - first_y*second_z
     across_y = first_x*second_z - first_z*second_x
-    across_z = -first_x*second_y + first_y*second_x
+    across_z = first_y*second_x - first_x*second_y
     sign_of_roll = across_x*third_x + across_y*third_y + across_z*third_z
     axis_again = first_x*third_x + first_y*third_y + first_z*third_z
     axis_other = 1.0 - axis_again
@@ -231,9 +231,9 @@ def angles_from_matrix(
     along_second = sign*(second_x*seen_1 + second_y*seen_2 + second_z*seen_3)
     along_first = first_x*seen_1 + first_y*seen_2 + first_z*seen_3
     size = hypot(along_across, along_second)
-    level_1 = -across_x*along_second + along_across*second_x
-    level_2 = -across_y*along_second + along_across*second_y
-    level_3 = -across_z*along_second + along_across*second_z
+    level_1 = along_across*second_x - across_x*along_second
+    level_2 = along_across*second_y - across_y*along_second
+    level_3 = along_across*second_z - across_z*along_second
     moved_1 = level_1*r11 + level_2*r12 + level_3*r13
     moved_2 = level_1*r21 + level_2*r22 + level_3*r23
     moved_3 = level_1*r31 + level_2*r32 + level_3*r33
@@ -241,7 +241,7 @@ def angles_from_matrix(
     row_2 = r12*second_x + r22*second_y + r32*second_z
     row_3 = r13*second_x + r23*second_y + r33*second_z
     second_angle = (
-        atan2(-along_first*sign_of_roll + axis_again*size, along_first*axis_again + axis_other*size)
+        atan2(axis_again*size - along_first*sign_of_roll, along_first*axis_again + axis_other*size)
     )
     locked = size < 1.7763568394002505e-15*abs(along_first)
     if not locked:
@@ -448,9 +448,9 @@ def angles_from_quaternion(
         third_x = nan
         third_y = nan
         third_z = nan
-    across_x = -first_y*second_z + first_z*second_y
+    across_x = first_z*second_y - first_y*second_z
     across_y = first_x*second_z - first_z*second_x
-    across_z = -first_x*second_y + first_y*second_x
+    across_z = first_y*second_x - first_x*second_y
     sign_of_roll = across_x*third_x + across_y*third_y + across_z*third_z
     axis_again = first_x*third_x + first_y*third_y + first_z*third_z
     axis_other = 1.0 - axis_again
@@ -470,7 +470,7 @@ def angles_from_quaternion(
     product_4 = part_2*part_4
     half_sine = a*along_second - along_across*along_first
     root = sqrt(above)*sqrt(below)
-    rest = 0.5*axis_again*(-above + below) + 2.0*axis_other*half_sine
+    rest = 0.5*axis_again*(below - above) + 2.0*axis_other*half_sine
     second_angle = atan2(axis_again*root + axis_other*rest, axis_again*rest + axis_other*root)
     locked = root < 1.7763568394002505e-15*abs(rest)
     if not locked:
@@ -548,16 +548,16 @@ def angle_rates_matrix(
         third_x = nan
         third_y = nan
         third_z = nan
-    across_x = -first_y*second_z + first_z*second_y
+    across_x = first_z*second_y - first_y*second_z
     across_y = first_x*second_z - first_z*second_x
-    across_z = -first_x*second_y + first_y*second_x
+    across_z = first_y*second_x - first_x*second_y
     sign_of_roll = across_x*third_x + across_y*third_y + across_z*third_z
     axis_again = first_x*third_x + first_y*third_y + first_z*third_z
     volume = axis_again*sin_second + cos_second*sign_of_roll
     over_volume = 1.0/volume if volume != 0.0 else nan
-    before_11 = over_volume*(-across_x*axis_again + first_x*sign_of_roll)
-    before_12 = over_volume*(-across_y*axis_again + first_y*sign_of_roll)
-    before_13 = over_volume*(-across_z*axis_again + first_z*sign_of_roll)
+    before_11 = over_volume*(first_x*sign_of_roll - across_x*axis_again)
+    before_12 = over_volume*(first_y*sign_of_roll - across_y*axis_again)
+    before_13 = over_volume*(first_z*sign_of_roll - across_z*axis_again)
     before_21 = second_x
     before_22 = second_y
     before_23 = second_z
@@ -572,12 +572,12 @@ def angle_rates_matrix(
     third_sine_z = sin_third*third_z
     return (
         before_11*third_stays_x + before_12*third_sine_z - before_13*third_sine_y,
-        -before_11*third_sine_z + before_12*third_stays_y + before_13*third_sine_x,
+        before_12*third_stays_y - before_11*third_sine_z + before_13*third_sine_x,
         before_11*third_sine_y - before_12*third_sine_x + before_13*third_stays_z,
         before_21*third_stays_x + before_22*third_sine_z - before_23*third_sine_y,
-        -before_21*third_sine_z + before_22*third_stays_y + before_23*third_sine_x,
+        before_22*third_stays_y - before_21*third_sine_z + before_23*third_sine_x,
         before_21*third_sine_y - before_22*third_sine_x + before_23*third_stays_z,
         before_31*third_stays_x + before_32*third_sine_z - before_33*third_sine_y,
-        -before_31*third_sine_z + before_32*third_stays_y + before_33*third_sine_x,
+        before_32*third_stays_y - before_31*third_sine_z + before_33*third_sine_x,
         before_31*third_sine_y - before_32*third_sine_x + before_33*third_stays_z,
     )

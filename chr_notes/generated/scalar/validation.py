@@ -196,7 +196,7 @@ def monitored_turn(
     e_x = 2.0*predicted_a*predicted_c - 2.0*predicted_b*predicted_d
     e_y = -2.0*predicted_a*predicted_b - 2.0*predicted_c*predicted_d
     e_z = (
-        -(predicted_a*predicted_a) + predicted_b*predicted_b + predicted_c*predicted_c -
+        predicted_b*predicted_b - (predicted_a*predicted_a) + predicted_c*predicted_c -
             (predicted_d*predicted_d)
     )
     size = abs(accel_x) + abs(accel_y) + abs(accel_z)
@@ -209,13 +209,13 @@ def monitored_turn(
         reading_x = 0.0
         reading_y = 0.0
         reading_z = 0.0
-    across_x = -e_y*reading_z + e_z*reading_y
+    across_x = e_z*reading_y - e_y*reading_z
     across_y = e_x*reading_z - e_z*reading_x
-    across_z = -e_x*reading_y + e_y*reading_x
+    across_z = e_y*reading_x - e_x*reading_y
     moved_a = -across_x*predicted_b - across_y*predicted_c - across_z*predicted_d
     moved_b = across_x*predicted_a - across_y*predicted_d + across_z*predicted_c
     moved_c = across_x*predicted_d + across_y*predicted_a - across_z*predicted_b
-    moved_d = -across_x*predicted_c + across_y*predicted_b + across_z*predicted_a
+    moved_d = across_y*predicted_b - across_x*predicted_c + across_z*predicted_a
     sine_off = sqrt(across_x*across_x + across_y*across_y + across_z*across_z)
     half_turn_back = 0.5*chosen_gain*atan2(sine_off, e_x*reading_x + e_y*reading_y + e_z*reading_z)
     cos_half_turn_back = cos(half_turn_back)
