@@ -168,6 +168,12 @@ def dead_reckon(  # noqa: PLR0913 (an initial value for each integral)
         of gravity in most of them, and in degrees would leave less than a quarter of that; or most
         time steps are above 1 s, as they are in milliseconds.
 
+    See Also
+    --------
+    inertial_acceleration
+    chr_notes.drift.drift_budget
+    chr_notes.zero_velocity.zero_velocity
+
     Notes
     -----
     Ledger: dead_reckoning.3.3, dead_reckoning.3.4. On a recorded walk with the sensor on a foot,

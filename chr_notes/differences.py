@@ -36,6 +36,10 @@ def inclination_from_quaternion(q: ArrayLike, *, out: Floats | None = None) -> F
     ValueError
         If the last axis is not of size 4, or a quaternion is zero; it names the first one.
 
+    See Also
+    --------
+    angle_between_verticals
+
     Examples
     --------
     >>> import numpy as np
@@ -64,6 +68,10 @@ def angle_between_attitudes(p: ArrayLike, q: ArrayLike) -> Floats:
     ------
     ValueError
         If a last axis is not of size 4, the leading axes do not broadcast, or a quaternion is zero.
+
+    See Also
+    --------
+    angle_between_verticals
 
     Examples
     --------
@@ -96,6 +104,10 @@ def angle_between_verticals(p: ArrayLike, q: ArrayLike) -> Floats:
     ------
     ValueError
         If a last axis is not of size 4, the leading axes do not broadcast, or a quaternion is zero.
+
+    See Also
+    --------
+    angle_between_attitudes
 
     Examples
     --------
@@ -136,6 +148,11 @@ def slerp(p: ArrayLike, q: ArrayLike, share: ArrayLike) -> Floats:
     ValueError
         If a last axis is not of size 4, the leading axes do not broadcast, a quaternion is zero,
         or a share is not from 0 to 1.
+
+    See Also
+    --------
+    continuous_quaternions
+    angle_between_attitudes
 
     Examples
     --------
@@ -183,6 +200,10 @@ def continuous_quaternions(q: ArrayLike) -> Floats:
     ------
     ValueError
         If the shape differs.
+
+    See Also
+    --------
+    slerp
 
     Examples
     --------

@@ -31,6 +31,10 @@ class DriftBudget:
         From a wrong sensitivity of the accelerometer while the body accelerates: k a t²/2.
     noise
         Standard deviation from the white noise of both sensors.
+
+    See Also
+    --------
+    drift_budget
     """
 
     tilt: Floats
@@ -96,6 +100,11 @@ def drift_budget(  # noqa: PLR0913 (an error for each cause)
     ValueError
         If a shape does not broadcast, or a time is negative.
 
+    See Also
+    --------
+    coasting_time
+    chr_notes.dead_reckoning.drift_from_tilt_error
+
     Notes
     -----
     Tilt errors are taken as small where they grow. The tilt's part is that of
@@ -141,6 +150,10 @@ def coasting_time(distance: float = 1.0, **errors: float) -> float:
     ------
     ValueError
         If the distance is not positive, or an error is not one number.
+
+    See Also
+    --------
+    drift_budget
 
     Examples
     --------

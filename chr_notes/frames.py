@@ -72,6 +72,11 @@ def change_axes(vector: ArrayLike, source: Axes, target: Axes) -> Floats:
         If the last axis is not of size 3, a name is unknown, or one is of a body and the other of
         the room.
 
+    See Also
+    --------
+    change_angles
+    change_quaternion
+
     Examples
     --------
     An accelerometer with z up, at rest and level, reads +g; here it is -g:
@@ -113,6 +118,12 @@ def change_quaternion(q: ArrayLike, source: System, target: System) -> Floats:
     ValueError
         If the last axis is not of size 4, or a name is unknown.
 
+    See Also
+    --------
+    change_angles
+    change_axes
+    chr_notes.systems.converting.convert
+
     Examples
     --------
     Level and facing north is no turn here, and a quarter to the left of east for ROS:
@@ -152,6 +163,12 @@ def change_angles(angles: ArrayLike, source: System, target: System) -> Floats:
     ------
     ValueError
         If the last axis is not of size 3, or a name is unknown.
+
+    See Also
+    --------
+    change_axes
+    change_quaternion
+    chr_notes.systems.converting.convert
 
     Examples
     --------

@@ -56,6 +56,11 @@ def zero_velocity(  # noqa: PLR0913 (three thresholds)
     UnitWarning
         If the accelerometer mostly reads less than half or more than twice the gravity, as in g.
 
+    See Also
+    --------
+    chr_notes.dead_reckoning.dead_reckon
+    chr_notes.sensors.still.static_intervals
+
     Notes
     -----
     Both limits are those of Skog, Händel, Nilsson and Rantakokko, Zero-velocity detection, an

@@ -47,6 +47,12 @@ class Averaged(NamedTuple):
     heading_averaged
         The same seconds for the heading, at most `heading_time_constant`: 0 until a magnetometer
         is heard. They fall while it is held out.
+
+    See Also
+    --------
+    averaged_attitude
+    chr_notes.estimation.averaging_stream.observe_averaging
+    chr_notes.estimation.averaging_bound.averaging_bound
     """
 
     euler: Floats
@@ -185,6 +191,12 @@ def averaged_attitude(  # noqa: PLR0913 (a recording, and how to run through it)
     ------
     ValueError
         As `averaging_observer`.
+
+    See Also
+    --------
+    chr_notes.estimation.averaging_stream.observe_averaging
+    chr_notes.estimation.averaging_bound.averaging_bound
+    chr_notes.estimation.fixed_gain.fixed_gain_observer
 
     Examples
     --------

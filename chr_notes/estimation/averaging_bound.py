@@ -46,6 +46,10 @@ def averaging_bound(
     ValueError
         If the time constant is not positive, or another number is negative.
 
+    See Also
+    --------
+    chr_notes.estimation.averaging.averaged_attitude
+
     Examples
     --------
     How far off may up be for a body that moves by less than 3 m/s?

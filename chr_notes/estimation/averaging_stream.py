@@ -60,6 +60,11 @@ def observe_averaging(  # noqa: PLR0913 (as for a recording)
     UnitWarning
         If a sample turns by more than half a revolution within its time step.
 
+    See Also
+    --------
+    chr_notes.estimation.averaging.averaged_attitude
+    chr_notes.estimation.streams.observe
+
     Examples
     --------
     >>> import numpy as np

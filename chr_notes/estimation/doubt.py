@@ -27,6 +27,10 @@ class Doubts(NamedTuple):
     attitude
         The field has another direction, its strength is right, and roll and pitch have come from
         the gyros for a moment: so they are wrong.
+
+    See Also
+    --------
+    doubtful_sensors
     """
 
     accel: NDArray[np.bool_]
@@ -76,6 +80,10 @@ def accelerated(
     -----
     UnitWarning
         If the accelerometer mostly reads less than half or more than twice the gravity, as in g.
+
+    See Also
+    --------
+    doubtful_sensors
 
     Notes
     -----
@@ -159,6 +167,11 @@ def doubtful_sensors(  # noqa: PLR0913 (what is known of the field, and three li
     ------
     ValueError
         As for `accelerated` and `validation_factor`.
+
+    See Also
+    --------
+    accelerated
+    chr_notes.estimation.monitor.monitored_observer
 
     Notes
     -----

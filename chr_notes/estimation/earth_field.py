@@ -41,6 +41,10 @@ class EarthField:
         If the reference is zero, the length not positive, one of length and down is missing, the
         part down not from -1 to 1, or tolerance or patience not positive.
 
+    See Also
+    --------
+    chr_notes.estimation.averaging.averaged_attitude
+
     Examples
     --------
     >>> EarthField(length=49.5, down=0.92).tolerance

@@ -39,6 +39,11 @@ def gain_from_time_constant(
     ValueError
         If a time constant is not positive, a time step is negative, or the two do not broadcast.
 
+    See Also
+    --------
+    time_constant_from_gain
+    chr_notes.estimation.fixed_gain.fixed_gain_observer
+
     Examples
     --------
     >>> gain_from_time_constant(0.5, [0.01, 0.02]).round(4)
@@ -72,6 +77,10 @@ def time_constant_from_gain(gain: ArrayLike, dt: ArrayLike, *, out: Floats | Non
     ValueError
         If a gain is not between 0, which never forgets, and 1, which forgets at once; if a time
         step is negative, or the two do not broadcast.
+
+    See Also
+    --------
+    gain_from_time_constant
 
     Examples
     --------

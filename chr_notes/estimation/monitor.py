@@ -53,6 +53,10 @@ class Monitor:
     ValueError
         If the threshold or the patience is not positive, or the gains are not in order.
 
+    See Also
+    --------
+    monitored_observer
+
     Notes
     -----
     Ledger: validation.17, validation.g.
@@ -116,6 +120,11 @@ class Watch(NamedTuple):
         To use for the next sample.
     alarm
         Whether no gain has helped.
+
+    See Also
+    --------
+    Monitor
+    monitored_observer
     """
 
     above: int
@@ -136,6 +145,10 @@ class Monitored(NamedTuple):
         That each sample was corrected by, shape (N,).
     alarm
         Shape (N,).
+
+    See Also
+    --------
+    monitored_observer
     """
 
     euler: Floats

@@ -109,6 +109,11 @@ class Estimate(NamedTuple):
     held_out
         How many samples so far had a reading that was left out: one that holds NaN or infinity,
         or an accelerometer that reads zero.
+
+    See Also
+    --------
+    observe
+    observe_sample
     """
 
     euler: Floats

@@ -61,6 +61,10 @@ class AxesRelation:
     factors
         The factor of each, shape (K,); NaN where not even half is explained. With several
         candidates of one factor, the log knows the unit but not the axes.
+
+    See Also
+    --------
+    relate_axes
     """
 
     matrix: Floats
@@ -116,6 +120,10 @@ def relate_axes(body_rates: ArrayLike, vector: ArrayLike, dt: ArrayLike) -> Axes
     ------
     ValueError
         If a shape is wrong, or a time step is negative or no number.
+
+    See Also
+    --------
+    chr_notes.frames.change_axes
 
     Notes
     -----

@@ -63,6 +63,10 @@ class Ellipsoid:
     outliers
         Rows of the samples that were left out, because they lie more than 2 % of the norm and
         more than 5 standard deviations off.
+
+    See Also
+    --------
+    fit_ellipsoid
     """
 
     centre: Floats
@@ -92,6 +96,10 @@ def fit_ellipsoid(samples: ArrayLike) -> Ellipsoid:
         If the samples are fewer than 10, come from fewer than 9 directions, lie in one plane, or
         cover too little of the sphere for an ellipsoid to be found: it says where the largest gap
         is. If more than a quarter of the rows lie far off.
+
+    See Also
+    --------
+    chr_notes.sensors.magnetometer.fit_magnetometer
 
     Examples
     --------

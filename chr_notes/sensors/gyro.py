@@ -57,6 +57,11 @@ def fit_gyro_at_rest(
     TypeError
         If the degree is no whole number.
 
+    See Also
+    --------
+    chr_notes.sensors.calibration.fit_gyro_bias
+    fit_gyro_scale
+
     Notes
     -----
     Ledger: sensors.3.2.
@@ -137,6 +142,10 @@ def fit_gyro_scale(  # noqa: PLR0913 (what was known before, and what of tempera
     ValueError
         If there is no turn, a row of one is missing, or an angle is more than 30 % off what the
         gyro says: it turned the other way, or the unit is another.
+
+    See Also
+    --------
+    fit_gyro_at_rest
 
     Notes
     -----

@@ -118,6 +118,10 @@ def fit_hard_iron(
     CalibrationWarning
         If rows lie far off and were left out; it names them.
 
+    See Also
+    --------
+    fit_magnetometer
+
     Notes
     -----
     Ledger: sensors.4.2.

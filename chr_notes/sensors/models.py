@@ -61,9 +61,22 @@ class ThreeAxisCalibration(_Checked):
         If a shape is wrong, a number is not finite, the misalignment is singular or a sensitivity
         is zero.
 
+    See Also
+    --------
+    chr_notes.sensors.calibration.fit_accelerometer
+
     Notes
     -----
     Ledger: sensors.2.3, sensors.2.4, sensors.2.5, sensors.4.1.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> sensor = ThreeAxisCalibration(np.eye(3), sensitivity=[2, 1, 1], bias=[0.1, 0, 0])
+    >>> sensor.measure([1, 0, 0]).round(3)
+    array([1.9, 0. , 0. ])
+    >>> sensor.correct([1.9, 0, 0]).round(3)
+    array([1., 0., 0.])
     """
 
     misalignment: Floats
@@ -139,9 +152,21 @@ class RateGyroCalibration(_Checked):
     ValueError
         As for `ThreeAxisCalibration`.
 
+    See Also
+    --------
+    chr_notes.sensors.gyro.fit_gyro_at_rest
+    chr_notes.sensors.gyro.fit_gyro_scale
+
     Notes
     -----
     Ledger: sensors.3.2.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> gyro = RateGyroCalibration(np.eye(3), [1, 1, 1], [0.02, 0, 0], 0.001 * np.eye(3))
+    >>> gyro.measure([0, 0, 0], [0, 0, -9.8]).round(4)  # at rest, level
+    array([-0.02  ,  0.    , -0.0098])
     """
 
     misalignment: Floats
@@ -223,9 +248,21 @@ class MagnetometerCalibration(_Checked):
     ValueError
         If a shape is wrong, a number is not finite or the soft-iron matrix is singular.
 
+    See Also
+    --------
+    chr_notes.sensors.magnetometer.fit_magnetometer
+    chr_notes.sensors.magnetometer.fit_hard_iron
+
     Notes
     -----
     Ledger: sensors.4.2, sensors.4.3.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> calibration = MagnetometerCalibration(soft_iron=np.eye(3), hard_iron=[0.1, 0, 0])
+    >>> calibration.correct([0.6, 0.2, 0.4]).round(3)
+    array([0.5, 0.2, 0.4])
     """
 
     soft_iron: Floats

@@ -77,6 +77,10 @@ class Report:
         A sentence for each thing that the log does not tell.
     warnings
         A sentence for each thing that is not as it should be.
+
+    See Also
+    --------
+    chr_notes.sensors.logs.read_log
     """
 
     samples: int
@@ -150,6 +154,10 @@ class Recording:
         Step before each sample, seconds, shape (N,); the first is as long as the median one.
     found
         What `report` returns.
+
+    See Also
+    --------
+    chr_notes.sensors.logs.read_log
 
     Examples
     --------

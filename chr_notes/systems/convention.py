@@ -65,6 +65,11 @@ class Convention:
     ValueError
         If a field is none of these, or one frame is right-handed and the other left-handed.
 
+    See Also
+    --------
+    chr_notes.systems.converting.convert
+    chr_notes.systems.detective.find_conventions
+
     Examples
     --------
     >>> import chr_notes

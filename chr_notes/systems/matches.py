@@ -39,6 +39,10 @@ class Match:
         Only if no convention with one pair of frames explains the examples: by kind, the axes of
         navigation and body in which its numbers are, those of known systems. The convention is
         that of the first kind.
+
+    See Also
+    --------
+    chr_notes.systems.detective.find_conventions
     """
 
     convention: Convention

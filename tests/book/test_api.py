@@ -3,12 +3,16 @@
 import re
 from pathlib import Path
 
+import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 import chr_notes
+from chr_notes.generated.scalar.quaternions import euler_from_quaternion
 
 BOOK = Path(__file__).resolve().parents[2] / "book"
 PAGES = "".join(path.read_text("utf-8") for path in sorted(BOOK.glob("api*.md")))
+FIRST = (BOOK / "api.md").read_text("utf-8")
 MEMBERS = dict(re.findall(r"automodule:: (\S+)\n\s+:members:(.*)\n", PAGES))
 
 
@@ -18,3 +22,40 @@ def test_each_public_name_is_in_the_reference(name: str) -> None:
     assert module in MEMBERS
     chosen = MEMBERS[module].replace(",", " ").split()
     assert not chosen or name in chosen
+
+
+def documented(name: str) -> str:
+    return getattr(chr_notes, name).__doc__ or ""
+
+
+@pytest.mark.parametrize("name", [n for n in chr_notes.__all__ if n != "STANDARD_GRAVITY"])
+def test_each_public_name_has_an_example_and_a_neighbour(name: str) -> None:
+    """What only comes as a result may have its example where it is made."""
+    neighbours = re.findall(r"^    (?:chr_notes\.[\w.]+\.)?(\w+)$", documented(name), re.MULTILINE)
+    makers = [each for each in neighbours if each in chr_notes.__all__]
+    assert any(">>>" in documented(each) for each in (name, *makers))
+    assert "See Also\n" in documented(name) or name in ("kernels_in_use", "read_log")
+
+
+def test_the_guides_name_functions_that_are_there() -> None:
+    guide = FIRST.partition("## Coming from")[2].partition("\n## ")[0]
+    here = [line.split("|")[2] for line in guide.splitlines() if line.startswith("| ")]
+    called = [name for cell in here for name in re.findall(r"`(\w+)\(", cell)]
+    assert len(called) > 10
+    assert {*called} <= {*chr_notes.__all__}
+
+
+def test_the_guide_from_scipy_is_right() -> None:
+    euler, vector = np.array([0.3, 0.5, -1.0]), [1.0, 2.0, 3.0]
+    there = Rotation.from_euler("ZYX", euler[::-1])
+    here = chr_notes.quaternion_from_euler(euler)
+    np.testing.assert_allclose(there.as_quat(canonical=True)[[3, 0, 1, 2]], here)
+    np.testing.assert_allclose(there.as_matrix(), chr_notes.matrix_from_euler(euler).T)
+    np.testing.assert_allclose(there.apply(vector), chr_notes.rotate_to_inertial(here, vector))
+
+
+def test_the_scalar_example_has_its_names() -> None:
+    assert "roll, pitch, yaw, locked = euler_from_quaternion(0.5, 0.5, 0.5, 0.5)" in FIRST
+    *angles, locked = euler_from_quaternion(0.5, 0.5, 0.5, 0.5)
+    assert len(angles) == 3
+    assert locked is False
