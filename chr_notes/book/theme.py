@@ -9,6 +9,7 @@ from sphinx.application import Sphinx
 
 from chr_notes.book.access import mended
 from chr_notes.book.entry_links import from_cards, from_docstring
+from chr_notes.book.unused_rules import used_words, without_unused
 
 __all__ = ["setup"]
 
@@ -28,6 +29,7 @@ _ICON_RULES: Final = re.compile(
     r"(?<=[}/])(?:(?:\.fa[-\w.:]*(?:>[\w.]+)?,?)+\{[^{}]*\}|:host,:root\{--fa-[^{}]*\})"
     r"|@font-face\{[^{}]*Font Awesome[^{}]*\}"
 )
+_SHEETS: Final = ("styles/pydata-sphinx-theme.css", "sphinx-design.min.css", "mystnb.*.css")
 _UNUSED: Final = (
     "_static/scripts/fontawesome.js",
     "_static/scripts/fontawesome.js.LICENSE.txt",
@@ -59,6 +61,7 @@ def _lighten(app: Sphinx, error: Exception | None) -> None:
     styles = built / "_static" / "styles" / "pydata-sphinx-theme.css"
     text = styles.read_text(encoding="utf-8")
     styles.write_text(_ICON_RULES.sub("", text), encoding="utf-8")
+    _thin_out_rules(built)
     for name in _UNUSED:
         path = built / name
         if path.is_dir():
@@ -67,6 +70,16 @@ def _lighten(app: Sphinx, error: Exception | None) -> None:
             path.unlink(missing_ok=True)
     for source_map in built.rglob("*.map"):
         source_map.unlink()
+
+
+def _thin_out_rules(built: Path) -> None:
+    static = built / "_static"
+    read = [*built.rglob("*.html"), *static.rglob("*.js")]
+    used = used_words([path.read_text(encoding="utf-8") for path in read])
+    for pattern in _SHEETS:
+        for sheet in static.glob(pattern):
+            text = without_unused(sheet.read_text(encoding="utf-8"), used)
+            sheet.write_text(text, encoding="utf-8")
 
 
 def _link(

@@ -30,8 +30,8 @@ FROM_DISK += [PAGES[0], "book/converter.html"]
 
 
 # What a page may load, in bytes before compression: by name, else without formulas or with them.
-LIMITS = {"notebooks/euler.html": 1_400_000}
-LIGHT, LARGEST = 900_000, 2_200_000
+LIMITS = {"notebooks/euler.html": 1_200_000}
+LIGHT, LARGEST = 700_000, 1_600_000
 
 WEIGHT = """() => ["navigation", "resource"]
   .flatMap((type) => performance.getEntriesByType(type))
@@ -83,7 +83,7 @@ def test_page_stands_by_itself(
     weight = page.evaluate(WEIGHT)
     record_property("measured", f"{name} {weight / 1000:.0f} kB")
     plain = page.locator("math").count() == 0
-    assert 500_000 < weight <= LIMITS.get(name, LIGHT if plain else LARGEST)
+    assert 300_000 < weight <= LIMITS.get(name, LIGHT if plain else LARGEST)
     looked_at(page)
     for width in (1280, 390):
         page.set_viewport_size({"width": width, "height": 900})
