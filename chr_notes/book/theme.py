@@ -6,9 +6,12 @@ from pathlib import Path
 from typing import Any, Final
 
 from sphinx.application import Sphinx
+from sphinx.util.osutil import relative_uri
 
 from chr_notes.book.access import mended
+from chr_notes.book.download import offered
 from chr_notes.book.entry_links import from_cards, from_docstring
+from chr_notes.book.figures import taken_out
 from chr_notes.book.unused_rules import used_words, without_unused
 
 __all__ = ["setup"]
@@ -56,7 +59,14 @@ def _lighten(app: Sphinx, error: Exception | None) -> None:
         unused += [] if "chr-lesson" in text or "cell_input" in text else _LESSONS
         unused += [] if "data-verdict" in text else _FILTER
         if page.parent.name == "notebooks":
-            text = from_cards(text)
+            notebook = page.with_suffix(".ipynb")
+            shutil.copyfile(Path(app.srcdir) / "notebooks" / notebook.name, notebook)
+            text = offered(from_cards(text), notebook.name)
+        own = page.relative_to(built).as_posix()
+        text, figures = taken_out(text, relative_uri(own, "_images"))
+        for name, figure in figures.items():
+            (built / "_images").mkdir(exist_ok=True)
+            (built / "_images" / name).write_bytes(figure)
         page.write_text(mended(_without_scripts(text, unused)), encoding="utf-8")
     styles = built / "_static" / "styles" / "pydata-sphinx-theme.css"
     text = styles.read_text(encoding="utf-8")
