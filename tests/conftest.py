@@ -4,6 +4,7 @@ import functools
 import sys
 import threading
 from collections.abc import Callable, Iterator
+from http import HTTPStatus
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from types import ModuleType
@@ -165,7 +166,12 @@ def visit(browser: Browser) -> Iterator[Visit]:
         page.on("requestfailed", lambda request: problems.append(f"failed: {request.url}"))
         page.on(
             "response",
-            lambda response: response.ok or problems.append(f"{response.status}: {response.url}"),
+            # 304 says of a file that the page has had before that it is as it was.
+            lambda response: (
+                response.ok
+                or response.status == HTTPStatus.NOT_MODIFIED
+                or problems.append(f"{response.status}: {response.url}")
+            ),
         )
         page.goto(address)
         return page
