@@ -1,9 +1,9 @@
 """The colours of the project, in one place for figures, demos and pages.
 
-Hues follow Okabe and Ito's set, which stays apart under the common forms of colour blindness,
-darkened or lightened until each reaches a contrast of 3:1 on its background. An axis has the
-same colour everywhere, and a letter or a dash pattern beside it, so that colour is never the
-only cue.
+Hues follow Okabe and Ito's set of 2008, which stays apart under the common forms of colour
+blindness, darkened or lightened until each reaches a contrast of 3:1 on its background. An axis
+has the same colour everywhere, and a letter or a dash pattern beside it, so that colour is never
+the only cue.
 """
 
 from collections.abc import Mapping

@@ -173,9 +173,21 @@ def curves(run: Mapping[str, Any]) -> Iterator[str]:
             f"line a library. With {last:,} rows, from the shortest time to the longest: {order}."
         )
         yield f"### {task[0].upper()}{task[1:]}\n"
-        picture = show(figure, words)
+        picture = show(figure, words, nearest(times))
         small = replace(picture, svg=NOT_SEEN.sub(r"\1", picture.svg))
         yield f'<div class="curves">{small._repr_html_()}</div>\n'
+
+
+def nearest(times: Times) -> str:
+    """Say which of the others comes nearest with fewest and with most rows, and how near."""
+    ends = []
+    for rows in (min(times[OURS]), max(times[OURS])):
+        rest = others(times, rows).items()
+        time, name = min((time, name) for name, time in rest if ONE_AT_A_TIME not in name)
+        many = f"{rows:,} row{'s' if rows > 1 else ''}"
+        ends.append(f"with {many} {name} takes {factor(time / times[OURS][rows])} times as long")
+    told = " and ".join(ends)
+    return f"The nearest of the others: {told}."
 
 
 def filters(run: Mapping[str, Any]) -> Iterator[str]:

@@ -24,12 +24,12 @@ class Picture:
     alt
         What it shows, for those who do not see it.
     caption
-        What stands below it, for all; none by default.
+        What stands below it, for all: the point of the figure.
     """
 
     svg: str
     alt: str
-    caption: str = ""
+    caption: str
 
     def __repr__(self) -> str:
         """Give the words, where no image can be shown."""
@@ -37,16 +37,14 @@ class Picture:
 
     def _repr_html_(self) -> str:
         data = base64.b64encode(self.svg.encode()).decode()
-        image = (
-            f'<img class="chr-figure" alt="{html.escape(self.alt)}" '
+        return (
+            f'<figure><img class="chr-figure" alt="{html.escape(self.alt)}" '
             f'src="data:image/svg+xml;base64,{data}">'
+            f"<figcaption>{html.escape(self.caption)}</figcaption></figure>"
         )
-        if not self.caption:
-            return image
-        return f"<figure>{image}<figcaption>{html.escape(self.caption)}</figcaption></figure>"
 
 
-def show(figure: Figure, alt: str, caption: str = "") -> Picture:
+def show(figure: Figure, alt: str, caption: str) -> Picture:
     """Turn a figure into a picture for a notebook cell, and close it.
 
     Parameters
@@ -56,7 +54,7 @@ def show(figure: Figure, alt: str, caption: str = "") -> Picture:
     alt
         What the figure shows, one or two sentences.
     caption
-        What stands below it, where the text around it does not say it.
+        What stands below it: the point of the figure, in one sentence or two.
     """
     buffer = io.StringIO()
     # Without a date and with a fixed salt the same figure gives the same file.

@@ -11,7 +11,7 @@ from chr_notes import plots
 def test_a_figure_is_the_same_each_time_and_has_words() -> None:
     def picture() -> plots.Picture:
         axes = plots.draw_frame(plots.world(), np.eye(3), "I")
-        return plots.show(plots.draw_aircraft(axes, np.eye(3)).figure, 'a "frame"')
+        return plots.show(plots.draw_aircraft(axes, np.eye(3)).figure, 'a "frame"', "A frame.")
 
     first, second = picture(), picture()
     assert first == second
@@ -76,7 +76,6 @@ def test_a_path_is_drawn_in_the_same_frame_as_the_axes() -> None:
 
 
 def test_a_caption_stands_below_a_picture_for_all_to_see() -> None:
-    plain = plots.show(plt.figure(), "A < B")
-    assert plain._repr_html_().startswith('<img class="chr-figure" alt="A &lt; B"')
-    below = plots.show(plt.figure(), "what it shows", "Simulated & marked.")
-    assert below._repr_html_().endswith("<figcaption>Simulated &amp; marked.</figcaption></figure>")
+    drawn = plots.show(plt.figure(), "A < B", "Simulated & marked.")
+    assert drawn._repr_html_().startswith('<figure><img class="chr-figure" alt="A &lt; B"')
+    assert drawn._repr_html_().endswith("<figcaption>Simulated &amp; marked.</figcaption></figure>")
