@@ -1,5 +1,6 @@
 /** A small aircraft in its body frame: x forward, y right, z down, half a unit from nose to centre. */
 import { loft } from "./draw.js";
+import { keeping } from "./keeping.js";
 
 /* global AIRCRAFT: build.py puts in the table of chr_notes/aircraft.py */
 
@@ -31,7 +32,7 @@ const mirrored = (polygons) =>
  * Polygons of the aircraft. Nose, right wing tip and belly carry the colours of the axes that
  * they point along.
  */
-export function aircraft({ body, glass, x, y, z }) {
+export const aircraft = keeping(["body", "glass", "x", "y", "z"], ({ body, glass, x, y, z }) => {
   const { sections, wing, ...other } = AIRCRAFT;
   const inner = plate(wing.slice(0, 2), body);
   const [right, left] = [y, body].map((fill) => plate(wing.slice(1), fill));
@@ -45,4 +46,4 @@ export function aircraft({ body, glass, x, y, z }) {
     ...loft(other.canopy.map(section), glass),
     ...loft(other.belly.map(section), z),
   ];
-}
+});

@@ -102,6 +102,7 @@ class Demo(anywidget.AnyWidget):
     element: ClassVar[str]
     bundle: ClassVar[str] = "demos"
     controls: ClassVar[tuple[str, ...]]
+    texts: ClassVar[tuple[str, ...]] = ()
 
     _esm = traitlets.Unicode().tag(sync=True)
     _css = traitlets.Unicode().tag(sync=True)
@@ -114,9 +115,10 @@ class Demo(anywidget.AnyWidget):
     def _make_styles(self) -> str:
         return styles()
 
-    def state(self) -> dict[str, float]:
-        """Return the value of each control by its name."""
-        return {name: float(getattr(self, name)) for name in self.controls}
+    def state(self) -> dict[str, Any]:
+        """Return the value of each control by its name, and of what is a text."""
+        numbers = {name: float(getattr(self, name)) for name in self.controls}
+        return numbers | {name: getattr(self, name) for name in self.texts}
 
     def fallback(self) -> str:
         """Return what a reader without JavaScript sees."""
@@ -131,7 +133,9 @@ class Demo(anywidget.AnyWidget):
 
     def still_name(self) -> str:
         """Return the name of the file with the still picture of this state."""
-        return "_".join([self.element, *(f"{value:g}" for value in self.state().values())]) + ".svg"
+        told = (each for each in self.state().values() if each != "")
+        written = (f"{each:g}" if isinstance(each, float) else str(each) for each in told)
+        return "_".join([self.element, *written]) + ".svg"
 
     def _picture(self) -> str:
         """Return the still picture with its words, where the state has one."""
@@ -145,7 +149,11 @@ class Demo(anywidget.AnyWidget):
 
     def __repr__(self) -> str:
         """Return the call that makes this demo."""
-        values = ", ".join(f"{name}={value:.15g}" for name, value in self.state().items())
+        values = ", ".join(
+            f"{name}={value:.15g}" if isinstance(value, float) else f"{name}={value!r}"
+            for name, value in self.state().items()
+            if value != ""
+        )
         return f"{type(self).__name__}({values})"
 
     def _repr_mimebundle_(self, **kwargs: Any) -> tuple[dict[str, Any], dict[str, Any]]:  # noqa: ANN401 - Jupyter's signature

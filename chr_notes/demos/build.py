@@ -114,10 +114,16 @@ def write_stills(folder: Path, common: list[str]) -> None:
     source = _output(script, "still.js")
     asked = {
         "stills": [{"demo": demo.element, "state": demo.state()} for demo in STILLS],
-        "palette": {name: colour.light for name, colour in PALETTE.items()},
+        "palettes": [
+            {name: getattr(colour, theme) for name, colour in PALETTE.items()}
+            for theme in ("light", "dark")
+        ],
     }
-    node = [str(shutil.which("node")), "--input-type=module", "--eval", source]
-    drawn = json.loads(_output(node, "still.js", json.dumps(asked)))
+    with tempfile.TemporaryDirectory() as beside:
+        path = Path(beside) / "still.mjs"  # too long for an argument
+        path.write_text(source, encoding="utf-8")
+        node = [str(shutil.which("node")), str(path)]
+        drawn = json.loads(_output(node, "still.js", json.dumps(asked)))
     for demo, picture in zip(STILLS, drawn, strict=True):
         (folder / demo.still_name()).write_text(picture, encoding="utf-8")
 

@@ -7,6 +7,8 @@
  *   aspect    height of the picture by its width
  *   legend    [{ colour, dash, width, symbol, text }]: the lines that need explaining
  *   controls  one slider and field each, see `slider` in parts.js; or `choices`, see typed.js
+ *             and `also`, a part of the state that comes with each change of it
+ *   texts     { name: what the whole of it matches }: the parts of the state that are texts, if any
  *   outputs   one readout each, see `readout` in parts.js
  *   python    the name of its class, for "Copy as Python"
  *   extra     ({ put(state), signal }) => elements that stand below the buttons, if there are any
@@ -17,10 +19,11 @@
  *   readouts  (state) => { output name: text, see `readout` in parts.js }
  *   summary   (state) => the sentence to be announced once the reader stops moving a slider
  *   describe  (state) => the picture in words, for those who do not see it
+ *   handles   (state, { width, height }, viewpoint) => what of the picture can be moved, see looking.js
  *   draw      (context, { width, height }, state, colours, viewpoint)
  */
 import { copying } from "./copying.js";
-import { turnByHand, turned } from "./looking.js";
+import { byHand, turned } from "./looking.js";
 import { legend, node, readout, reserved, slider } from "./parts.js";
 import { keepKeys, painting } from "./stage.js";
 import { glide, player } from "./story.js";
@@ -37,14 +40,15 @@ const RESET = 0.45; // seconds from a state back to the start
  */
 function mountDemo(element, definition, opening, { now = {}, onChange = () => {}, linkTo } = {}) {
   const home = { ...definition.start, ...opening };
-  const state = { ...home, ...within(definition.controls, now) };
+  const state = { ...home, ...within(definition, now) };
   const cleanup = new AbortController();
-  const parts = build(definition, touched);
+  const parts = build(definition, touched, tell);
   const { root, canvas, live, sliders, outputs, said, play, reset } = parts;
   const seenFrom = definition.viewpoint;
   let viewpoint = seenFrom?.(state);
 
   let timer = 0;
+  let told = ""; // of what was typed, until the next change
   let rest = () => {};
 
   function show() {
@@ -57,7 +61,12 @@ function mountDemo(element, definition, opening, { now = {}, onChange = () => {}
   }
 
   function announce() {
-    live.textContent = `${said.textContent} ${definition.summary(state)}`.trim();
+    live.textContent = [said.textContent, told, definition.summary(state)].filter(Boolean).join(" ");
+  }
+
+  function tell(words) {
+    told = words;
+    live.textContent = words;
   }
 
   function changed(part) {
@@ -68,7 +77,7 @@ function mountDemo(element, definition, opening, { now = {}, onChange = () => {}
     timer = setTimeout(announce, ANNOUNCE_AFTER);
   }
 
-  const between = betweenOf(definition.controls);
+  const between = betweenOf(definition);
   const tour = player(definition.story, {
     between,
     changed,
@@ -86,6 +95,7 @@ function mountDemo(element, definition, opening, { now = {}, onChange = () => {}
   }
 
   function touched(part) {
+    told = "";
     interrupt();
     changed(part);
   }
@@ -112,11 +122,14 @@ function mountDemo(element, definition, opening, { now = {}, onChange = () => {}
     redraw();
   }
 
-  if (seenFrom)
-    turnByHand(canvas, {
-      turn: (part) => look(turned(viewpoint, part)),
-      putBack: () => look(seenFrom(home)),
-    });
+  const size = () => ({ width: canvas.clientWidth, height: canvas.clientHeight });
+  const touch = {
+    handles: () => definition.handles?.(state, size(), viewpoint) ?? [],
+    put: touched,
+    turn: seenFrom && ((part) => look(turned(viewpoint, part))),
+    putBack: () => look(seenFrom(home)),
+  };
+  if (seenFrom || definition.handles) byHand(canvas, touch);
   const drawn = (context, size, colours) => definition.draw(context, size, state, colours, viewpoint);
   const redraw = painting(root, canvas, drawn, {
     seen: (visible) => visible || tour.stop(),
@@ -147,23 +160,27 @@ export const mountOf = (definition) => {
   return Object.assign(mount, { definition, start: definition.start });
 };
 
-/** What of a state from outside is a number of a control, within its slider's range. */
-function within(controls, given) {
+/** What of a state from outside is a number of a control, within its slider's range, or a text as it is to be. */
+function within({ controls, texts = {} }, given) {
+  const asTheyAre = Object.entries(texts).flatMap(([name, pattern]) => (pattern.test(given[name] ?? "-") ? [[name, given[name]]] : []));
   const inRange = controls.flatMap(({ name, choices, min = 0, max = choices?.length - 1, toValue = Number }) => {
     const value = given[name] === "" || (choices && given[name] % 1) ? NaN : Number(given[name]); // Number("") is 0
     return value >= toValue(min) && value <= toValue(max) ? [[name, value]] : [];
   });
-  return Object.fromEntries(inRange);
+  return Object.fromEntries([...inRange, ...asTheyAre]);
 }
 
 /** The elements of a demo. */
-function build(definition, touched) {
+function build(definition, touched, tell) {
   const canvas = node("canvas", {
     role: "img", style: `aspect-ratio: 1 / ${definition.aspect}`,
   });
   const live = node("p", { class: "chr-live", "aria-live": "polite" });
   const said = node("p", { class: "chr-said" });
-  const sliders = definition.controls.map((control) => (control.choices ? choice(control, touched) : both(control, touched, live)));
+  const sliders = definition.controls.map((control) => {
+    const put = (part) => touched({ ...control.also, ...part });
+    return control.choices ? choice(control, put) : both(control, put, tell);
+  });
   const outputs = definition.outputs.map((output) => readout(output, definition.readouts));
   const play = node("button", { type: "button", name: "play" });
   const reset = node("button", { type: "button", name: "reset" }, "Reset");
@@ -200,19 +217,21 @@ function build(definition, touched) {
 }
 
 /** A slider, and a field beside it. */
-function both(control, touched, live) {
+function both(control, touched, tell) {
   const part = slider(control, touched, typed(control, touched, (words) => {
     part.tell(words);
-    live.textContent = `${control.label}: ${words}`;
+    tell(`${control.label}: ${words}.`);
   }));
   return part;
 }
 
 /** States on the way from one to another, in equal steps of the sliders' positions. */
-const betweenOf = (controls) => (from, to, t) =>
-  Object.fromEntries(
+const betweenOf = ({ controls }) => (from, to, t) => ({
+  ...to,
+  ...Object.fromEntries(
     controls.map(({ name, choices, toPosition = Number, toValue = Number }) => {
       const [start, end] = [toPosition(from[name]), toPosition(to[name])];
       return [name, choices || start === end ? to[name] : toValue(start + t * (end - start))];
     }),
-  );
+  ),
+});

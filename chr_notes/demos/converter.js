@@ -8,7 +8,7 @@ import { SEQUENCES, SYSTEMS, fromMatrix, turnNames } from "./converting.js";
 import { copied } from "./copying.js";
 import { transposed } from "./draw.js";
 import { button, field } from "./fields.js";
-import { turnByHand, turned } from "./looking.js";
+import { byHand, turned } from "./looking.js";
 import { nearestRotation } from "./nearest.js";
 import { node, slider } from "./parts.js";
 import { keepKeys, painting } from "./stage.js";
@@ -228,7 +228,7 @@ function mountConverter(element, opening, { now = {}, onChange = () => {}, linkT
     redraw();
   }
 
-  turnByHand(canvas, {
+  byHand(canvas, {
     turn: (part) => ((viewpoint = turned(viewpoint, part)), redraw()),
     putBack: () => ((viewpoint = definition.viewpoint()), redraw()),
   });

@@ -4,9 +4,10 @@ import { node } from "./parts.js";
 const THANKS = 1500; // milliseconds for which a button says what it did
 
 /** The buttons of a demo; `linkTo(state)` gives the address of a state, where pages have one. */
-export function copying({ python, controls }, linkTo, current, live) {
-  const call = (state) =>
-    `${python}(${controls.map(({ name }) => `${name}=${Number(state[name].toPrecision(15))}`).join(", ")})`;
+export function copying({ python, start }, linkTo, current, live) {
+  const written = (value) => (typeof value === "string" ? JSON.stringify(value) : Number(value.toPrecision(15)));
+  const said = (state) => Object.keys(start).filter((name) => state[name] !== "");
+  const call = (state) => `${python}(${said(state).map((name) => `${name}=${written(state[name])}`).join(", ")})`;
   const ways = [
     ...(linkTo ? [["link", "Copy link", linkTo]] : []),
     ["python", "Copy as Python", call],

@@ -55,8 +55,10 @@ export function camera(matrix, distance, { width, height }, { wide, high, shift 
     const perspective = zoom / (distance + depth);
     return [width / 2 + perspective * right, height / 2 + perspective * (down + shift)];
   };
+  // The way from the eye through a point of the picture, where nothing is shifted.
+  const ray = ([x, y]) => toParent(matrix, [1, (x - width / 2) / zoom, (y - height / 2) / zoom]);
   // The light stands above the viewer's left shoulder.
-  return { eye, project, light: unit(toParent(matrix, [-1, -0.55, -1])) };
+  return { eye, project, ray, light: unit(toParent(matrix, [-1, -0.55, -1])) };
 }
 
 // ── polygons ────────────────────────────────────────────────────────────────────────────────
@@ -218,18 +220,29 @@ export function paint(context, polygons, { eye, project, light }, radii = []) {
   const visible = polygons
     .map(flat)
     .filter(({ plane: { normal, offset }, open }) => open || dot(normal, eye) > offset);
-  const visit = ({ points, fill, unlit, plane: { normal } }) => {
-    const brightness = unlit ? 1 : 0.62 + 0.4 * Math.max(0, dot(normal, light));
-    context.beginPath();
-    points.forEach((point) => context.lineTo(...project(point)));
-    context.closePath();
-    context.fillStyle = rgb(scaled(fill, brightness));
+  // What follows with the same fill in the same light is one area, whatever the colours are; an open
+  // polygon, which may run either way, is its own.
+  let [filled, lit] = [null, 0];
+  const finish = () => {
+    if (filled === null) return;
+    context.fillStyle = rgb(scaled(filled, lit));
     context.strokeStyle = context.fillStyle; // covers the hairline between neighbours
     context.lineWidth = 0.6;
     context.fill();
     context.stroke();
   };
+  const visit = ({ points, fill, unlit, open, plane: { normal } }) => {
+    const brightness = unlit ? 1 : 0.62 + 0.4 * Math.max(0, dot(normal, light));
+    if (fill !== filled || brightness !== lit || open) {
+      finish();
+      context.beginPath();
+      [filled, lit] = [fill, brightness];
+    }
+    points.forEach((point, i) => (i === 0 ? context.moveTo(...project(point)) : context.lineTo(...project(point))));
+    context.closePath();
+  };
   for (const each of inShells(visible, radii, eye)) fromBehind(partition(each), eye, visit);
+  finish();
 }
 
 /**

@@ -123,24 +123,34 @@ function overGain(context, [left, right, top, bottom], { gain, push, bank }, all
   label(context, ["L"], [x(gain), top + 4], { colour: colours("x"), rim: colours("page"), width: right + 14, offset: [8, 0] });
 }
 
+const STEPS = 80; // of the slider, twenty for a factor of ten
+const toPosition = (gain) => (STEPS * Math.log(gain / LEAST)) / Math.log(MOST / LEAST);
+const toValue = (position) => Number((LEAST * (MOST / LEAST) ** (position / STEPS)).toPrecision(2));
+
+/** The line of the gain, in the lower chart. */
+const handles = ({ gain }, { width, height }) => {
+  const [left, right] = [44, width - 14];
+  const place = ([x]) => Math.round(linear(left, right, 0, STEPS)(Math.min(right, Math.max(left, x))));
+  const at = [linear(0, STEPS, left, right)(toPosition(gain)), 0.78 * height];
+  return [{ at, tall: height, hold: () => (pointer) => ({ gain: toValue(place(pointer)) }) }];
+};
+
 const DEGREES = { short: "°", long: "degrees" };
 const METRES = { short: " m/s²", long: "metres per second squared" };
 const RATE = { short: " °/s", long: "degrees per second" };
 const start = { gain: 0.1, bias: 0.2, gyro_noise: 1, accel_noise: 1.5, push: 0, bank: 0 };
-const STEPS = 80; // of the slider, twenty for a factor of ten
 
 const definition = {
   title: "The fixed-gain observer",
   python: "FilterDemo",
-  hint: "Find the gain with the smallest error. Then let the body turn. Is it still the best?",
+  hint: "Find the gain with the smallest error: drag the line of L. Then let the body turn. Is it still the best?",
   aspect: 1.08,
   start,
   legend: [...LINES, { text: "the same at rest", colour: "muted", width: 1.5, dash: [3, 3] }, { text: "RMS error over the gain; ▲ its lowest", colour: "ink", width: 2.5 }],
   controls: [
     {
       name: "gain", label: "Gain", symbol: ["L"], axis: "x", min: 0, max: STEPS, step: 1,
-      toPosition: (gain) => (STEPS * Math.log(gain / LEAST)) / Math.log(MOST / LEAST),
-      toValue: (position) => Number((LEAST * (MOST / LEAST) ** (position / STEPS)).toPrecision(2)),
+      toPosition, toValue,
       words: (gain) => ({ short: formatted(gain), long: `a gain of ${formatted(gain)}` }),
     },
     { name: "bank", label: "Turn, banked by", symbol: [], min: 0, max: 45, step: 1, unit: DEGREES },
@@ -170,6 +180,7 @@ const definition = {
   summary,
   describe,
   draw,
+  handles,
 };
 
 export const mount = mountOf(definition);

@@ -77,16 +77,17 @@ function describe(state) {
 // ── the picture ─────────────────────────────────────────────────────────────────────────────
 
 const TITLES = ["yaw, then pitch", "pitch, then yaw"];
-const SHOWN = 2.5;
+const [SPLIT, SHOWN] = [0.66, 2.5]; // of the height, for the aircraft; what is shown, in lengths of an axis
+const INERTIAL = ["N", "E", "D"];
 
 function draw(context, { width, height }, state, colours, viewpoint) {
-  const [half, split] = [width / 2, 0.66 * height];
+  const [half, split] = [width / 2, SPLIT * height];
   matrices(state).forEach((matrix, i) => {
     inPart(context, [i * half, 0, half, split], (size) => scene(context, size, state, matrix, TITLES[i], colours, viewpoint));
     const components = toChild(matrix, windOf(state));
     const rows = AXES.map((name, k) => ({ text: k === state.axis ? `▸${name}` : name, colour: name, value: components[k] }));
     inPart(context, [i * half, split, half, height - split], (size) =>
-      bars(context, size, `wind, ${nameOf(state.frame)}`, rows, colours),
+      bars(context, size, i === 0 ? `wind, ${nameOf(state.frame)}` : "wind, other order", rows, colours),
     );
   });
   line(context, [[half, 10], [half, height - 10]], { colour: colours("line"), width: 1 });
@@ -96,7 +97,7 @@ function scene(context, size, state, matrix, title, colours, viewpoint) {
   const view = looking(viewpoint, size, SHOWN);
   const style = { colours, room: size.width };
   words(context, title, [size.width / 2, 14], { colour: colours("muted"), align: "center", weight: 600 });
-  UNITS.forEach((axis) => pointer(context, view, axis, { ...style, colour: "shade", width: 1.5 }));
+  UNITS.forEach((axis, k) => pointer(context, view, axis, { ...style, name: [INERTIAL[k]], colour: "muted", width: 1.5 }));
   flown(context, view, matrix, colours, 0.9);
   const wind = windOf(state);
   UNITS.forEach((axis, k) => {
@@ -110,26 +111,41 @@ function scene(context, size, state, matrix, title, colours, viewpoint) {
   pointer(context, view, wind, { ...style, name: ["wind"], colour: "alert", dash: [7, 2, 2, 2], width: 3.5 });
 }
 
+/** The wind by its point, in both pictures: it stays level. */
+function handles(state, { width, height }, viewpoint) {
+  const view = looking(viewpoint, { width: width / 2, height: SPLIT * height }, SHOWN);
+  const [x, y] = view.project(windOf(state));
+  return [0, width / 2].map((left) => ({
+    at: [left + x, y],
+    hold: () => ([right, down]) => {
+      const ray = view.ray([right - left, down]);
+      const far = -view.eye[2] / ray[2];
+      const [north, east] = [0, 1].map((i) => view.eye[i] + far * ray[i]);
+      return { wind: Math.round(Math.atan2(east, north) / DEGREE) };
+    },
+  }));
+}
+
 const DEGREES = { short: "°", long: "degrees" };
 const start = { frame: 3, axis: 1, yaw: 40, pitch: 30, roll: 25, wind: 0 };
 const definition = {
   title: "Four frames and one wind",
   python: "FramesDemo",
-  hint: "Go from frame to frame. Which of the wind's three numbers does each turn leave as it is?",
+  hint: "Go from frame to frame, and turn the wind by its point. Which of the wind's three numbers does each turn leave as it is?",
   aspect: 1.02,
   viewpoint: () => ({ heading: 55, elevation: -24 }),
   start,
   legend: [
     { colour: "alert", dash: [7, 2, 2, 2], width: 3.5, text: "the wind" },
     { colour: "ink", dash: [3, 3], width: 1.5, text: "to its component along the lit axis" },
-    { colour: "shade", width: 1.5, text: "the inertial axes" },
+    { colour: "muted", width: 1.5, text: "the inertial axes: north, east, down" },
   ],
   controls: [
     {
       name: "frame", label: "Frame", symbol: [], min: 0, max: 3, step: 0.05,
       words: (frame) => ({ short: nameOf(frame), long: `frame ${nameOf(frame)}` }),
     },
-    { name: "axis", label: "Row", choices: AXES },
+    { name: "axis", label: "Lit row", choices: AXES },
     { name: "yaw", label: "Yaw", symbol: ["ψ"], axis: "z", min: -180, max: 180, step: 1, unit: DEGREES },
     { name: "pitch", label: "Pitch", symbol: ["θ"], axis: "y", min: -90, max: 90, step: 1, unit: DEGREES },
     { name: "roll", label: "Roll", symbol: ["φ"], axis: "x", min: -180, max: 180, step: 1, unit: DEGREES },
@@ -153,6 +169,7 @@ const definition = {
   summary,
   describe,
   draw,
+  handles,
 };
 
 export const mount = mountOf(definition);

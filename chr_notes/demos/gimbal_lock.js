@@ -16,6 +16,7 @@ import {
   sum, toParent,
 } from "./draw.js";
 import { attitude, drawFlight, drawRates, parts } from "./gimbal_views.js";
+import { keeping } from "./keeping.js";
 import { entry, formatted, rounded } from "./parts.js";
 
 const DEGREE = Math.PI / 180;
@@ -29,11 +30,17 @@ const LOCKED = 1e-9; // cosine of pitch below which a double cannot tell it from
 // The second cue of an axis: which segments of its ring are bright.
 const MARKS = { x: () => true, y: (i) => i % 6 < 4, z: (i) => i % 2 === 0 };
 
-const RINGS = {
+/** Each ring by its colours, made anew only where these change. */
+function ringsOf(shapes) {
+  const made = ([axis, shape]) => [axis, keeping(["fill", "marked"], (paints) => ring({ ...shape, ...paints, mark: MARKS[axis] }))];
+  return Object.fromEntries(Object.entries(shapes).map(made));
+}
+
+const RINGS = ringsOf({
   z: { u: EAST, v: DOWN, inner: 0.95, outer: 1.03, depth: 0.05 },
   y: { u: NORTH, v: EAST, inner: 0.81, outer: 0.89, depth: 0.05 },
   x: { u: DOWN, v: NORTH, inner: 0.67, outer: 0.75, depth: 0.05 },
-};
+});
 
 // Spheres between the stand and the arrows, the three rings with their pins, and the aircraft.
 const SHELLS = [1.04, 0.9, 0.76, 0.54];
@@ -215,7 +222,7 @@ function solids(frame, colour) {
   const rings = ["z", "y", "x"].flatMap((axis) => {
     const marked = colour(axis);
     const fill = mixed(marked, colour("page"), 0.55);
-    return placed(ring({ ...RINGS[axis], fill, marked, mark: MARKS[axis] }), frame[axis]);
+    return placed(RINGS[axis]({ fill, marked }), frame[axis]);
   });
   const names = ["body", "glass", "x", "y", "z"];
   const fills = Object.fromEntries(names.map((name) => [name, colour(name)]));

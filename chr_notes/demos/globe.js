@@ -59,5 +59,23 @@ export function pointer(context, view, end, { name, from = [0, 0, 0], colour, co
     });
 }
 
+/**
+ * What holds a direction of this length by its end: `part([yaw, pitch])`, in degrees, is what becomes of the
+ * state. It stays on its side of the sphere, near or far, and at the rim where the pointer goes beyond.
+ */
+export function directed(view, end, part) {
+  const far = !nearer(end, view.eye);
+  const [radius, away] = [Math.hypot(...end), Math.hypot(...view.eye)];
+  const hold = () => (place) => {
+    const ray = view.ray(place);
+    const length = Math.hypot(...ray);
+    const along = -(ray[0] * view.eye[0] + ray[1] * view.eye[1] + ray[2] * view.eye[2]) / length;
+    const half = Math.sqrt(Math.max(0, radius * radius - away * away + along * along));
+    const [north, east, down] = sum(view.eye, scaled(ray, (along + (far ? half : -half)) / length));
+    return part([Math.atan2(east, north), Math.atan2(-down, Math.hypot(north, east))].map((angle) => Math.round(angle / DEGREE)));
+  };
+  return { at: view.project(end), hold };
+}
+
 /** Where the nose points at a yaw and a pitch in degrees: a direction by two angles. */
 export const direction = (yaw, pitch) => toParent(matrixFromEuler(0, pitch * DEGREE, yaw * DEGREE), NORTH);

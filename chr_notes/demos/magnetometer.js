@@ -2,24 +2,25 @@
  * A magnetometer near iron: the cloud of its readings, the ellipsoid fitted to it, and what both
  * mean for the heading.
  */
-import { ironAdded, ironRemoved } from "../generated/javascript/attitude.mjs";
+import { ironAdded, ironRemoved, matrixFromEuler, matrixFromQuaternion } from "../generated/javascript/attitude.mjs";
 import { inPart, line, linear, mark, words } from "./chart.js";
 import { mountOf } from "./controls.js";
 import { label, scaled } from "./draw.js";
-import { arcOf, globe, looking, path } from "./globe.js";
+import { arcOf, direction, flown, globe, looking, path, pointer } from "./globe.js";
 import { keeping } from "./keeping.js";
-import { STRENGTH, cloud, fit, gap, headingErrors, ironOf } from "./magnetometer_cloud.js";
+import { FEWEST, FIELD_DIP, STRENGTH, cloud, fit, gap, headingErrors, ironOf, path as walked } from "./magnetometer_cloud.js";
+import { TURNED, turning } from "./magnetometer_hand.js";
 import { rounded } from "./parts.js";
 
 const largest = (errors, when) => Math.max(...errors.map((each) => Math.abs(each[when])));
 
-const start = { readings: 150, tilt: 180, hard_iron: 15, soft_iron: 0.2, noise: 0.3 };
+const start = { readings: 150, tilt: 180, hard_iron: 15, soft_iron: 0.2, noise: 0.3, turned: "" };
 
 /** The cloud, what the fit says of it, and the errors of the heading. */
 const found = keeping(Object.keys(start), (state) => {
   const points = cloud(state);
   const fitted = fit(points);
-  return { points, fitted, errors: headingErrors(state, fitted) };
+  return { points, fitted, now: walked(state).at(-1), errors: headingErrors(state, fitted) };
 });
 
 function readouts(state) {
@@ -33,7 +34,10 @@ function readouts(state) {
 }
 
 function meaning(state, fitted, errors) {
-  const before = `Uncalibrated, the heading is off by up to ${rounded(largest(errors, "before"))}°.`;
+  const count = state.turned.length / 4;
+  const before = `${count > 0 ? `${count} readings by hand. ` : ""}Uncalibrated, the heading is off by up to ${rounded(largest(errors, "before"))}°.`;
+  if (fitted.refused && count > 0 && count < FEWEST)
+    return `${before} A fit needs ${FEWEST} at least: turn the sensor further.`;
   if (fitted.refused)
     return `${before} The fit refuses: no reading comes from within ${rounded(gap(state))}° of one direction, and many ellipsoids go through such a cloud. Turn the sensor further.`;
   return `${before} The fitted ellipsoid is brought back to a sphere about zero, and the heading is off by up to ${rounded(largest(errors, "after"))}°.`;
@@ -44,7 +48,8 @@ const summary = (state) => readouts(state).meaning;
 /** The picture in words. */
 function describe(state) {
   const { fitted, errors } = found(state);
-  return `${state.readings} readings of a magnetometer that is turned, and tilted by up to ${rounded(state.tilt)}°, as points in space, with the sphere on which they would lie without iron. Hard iron of ${rounded(state.hard_iron)} µT shifts them, soft iron stretches them. Below, the error of the heading all around the compass. ${meaning(state, fitted, errors)}`;
+  const how = state.turned === "" ? `${state.readings} readings of a magnetometer that is turned, and tilted by up to ${rounded(state.tilt)}°` : `${state.turned.length / 4} readings of a magnetometer that is turned by hand`;
+  return `${how}, as points in space, with the sphere on which they would lie without iron. Hard iron of ${rounded(state.hard_iron)} µT shifts them, soft iron stretches them. Below, the error of the heading all around the compass. ${meaning(state, fitted, errors)}`;
 }
 
 // ── the picture ─────────────────────────────────────────────────────────────────────────────
@@ -54,10 +59,13 @@ const CIRCLES = [[0, 1], [0, 2], [1, 2]].map(([i, j]) => arcOf(AXES[i], AXES[j])
 const SHOWN = 2.2;
 const SCALE = 0.72 / STRENGTH; // so that what iron shifts stays in the picture
 
+const [SPLIT, HELD] = [0.68, 0.3]; // of the height, for the cloud; of the width, for the sensor
+
 function draw(context, { width, height }, state, colours, viewpoint) {
-  const { points, fitted, errors } = found(state);
-  const split = 0.68 * height;
+  const { points, fitted, errors, now } = found(state);
+  const split = SPLIT * height;
   inPart(context, [0, 0, width, split], (size) => scene(context, size, state, points, fitted, colours, viewpoint));
+  inPart(context, [0, 0, HELD * width, HELD * width], (size) => sensor(context, size, now, colours, viewpoint));
   chart(context, [40, width - 14, split + 22, height - 22], fitted, errors, colours);
 }
 
@@ -74,6 +82,7 @@ function scene(context, size, state, points, fitted, colours, viewpoint) {
   ].map((each) => ({ ...each, behind: far(each.point) }));
   for (const { point, shape, colour } of [...drawn.filter((each) => each.behind), ...drawn.filter((each) => !each.behind)])
     mark(context, shape, view.project(point), { colour: colours(colour), radius: far(point) ? 1.5 : 3 });
+  pointer(context, view, scaled(points.at(-1), SCALE), { colours, colour: "ink", width: 1.5 });
   const centre = view.project(scaled(ironAdded(...iron, 0, 0, 0), SCALE));
   const zero = view.project([0, 0, 0]);
   cross(context, zero, colours("ink"));
@@ -82,6 +91,27 @@ function scene(context, size, state, points, fitted, colours, viewpoint) {
   if (fitted.refused)
     label(context, ["the fit refuses"], [size.width / 2, size.height - 14], { colour: colours("alert"), rim: colours("page"), width: size.width });
 }
+
+/** The sensor as it is held, its axes, and the field, which stays where it is. */
+function sensor(context, size, now, colours, viewpoint) {
+  const view = looking(viewpoint, size, 2.9);
+  const matrix = matrixFromQuaternion(...now);
+  const style = { colours, room: size.width };
+  flown(context, view, matrix, colours, 0.9);
+  AXES.forEach((_, k) => pointer(context, view, matrix.slice(3 * k, 3 * k + 3), { ...style, name: ["xyz"[k]], colour: "muted", width: 1.5 }));
+  pointer(context, view, scaled(direction(0, -FIELD_DIP), 1.1), { ...style, name: ["field"], colour: "z", dash: [6, 3], width: 3 });
+  words(context, "drag the sensor", [6, 10], { colour: colours("muted"), weight: 600 });
+}
+
+/** The sensor is turned where it is drawn; what it has read before, on a walk, is forgotten. */
+const handles = (state, { width }, { heading, elevation }) => [{
+  at: [(HELD * width) / 2, (HELD * width) / 2],
+  reach: (HELD * width) / 2,
+  hold() {
+    const axes = matrixFromEuler(0, (elevation * Math.PI) / 180, (heading * Math.PI) / 180);
+    return turning(state, found(state).now, [0, 3, 6].map((i) => axes.slice(i, i + 3)));
+  },
+}];
 
 /** The readings without what the fit takes for iron, all of them about as long as the sphere is large. */
 function corrected(points, { iron }) {
@@ -119,7 +149,7 @@ const FIELD = { short: " µT", long: "microtesla" };
 const definition = {
   title: "Calibrating a magnetometer",
   python: "MagnetometerDemo",
-  hint: "Turn the sensor about one axis only: take the tilt to 0°. What becomes of the fit? At which tilt does it answer?",
+  hint: "Take the small aircraft with the sensor and turn it: which way must it be turned before the fit answers? Then take the tilt to 0°, a turn about one axis.",
   aspect: 1.12,
   viewpoint: () => ({ heading: 35, elevation: -20 }),
   start,
@@ -127,16 +157,17 @@ const definition = {
     { colour: "x", width: 2.5, dash: [6, 3], text: "▲ readings, and the heading from them" },
     { colour: "y", width: 2.5, text: "● calibrated" },
     { colour: "muted", width: 1.2, text: "the sphere without iron" },
+    { colour: "ink", width: 1.5, text: "the reading now" },
   ],
   controls: [
-    { name: "readings", label: "Readings", symbol: [], min: 10, max: 200, step: 1, unit: { short: "", long: "readings" } },
-    { name: "tilt", label: "Tilt, at most", symbol: [], min: 0, max: 180, step: 5, unit: DEGREES },
+    { name: "readings", label: "Readings", symbol: [], min: 10, max: 200, step: 1, unit: { short: "", long: "readings" }, also: { turned: "" } },
+    { name: "tilt", label: "Tilt, at most", symbol: [], min: 0, max: 180, step: 5, unit: DEGREES, also: { turned: "" } },
     { name: "hard_iron", label: "Hard iron", symbol: [], min: 0, max: 40, step: 1, unit: FIELD },
     { name: "soft_iron", label: "Soft iron", symbol: [], min: 0, max: 0.5, step: 0.01, unit: { short: "", long: "of the field" } },
     { name: "noise", label: "Noise", symbol: [], min: 0, max: 2, step: 0.1, unit: FIELD },
   ],
   outputs: [
-    { name: "meaning", label: "What it means", wide: true, longestAt: [{ ...start, tilt: 0 }, start] },
+    { name: "meaning", label: "What it means", wide: true, longestAt: [{ ...start, turned: "gICA".repeat(100) }, start] },
     { name: "gap", label: "Largest gap", unit: DEGREES },
     { name: "error_before", label: "Heading error before", unit: DEGREES },
     { name: "error_after", label: "Heading error after", unit: DEGREES },
@@ -153,6 +184,8 @@ const definition = {
   summary,
   describe,
   draw,
+  handles,
+  texts: { turned: TURNED },
 };
 
 export const mount = mountOf(definition);

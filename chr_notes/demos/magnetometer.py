@@ -1,9 +1,12 @@
 """A magnetometer near iron: a cloud of readings, the fit to it, and the heading."""
 
 import math
-from typing import Final, NamedTuple
+import re
+import string
+from typing import Any, ClassVar, Final, NamedTuple
 
 import numpy as np
+import traitlets
 
 from chr_notes._arrays import Floats
 from chr_notes.demos.base import Control, Demo, rounded
@@ -11,6 +14,7 @@ from chr_notes.demos.noise import noise
 from chr_notes.generated.scalar.euler import matrix_from_euler, wrap_angle
 from chr_notes.generated.scalar.quaternions import (
     quaternion_from_axis_angle,
+    quaternion_from_euler,
     quaternion_multiply,
     rotate_to_body,
 )
@@ -31,7 +35,9 @@ class Setting(NamedTuple):
 
     The field north, east and down in µT, that of the chapter; attitudes of the whole walk, and
     turns from one to the next, of the yaw and of the side that it leans to; directions of hard and
-    of soft iron; headings round the compass; seed of the noise; and when a fit refuses.
+    of soft iron; headings round the compass; seed of the noise; and when a fit refuses. Of a hand
+    that turns the sensor: the letters that write an attitude, 64 of them; the degrees that yaw,
+    pitch and roll have in all; and by how many degrees readings are apart.
     """
 
     field: Vector = (22.0, 0.0, 45.0)
@@ -43,6 +49,9 @@ class Setting(NamedTuple):
     seed: int = 7
     widest_gap: float = WIDEST_GAP
     largest_error: float = LARGEST_ERROR
+    letters: str = string.ascii_uppercase + string.ascii_lowercase + string.digits + "-_"
+    turn_in: tuple[float, float, float] = (360.0, 180.0, 360.0)
+    apart: float = 5.0
 
 
 SETTING: Final = Setting()
@@ -70,19 +79,34 @@ class MagnetometerDemo(Demo):
         How much the field is stretched and sheared, a part of it, from 0 to 0.5; 0.2 unless told.
     noise : float, optional
         White noise of each axis in µT RMS, from 0 to 2; 0.3 unless told.
+    turned : str, optional
+        Attitudes of a sensor that is turned by hand, at most 200, which take the place of the walk:
+        four letters of base64 each, 24 bits for yaw, pitch and roll, a 256th of their range a bit.
     """
 
     element = "magnetometer"
     controls = ("readings", "tilt", "hard_iron", "soft_iron", "noise")
+    texts: ClassVar[tuple[str, ...]] = ("turned",)
 
     readings = Control(150.0, min=10.0, max=200.0).tag(sync=True)
     tilt = Control(180.0, min=0.0, max=180.0).tag(sync=True)
     hard_iron = Control(15.0, min=0.0, max=40.0).tag(sync=True)
     soft_iron = Control(0.2, min=0.0, max=0.5).tag(sync=True)
     noise = Control(0.3, min=0.0, max=2.0).tag(sync=True)
+    turned = traitlets.Unicode("").tag(sync=True)
+
+    @traitlets.validate("turned")
+    def _is_turned(self, proposal: dict[str, Any]) -> str:
+        text = str(proposal["value"])
+        if re.fullmatch(rf"(?:[A-Za-z0-9_-]{{4}}){{0,{SETTING.walk}}}", text) is None:
+            msg = f"turned: attitudes of four letters of base64 each, got {text[:40]!r}"
+            raise traitlets.TraitError(msg)
+        return text
 
     def walk(self) -> Floats:
         """Return the field in the body at each reading, µT."""
+        if self.turned:
+            return np.array([rotate_to_body(*q, *SETTING.field) for q in self._by_hand()])
         lowest = 1 - math.cos(math.radians(self.tilt))
         found = []
         for i in range(math.floor(self.readings)):
@@ -120,13 +144,32 @@ class MagnetometerDemo(Demo):
         found = self.readouts()
         after = found["error_after"]
         said = "the fit refuses" if math.isnan(after) else f"after it {rounded(after)}°"
+        how = (
+            f"{len(self.turned) // 4} readings of a magnetometer that is turned by hand"
+            if self.turned
+            else f"{rounded(math.floor(self.readings))} readings of a magnetometer that leans by "
+            f"up to {rounded(self.tilt)}°"
+        )
         return (
-            f"{rounded(math.floor(self.readings))} readings of a magnetometer that leans by up to "
-            f"{rounded(self.tilt)}°, near hard iron of {rounded(self.hard_iron)} µT and soft iron "
+            f"{how}, near hard iron of {rounded(self.hard_iron)} µT and soft iron "
             f"of {rounded(self.soft_iron)}, with noise of {rounded(self.noise)} µT RMS. The "
             f"largest gap is {rounded(found['gap'])}°; before calibration the heading is off by up "
             f"to {rounded(found['error_before'])}°, {said}."
         )
+
+    def _by_hand(self) -> list[tuple[float, float, float, float]]:
+        """Return the attitudes in which the hand held the sensor."""
+        found = []
+        for start in range(0, len(self.turned), 4):
+            bits = 0
+            for letter in self.turned[start : start + 4]:
+                bits = 64 * bits + SETTING.letters.index(letter)
+            yaw, pitch, roll = (
+                math.radians(whole * ((bits >> low & 255) - 128) / 256)
+                for whole, low in zip(SETTING.turn_in, (16, 8, 0), strict=True)
+            )
+            found.append(quaternion_from_euler(roll, pitch, yaw))
+        return found
 
     def _iron(self) -> Iron:
         stretch = np.eye(3).ravel() + self.soft_iron * np.array(SETTING.soft)

@@ -7,12 +7,12 @@ import {
   normMisfit,
   quaternionFromAxisAngle,
   quaternionMultiply,
-  rotateToBody,
   wrapAngle,
 } from "../generated/javascript/attitude.mjs";
 import { evenlySpread } from "./directions.js";
 import { scaled, sum, toChild } from "./draw.js";
 import { solved } from "./equations.js";
+import { attitudes, fieldAt } from "./magnetometer_hand.js";
 import { noise } from "./noise.js";
 
 /* global MAGNETOMETER: build.py puts it in, from magnetometer.py */
@@ -22,7 +22,10 @@ const { field: FIELD, walk: WALK, turns: TURNS, seed: SEED, headings: HEADINGS }
 const { hard: HARD, soft: SOFT, widest_gap: WIDEST_GAP, largest_error: LARGEST_ERROR } = MAGNETOMETER;
 const NOISE = noise(WALK, 3, SEED);
 const [STEPS, CONVERGED] = [30, 1e-9]; // of Gauss and Newton
+export const FEWEST = 10; // one more than there are unknowns
 export const STRENGTH = Math.hypot(...FIELD);
+/** Degrees by which the field points below the horizon. */
+export const FIELD_DIP = Math.atan2(FIELD[2], FIELD[0]) / DEGREE;
 
 const column = (count, make) => Array.from({ length: count }, (_, i) => make(i));
 
@@ -34,16 +37,20 @@ export function ironOf({ hard_iron: hard, soft_iron: soft }) {
   return [...stretch, ...scaled(HARD, hard)];
 }
 
-/** The field in the body at each attitude of the walk: turned all the while, and tilted more and more. */
-export function walk({ readings, tilt }) {
+/** The attitudes: those of the hand, or a walk on which it is turned all the while, and tilted more and more. */
+export function path({ readings, tilt, turned }) {
+  if (turned !== "") return attitudes(turned);
   return column(readings, (i) => {
     const leaning = Math.acos(1 - (1 - Math.cos(tilt * DEGREE)) * ((i + 0.5) / WALK));
     const [yaw, side] = TURNS.map((turn) => 2 * Math.PI * turn * i);
-    const turned = quaternionFromAxisAngle(0, 0, 1, yaw);
+    const whole = quaternionFromAxisAngle(0, 0, 1, yaw);
     const leant = quaternionFromAxisAngle(Math.cos(side), Math.sin(side), 0, leaning);
-    return rotateToBody(...quaternionMultiply(...turned, ...leant), ...FIELD);
+    return quaternionMultiply(...whole, ...leant);
   });
 }
+
+/** The field in the body at each attitude. */
+const walk = (state) => path(state).map(fieldAt);
 
 export const cloud = (state) => {
   const iron = ironOf(state);
@@ -97,6 +104,7 @@ function refined(points) {
 
 /** What a fit finds: { refused } or { iron }, the numbers that `ironRemoved` takes. */
 export function fit(points) {
+  if (points.length < FEWEST) return { refused: true };
   const middle = scaled(points.reduce(sum), 1 / points.length);
   const off = points.map((point) => sum(point, scaled(middle, -1)));
   const extent = Math.sqrt(off.reduce((total, point) => total + Math.hypot(...point) ** 2, 0) / points.length);

@@ -10,7 +10,7 @@ const written = (value) =>
   typeof value === "number" ? Number(value.toPrecision(6)) : encodeURIComponent(value).replaceAll("%2C", ",");
 
 const hashOf = (name, state) =>
-  `#${name}?${Object.entries(state).map(([key, value]) => `${key}=${written(value)}`).join("&")}`;
+  `#${name}?${Object.entries(state).filter(([, value]) => value !== "").map(([key, value]) => `${key}=${written(value)}`).join("&")}`;
 
 /** Which demo the address names, and with which state. */
 function addressed() {

@@ -109,8 +109,8 @@ function textOf({ name, label, unit, wide, grid, longestAt }, readouts) {
     element,
     show(texts) {
       const { text, note = "" } = texts[name].text === undefined ? { text: texts[name] } : texts[name];
-      output.textContent = text;
-      aside.textContent = note;
+      if (output.textContent !== text) output.textContent = text;
+      if (aside.textContent !== note) aside.textContent = note;
       element.toggleAttribute("data-void", note !== "");
     },
   };

@@ -11,7 +11,7 @@ import {
 import { bars, inPart, line, mark, words } from "./chart.js";
 import { mountOf } from "./controls.js";
 import { scaled } from "./draw.js";
-import { direction, flown, globe, looking, path, pointer } from "./globe.js";
+import { directed, direction, flown, globe, looking, path, pointer } from "./globe.js";
 import { entry, rounded } from "./parts.js";
 
 const DEGREE = Math.PI / 180;
@@ -79,8 +79,10 @@ function describe(state) {
 
 // ── the picture ─────────────────────────────────────────────────────────────────────────────
 
+const SPLIT = 0.64; // of the height, for the sphere
+
 function draw(context, { width, height }, state, colours, viewpoint) {
-  const split = 0.64 * height;
+  const split = SPLIT * height;
   const { q, product } = stages(state);
   inPart(context, [0, 0, width, split], (size) => scene(context, size, state, q, product, colours, viewpoint));
   const third = width / 3;
@@ -114,6 +116,10 @@ function scene(context, size, state, q, product, colours, viewpoint) {
   pointer(context, view, product.slice(1), { ...style, name: [stageOf(state.product)], colour: "alert", dash: [6, 2], width: 4 });
 }
 
+const handles = (state, { width, height }, viewpoint) => [
+  directed(looking(viewpoint, { width, height: SPLIT * height }), scaled(axisOf(state), 1.2), ([axis_yaw, axis_pitch]) => ({ axis_yaw, axis_pitch })),
+];
+
 /** The angle as the aircraft turns it, round and round, and half of it as the quaternion holds it. */
 function dial(context, { width, height }, { angle }, colours) {
   words(context, "angle, and half", [12, 12], { colour: colours("muted"), weight: 600 });
@@ -141,7 +147,7 @@ const start = { axis_yaw: 40, axis_pitch: 35, angle: 100, product: 1 };
 const definition = {
   title: "Axis, angle, quaternion",
   python: "QuaternionDemo",
-  hint: "Raise the angle to 360°. The aircraft is back: is the quaternion? Then take the products one after the other.",
+  hint: "Take the axis by its point and turn it. Raise the angle to 360°. The aircraft is back: is the quaternion? Then take the products one after the other.",
   aspect: 1.08,
   viewpoint: () => ({ heading: -35, elevation: -20 }),
   start,
@@ -177,6 +183,7 @@ const definition = {
   summary,
   describe,
   draw,
+  handles,
 };
 
 export const mount = mountOf(definition);

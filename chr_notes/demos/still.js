@@ -21,15 +21,39 @@ const area = (points) =>
     return total + x * v - u * y;
   }, 0);
 
-/** What of a canvas context the demos use. */
+/** What of a canvas context the demos use. `twins` are the colours that another drawing was given, in order. */
 class Recorder {
-  constructor() {
+  constructor(twins = []) {
     Object.assign(this, { parts: [], stack: [], clips: 0, defs: [], offset: [0, 0], clipped: "", dash: [] });
-    Object.assign(this, { fillStyle: "#000", strokeStyle: "#000", lineWidth: 1, font: "", textAlign: "left" });
+    Object.assign(this, { twins, given: [], rules: new Map(), lineWidth: 1, font: "", textAlign: "left" });
+  }
+  /** A colour in both themes, [light, dark] in one string. */
+  paired(colour) {
+    this.given.push(colour);
+    return colour.includes("|") ? colour : `${colour}|${this.twins[this.given.length - 1] ?? colour}`;
+  }
+  set fillStyle(colour) {
+    this.filling = this.paired(colour);
+  }
+  get fillStyle() {
+    return this.filling;
+  }
+  set strokeStyle(colour) {
+    this.stroking = this.paired(colour);
+  }
+  get strokeStyle() {
+    return this.stroking;
+  }
+  /** Attributes for a colour in both themes: the light one, and a class that has the dark one. */
+  paint(property, colour) {
+    const [light, dark] = colour.split("|");
+    const rule = `${property}:${dark}`;
+    if (!this.rules.has(rule)) this.rules.set(rule, `s${this.rules.size.toString(36)}`);
+    return `class="${this.rules.get(rule)}" ${property}="${light}"`;
   }
   save() {
-    const { offset, clipped, dash, fillStyle, strokeStyle, lineWidth, font, textAlign } = this;
-    this.stack.push({ offset, clipped, dash, fillStyle, strokeStyle, lineWidth, font, textAlign });
+    const { offset, clipped, dash, filling, stroking, lineWidth, font, textAlign } = this;
+    this.stack.push({ offset, clipped, dash, filling, stroking, lineWidth, font, textAlign });
   }
   restore() {
     Object.assign(this, this.stack.pop());
@@ -97,7 +121,7 @@ class Recorder {
     if (last?.filled === this.strokeStyle && last.data === data) this.facet(last);
     else {
       const dash = this.dash.length > 0 ? ` stroke-dasharray="${this.dash.map(whole).join(" ")}"` : "";
-      const line = `fill="none" stroke="${this.strokeStyle}" stroke-width="${whole(this.lineWidth)}"${dash}`;
+      const line = `fill="none" ${this.paint("stroke", this.strokeStyle)} stroke-width="${whole(this.lineWidth)}"${dash}`;
       if (last?.line === line && last.clipped === this.clipped && dash === "") last.data += data;
       else this.parts.push({ data, clipped: this.clipped, line });
     }
@@ -119,10 +143,10 @@ class Recorder {
     return { width: PER_LETTER * parseFloat(this.font.match(/([\d.]+)px/)[1]) * text.length };
   }
   strokeText(text, x, y) {
-    this.text(text, x, y, ` stroke="${this.strokeStyle}" stroke-width="${whole(this.lineWidth)}"`);
+    this.text(text, x, y, ` ${this.paint("stroke", this.strokeStyle)} stroke-width="${whole(this.lineWidth)}"`);
   }
   fillText(text, x, y) {
-    this.text(text, x, y, ` fill="${this.fillStyle}"`);
+    this.text(text, x, y, ` ${this.paint("fill", this.fillStyle)}`);
   }
   text(text, x, y, paint) {
     const [, weight, size] = this.font.match(/^(\d+) ([\d.]+)px/);
@@ -134,35 +158,44 @@ class Recorder {
   svg(pixels, title, page) {
     const drawn = this.parts.map((part, i) => {
       if (part.text) return part.text;
-      if (!part.facet) return `<path ${part.line ?? `fill="${part.filled}"`}${part.clipped} d="${part.data}"/>`;
-      const path = `<path color="${part.facet}" d="${part.data}"/>`;
+      if (!part.facet) return `<path ${part.line ?? this.paint("fill", part.filled)}${part.clipped} d="${part.data}"/>`;
+      const path = `<path ${this.paint("color", part.facet)} d="${part.data}"/>`;
       const [opens, closes] = [!this.parts[i - 1]?.facet, !this.parts[i + 1]?.facet];
       return `${opens ? `<g fill="currentColor" stroke="currentColor"${part.clipped}>` : ""}${path}${closes ? "</g>" : ""}`;
     });
     const [width, height] = [WIDTH, pixels].map(whole);
+    const ground = this.paint("fill", page);
+    const dark = [...this.rules].map(([rule, name]) => `.${name}{${rule}}`).join("");
     return (
       `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}" font-family="system-ui,sans-serif" stroke-linejoin="round">` +
-      `<title>${escaped(title)}</title><defs>${this.defs.join("")}</defs>` +
-      `<path fill="${page}" d="M0 0h${width}v${height}H0z"/>${drawn.join("")}</svg>\n`
+      `<title>${escaped(title)}</title><style>@media(prefers-color-scheme:dark){${dark}}</style><defs>${this.defs.join("")}</defs>` +
+      `<path ${ground} d="M0 0h${width}v${height}H0z"/>${drawn.join("")}</svg>\n`
     );
   }
 }
 
-/** A colour `rgb(…)` or `#rrggbb` with one digit a channel, so that neighbours share it. */
-function coarse(colour) {
-  const channels = colour.startsWith("#") ? parsed(colour) : colour.match(/\d+/g).map(Number);
-  return `#${channels.map((value) => Math.round(value / 17).toString(16)).join("")}`;
+/** A colour `rgb(…)` or `#rrggbb` in both themes with one digit a channel, so that neighbours share it. */
+function coarse(colours) {
+  const one = (colour) => {
+    const channels = colour.startsWith("#") ? parsed(colour) : colour.match(/\d+/g).map(Number);
+    return `#${channels.map((value) => Math.round(value / 17).toString(16)).join("")}`;
+  };
+  return colours.split("|").map(one).join("|");
 }
 
-/** The SVG of a state. */
-function still({ demo, state }, palette) {
+/** The SVG of a state, for both themes; without its style it is the one of the light theme. */
+function still({ demo, state }, [light, dark]) {
   const { definition } = { ...DEMOS, converter }[demo];
   const full = { ...definition.start, ...state };
   const height = Math.round(WIDTH * definition.aspect);
-  const recorder = new Recorder();
-  definition.draw(recorder, { width: WIDTH, height }, full, (name) => palette[name], definition.viewpoint?.(full));
-  return recorder.svg(height, definition.describe(full), palette.page);
+  const drawn = (palette, twins) => {
+    const recorder = new Recorder(twins);
+    definition.draw(recorder, { width: WIDTH, height }, full, (name) => palette[name], definition.viewpoint?.(full));
+    return recorder;
+  };
+  const both = drawn(light, drawn(dark).given);
+  return both.svg(height, definition.describe(full), `${light.page}|${dark.page}`);
 }
 
-const { stills, palette } = JSON.parse(await new Response(process.stdin).text());
-process.stdout.write(JSON.stringify(stills.map((each) => still(each, palette))));
+const { stills, palettes } = JSON.parse(await new Response(process.stdin).text());
+process.stdout.write(JSON.stringify(stills.map((each) => still(each, palettes))));

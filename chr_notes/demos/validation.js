@@ -5,7 +5,7 @@
 import { inPart, line, linear, mark, words } from "./chart.js";
 import { mountOf } from "./controls.js";
 import { label, mixed, paint, parsed, scaled } from "./draw.js";
-import { globe, looking, pointer, direction } from "./globe.js";
+import { directed, direction, globe, looking, pointer } from "./globe.js";
 import { keeping } from "./keeping.js";
 import { rounded } from "./parts.js";
 import { axisOf, belowOf, factor, factorAbout, fieldOf, samples, tiltError } from "./validation_factor.js";
@@ -67,14 +67,16 @@ const patches = (state) =>
     return { points: distinct, seen: factorAbout(state, at(belt + 0.5, sector + 0.5)) };
   });
 
+const [SPLIT, SHOWN] = [0.68, 3]; // of the height, for the globe; what it shows, in radii
+
 function draw(context, { width, height }, state, colours, viewpoint) {
-  const split = 0.68 * height;
+  const split = SPLIT * height;
   inPart(context, [0, 0, width, split], (size) => scene(context, size, state, colours, viewpoint));
   curves(context, [52, width - 14, split + 26, height - 28], state, colours);
 }
 
 function scene(context, size, state, colours, viewpoint) {
-  const view = looking(viewpoint, size, 3);
+  const view = looking(viewpoint, size, SHOWN);
   const [plain, full] = [parsed(colours("surface")), parsed(colours("alert"))];
   const fillOf = (seen) => (seen > state.threshold ? mixed(plain, full, Math.min(1, 0.3 + seen / BRIGHTEST)) : plain);
   paint(context, patches(state).map(({ points, seen }) => ({ points, fill: fillOf(seen), unlit: true })), view);
@@ -94,6 +96,13 @@ function scene(context, size, state, colours, viewpoint) {
   if (!alike) out(nose, "nose", "x");
   out(axis, alike ? "nose, axis" : "axis", "ink");
 }
+
+const handles = (state, { width, height }, viewpoint) => [
+  directed(looking(viewpoint, { width, height: SPLIT * height }, SHOWN), scaled(axisOf(state), 1.35), ([yaw, axis_pitch]) => ({
+    axis_yaw: ((yaw - state.heading + 540) % 360) - 180,
+    axis_pitch,
+  })),
+];
 
 const ALIKE = Math.cos(Math.PI / 9); // of directions whose names would cover each other
 
@@ -125,7 +134,7 @@ const SHARE = { short: "%", long: "per cent" };
 const definition = {
   title: "What the factor E sees",
   python: "ValidationDemo",
-  hint: "The error is one of roll: its axis is the nose, which points north. Turn the robot to the east. What becomes of E?",
+  hint: "The error is one of roll: its axis is the nose, which points north. Turn the robot to the east. What becomes of E? Then take the axis by its point.",
   aspect: 1.08,
   viewpoint: () => ({ heading: 215, elevation: -28 }),
   start,
@@ -134,6 +143,7 @@ const definition = {
     { colour: "z", dash: [6, 3], width: 2.5, text: "errors missed" },
     { colour: "qualified", width: 2.5, text: "false alarms through noise" },
     { colour: "ink", width: 2, text: "the threshold; ▲ E now" },
+    { colour: "ink", width: 4, text: "the axis of the error" },
   ],
   controls: [
     { name: "heading", label: "Heading", symbol: ["ψ"], axis: "z", min: -180, max: 180, step: 1, unit: DEGREES },
@@ -163,6 +173,7 @@ const definition = {
   summary,
   describe,
   draw,
+  handles,
 };
 
 export const mount = mountOf(definition);

@@ -20,13 +20,13 @@ def test_check_sees_missing_extra_and_changed_files(tmp_path: Path) -> None:
     fresh = tmp_path / "fresh"
     shutil.copytree(BUILT, fresh)
     assert build.differences(fresh) == []
-    (fresh / "drift_0_1_10.svg").write_text("changed", encoding="utf-8")
+    (fresh / "drift_0_1_0_0_0_10.svg").write_text("changed", encoding="utf-8")
     (fresh / "new.svg").write_text("", encoding="utf-8")
     (fresh / "demos.js").unlink()
     assert build.differences(fresh) == [
         "missing: new.svg",
         "not from any source: demos.js",
-        "out of date: drift_0_1_10.svg",
+        "out of date: drift_0_1_0_0_0_10.svg",
     ]
 
 

@@ -14,6 +14,7 @@ import pytest
 from traitlets import TraitError
 
 from chr_notes.demos.base import Demo, formatted, rounded
+from chr_notes.palette import PALETTE
 
 from .parts import DEMOS, each_demo
 
@@ -109,7 +110,27 @@ def test_each_state_that_a_chapter_opens_with_has_a_still_picture() -> None:
         assert svg.findtext("{*}title") == html.unescape(words)
         texts = [each.text for each in svg.iterfind(".//{*}text")]
         assert len(texts) > 5, "the picture says nothing"
+        each_colour_has_one_for_the_dark(svg)
         assert len(demo.to_html()) < 90_000
+
+
+def each_colour_has_one_for_the_dark(svg: ET.Element) -> None:
+    """The rules under `prefers-color-scheme: dark` stand for each colour of the light theme."""
+    style = str(svg.findtext("{*}style"))
+    assert style.startswith("@media(prefers-color-scheme:dark){")
+    rules = dict(re.findall(r"\.(s\w+)\{((?:fill|stroke|color):[^}]+)\}", style))
+    seen = set()
+    for part in svg.iter():
+        for name in ("fill", "stroke", "color"):
+            colour = part.get(name)
+            if colour in (None, "none", "currentColor"):
+                continue
+            kind, _, dark = rules[str(part.get("class"))].partition(":")
+            assert kind == name
+            seen.add((colour, dark))
+    palette = {(each.light, each.dark) for each in PALETTE.values()}
+    assert {pair for pair in seen if pair[0] in ("#ffffff", "#17202b", "#566274")} <= palette
+    assert ("#ffffff", PALETTE["page"].dark) in seen
 
 
 def test_a_state_without_a_still_picture_has_its_numbers() -> None:

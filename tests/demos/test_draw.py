@@ -17,6 +17,7 @@ let path = [];
 const order = [];
 const context = {
   beginPath: () => (path = []),
+  moveTo: (...point) => path.push(point),
   lineTo: (...point) => path.push(point),
   closePath() {},
   fill() { order.push({ points: path, id: this.fillStyle }); },
