@@ -8,7 +8,17 @@ import pytest
 from playwright.sync_api import Locator, Page
 
 from chr_notes import demos
-from chr_notes.demos import ConverterDemo, DetectiveDemo, FilterDemo, GimbalLockDemo, TiltDemo
+from chr_notes.demos import (
+    ConverterDemo,
+    DetectiveDemo,
+    FilterDemo,
+    FramesDemo,
+    GimbalLockDemo,
+    MagnetometerDemo,
+    QuaternionDemo,
+    TiltDemo,
+    ValidationDemo,
+)
 from chr_notes.demos.base import Demo, entry, rounded
 
 Visit = Callable[..., Page]
@@ -18,6 +28,14 @@ Samples = Callable[[int, int], int]
 ALL: tuple[type[Demo], ...] = tuple(getattr(demos, name) for name in demos.__all__)
 # These have fields where the others have sliders and a story.
 DEMOS = tuple(demo for demo in ALL if demo not in (ConverterDemo, DetectiveDemo))
+
+# Of whose picture something is held, and the parts of the state that it moves, by keys as well.
+HELD_BY_KEYS: dict[type[Demo], set[str]] = {
+    FramesDemo: {"wind"},
+    MagnetometerDemo: {"turned"},
+    QuaternionDemo: {"axis_yaw", "axis_pitch"},
+    ValidationDemo: {"axis_yaw", "axis_pitch"},
+}
 
 each_demo = pytest.mark.parametrize("demo", DEMOS, ids=lambda demo: demo.element)
 
@@ -46,12 +64,18 @@ def field(page: Page, name: str) -> Locator:
     return page.locator(".chr-control", has=slider(page, name)).locator('input[type="number"]')
 
 
-def state_of(page: Page) -> dict[str, float]:
-    """The state of the first demo of a page."""
+def state_of(page: Page | Locator) -> dict[str, float]:
+    """The state of the first demo of a page, or of a part of it."""
     state: dict[str, float] = json.loads(
         str(page.locator(".chr-demo").first.get_attribute("data-state"))
     )
     return state
+
+
+def changed(page: Page, demo: Demo) -> set[str]:
+    """What of the state is not as it was."""
+    now = state_of(page)
+    return {name for name, value in demo.state().items() if now[name] != value}
 
 
 def hold(page: Page) -> None:

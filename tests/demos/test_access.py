@@ -9,8 +9,10 @@ from chr_notes.demos.base import Demo
 
 from .colours import channels, contrast, of_palette
 from .parts import (
+    HELD_BY_KEYS,
     PageOf,
     Visit,
+    changed,
     each_demo,
     field,
     picture,
@@ -43,6 +45,7 @@ def test_everyone_can_use_it(visit: Visit, page_of: PageOf, demo: type[Demo]) ->
     only_keys_for_the_page_reach_the_page(page, demo)
     the_keyboard_moves_each_slider_and_the_picture(page, demo)
     a_number_can_be_typed(page, demo)
+    keys_move_what_can_be_held(page, demo)
     the_demo_fits_the_page(page, demo)
 
 
@@ -111,6 +114,21 @@ def a_number_can_be_typed(page: Page, demo: type[Demo]) -> None:
         page.keyboard.press("ArrowUp")
         assert state_of(page)[name] > limits.min
         slider(page, name).evaluate(SET, demo().state()[name])
+
+
+def keys_move_what_can_be_held(page: Page, demo: type[Demo]) -> None:
+    names = HELD_BY_KEYS.get(demo)
+    canvas = page.locator("canvas")
+    assert ("With Shift" in str(canvas.get_attribute("aria-description"))) == bool(names)
+    if names is None:
+        return
+    canvas.focus()
+    page.keyboard.press("ArrowLeft")
+    assert changed(page, demo()) == set(), "the camera is no part of the state"
+    page.keyboard.press("Shift+ArrowRight")
+    page.keyboard.press("Shift+ArrowUp")
+    assert changed(page, demo())
+    assert changed(page, demo()) <= names
 
 
 SET = """(input, value) => {

@@ -4,26 +4,25 @@ import json
 
 import numpy as np
 import pytest
-from playwright.sync_api import Locator, Page, expect
+from playwright.sync_api import Locator, expect
 
 import chr_notes
 from chr_notes.demos import (
     DriftDemo,
     FilterDemo,
-    FramesDemo,
     MagnetometerDemo,
     QuaternionDemo,
-    ValidationDemo,
 )
-from chr_notes.demos.base import Demo, rounded
+from chr_notes.demos.base import rounded
 
-from .parts import PageOf, Visit, output, picture, slider, state_of
+from .parts import HELD_BY_KEYS, PageOf, Visit, changed, output, picture, slider, state_of
 
 Place = tuple[float, float]
 
 
 def drag(canvas: Locator, *places: Place) -> None:
     """Drag from the first to the others, each as parts of the width and of the height."""
+    canvas.scroll_into_view_if_needed()
     box = canvas.bounding_box()
     assert box is not None
     mouse = canvas.page.mouse
@@ -33,36 +32,6 @@ def drag(canvas: Locator, *places: Place) -> None:
         if i == 0:
             mouse.down()
     mouse.up()
-
-
-def changed(page: Page, demo: Demo) -> set[str]:
-    now = state_of(page)
-    return {name for name, value in demo.state().items() if now[name] != value}
-
-
-@pytest.mark.parametrize(
-    ("demo", "names"),
-    [
-        (QuaternionDemo(), {"axis_yaw", "axis_pitch"}),
-        (ValidationDemo(axis_yaw=60), {"axis_yaw", "axis_pitch"}),
-        (FramesDemo(), {"wind"}),
-        (MagnetometerDemo(), {"turned"}),
-    ],
-    ids=lambda each: each.element if isinstance(each, Demo) else "",
-)
-def test_keys_move_what_can_be_held(
-    visit: Visit, page_of: PageOf, demo: Demo, names: set[str]
-) -> None:
-    page = visit(page_of(demo))
-    canvas = page.locator("canvas")
-    assert "With Shift" in str(canvas.get_attribute("aria-description"))
-    canvas.focus()
-    page.keyboard.press("ArrowLeft")
-    assert changed(page, demo) == set(), "the camera is no part of the state"
-    page.keyboard.press("Shift+ArrowRight")
-    page.keyboard.press("Shift+ArrowUp")
-    assert changed(page, demo)
-    assert changed(page, demo) <= names
 
 
 def axis_on_screen(state: dict[str, float], canvas: Locator) -> Place:
@@ -95,26 +64,19 @@ def test_an_axis_follows_the_pointer_and_elsewhere_the_camera_turns(
         assert axis_on_screen(state_of(page), canvas) == pytest.approx(place, abs=0.01)
 
 
-@pytest.mark.parametrize(
-    ("demo", "shares", "value"),
-    [
-        (FilterDemo(gain=0.1), (0.75, 0.5), {"gain": 0.01}),
-        (DriftDemo(view=1, time=60), (0.5, 0.7), {"time": 3600**0.7}),
-    ],
-    ids=["filter", "drift"],
-)
-def test_a_line_in_a_chart_is_moved(
-    visit: Visit, page_of: PageOf, demo: Demo, shares: Place, value: dict[str, float]
-) -> None:
-    page = visit(page_of(demo))
-    canvas = page.locator("canvas")
-    box = canvas.bounding_box()
-    assert box is not None
-    left = {"filter": 44, "drift": 46}[demo.element]
-    ends = [(left + share * (box["width"] - 14 - left)) / box["width"] for share in shares]
-    drag(canvas, *((end, 0.7) for end in ends))
-    assert changed(page, demo) == {*value}
-    assert {name: state_of(page)[name] for name in value} == pytest.approx(value, rel=0.05)
+def test_a_line_in_a_chart_is_moved(visit: Visit, page_of: PageOf) -> None:
+    page = visit(page_of(FilterDemo(gain=0.1), DriftDemo(view=1, time=60)))
+    for demo, left, shares, name, value in (
+        ("filter", 44, (0.75, 0.5), "gain", 0.01),
+        ("drift", 46, (0.5, 0.7), "time", 3600**0.7),
+    ):
+        part = page.locator(f'[data-demo="{demo}"]')
+        before, canvas = state_of(part), part.locator("canvas")
+        box = canvas.bounding_box()
+        assert box is not None
+        ends = [(left + share * (box["width"] - 14 - left)) / box["width"] for share in shares]
+        drag(canvas, *((end, 0.7) for end in ends))
+        assert state_of(part) == before | {name: pytest.approx(value, rel=0.05)}
 
 
 def test_a_sensor_turned_by_hand_grows_its_cloud(visit: Visit, page_of: PageOf) -> None:
@@ -125,38 +87,75 @@ def test_a_sensor_turned_by_hand_grows_its_cloud(visit: Visit, page_of: PageOf) 
     assert 0 < len(str(few["turned"])) // 4 < 10
     expect(output(page, "meaning")).to_contain_text("A fit needs 10 at least")
     expect(output(page, "error_after")).to_have_text("–")
-    drag(canvas, (0.15, 0.15), (0.5, 0.2), (0.2, 0.6), (0.7, 0.5), (0.1, 0.1), (0.9, 0.9))
+    drag(canvas, (0.15, 0.15), (0.5, 0.2), (0.2, 0.6), (0.7, 0.5))
     more = state_of(page)
     assert str(more["turned"]).startswith(str(few["turned"])[:-4])
     numbers = MagnetometerDemo(**more).readouts()
     for name, value in numbers.items():
         expect(output(page, name)).to_have_text(rounded(value))
     # It is in the address, and a slider of the walk brings the walk back.
-    page.wait_for_function("location.hash.includes('turned=')")
+    page.wait_for_function("(turned) => location.hash.endsWith(turned)", arg=more["turned"])
     page.reload()
     assert state_of(page) == more
     slider(page, "tilt").press("ArrowLeft")
     assert state_of(page)["turned"] == ""
 
 
-def test_a_finger_holds_and_the_page_stays(visit: Visit, page_of: PageOf) -> None:
-    page = visit(page_of(MagnetometerDemo()), width=390, has_touch=True, is_mobile=True)
-    prevented = page.evaluate(
-        """() => {
-          const canvas = document.querySelector("canvas");
-          const { left, top, width } = canvas.getBoundingClientRect();
-          return [0.15, 0.5].map((part) => {
-            const at = { clientX: left + part * width, clientY: top + part * width, pointerId: 1 };
-            canvas.setPointerCapture = () => {};
-            canvas.dispatchEvent(new PointerEvent("pointerdown", at));
-            const touch = new TouchEvent("touchstart", { cancelable: true });
-            canvas.dispatchEvent(touch);
-            canvas.dispatchEvent(new PointerEvent("pointerup", at));
-            return touch.defaultPrevented;
-          });
-        }"""
-    )
-    assert prevented == [True, False]
+HELD = """(part) => {
+  const canvas = part.querySelector("canvas");
+  part.scrollIntoView();
+  const { left, top, width, height } = canvas.getBoundingClientRect();
+  const places = { held: [], free: [] };
+  for (let x = left + 6; x < left + width - 6; x += 12)
+    for (let y = top + 6; y < top + height - 6; y += 12) {
+      canvas.dispatchEvent(new PointerEvent("pointermove", { clientX: x, clientY: y }));
+      places[canvas.classList.contains("chr-holds") ? "held" : "free"].push([x, y]);
+    }
+  const middle = (all) => all.length && all[Math.floor(all.length / 2)];
+  return [middle(places.held), places.free.findLast(([, y]) => y > top + 0.7 * height)];
+}"""
+"""A place where a picture can be taken hold of, and one low down where it cannot."""
+
+
+AT_REST = """async () => {
+  for (let [last, still] = [NaN, 0]; still < 5; last = scrollY) {
+    await new Promise((done) => requestAnimationFrame(done));
+    still = scrollY === last ? still + 1 : 0;
+  }
+  return scrollY;
+}"""
+"""Where the page stands once it no longer scrolls: it goes on when a finger has left it."""
+
+
+def test_a_finger_holds_and_elsewhere_the_page_scrolls(visit: Visit, page_of: PageOf) -> None:
+    demos = (*HELD_BY_KEYS, FilterDemo, DriftDemo)
+    page = visit(
+        page_of(*(demo(**{"view": 1} if demo is DriftDemo else {}) for demo in demos)),
+        width=390, has_touch=True, is_mobile=True,
+    )  # fmt: skip
+    page.evaluate("document.body.style.paddingBottom = '2000px'")
+    fingers = page.context.new_cdp_session(page)
+
+    def swipe(place: Place, by: Place) -> float:
+        """Move a finger, and return how far the page has scrolled."""
+        before = page.evaluate("scrollY")
+        for i in range(9):
+            at = {"x": place[0] + i * by[0] / 8, "y": place[1] + i * by[1] / 8}
+            kind = "touchMove" if i else "touchStart"
+            fingers.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": [at]})
+        fingers.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+        return float(page.evaluate(AT_REST)) - before
+
+    for demo in demos:
+        part = page.locator(f'[data-demo="{demo.element}"]')
+        before = state_of(part)
+        held, free = part.evaluate(HELD)
+        assert swipe(held, (24, -40)) == 0, demo
+        assert state_of(part) != before, demo
+        moved = state_of(part)
+        held, free = part.evaluate(HELD)
+        assert swipe(free, (0, -60)) > 20, demo
+        assert state_of(part) == moved, demo
 
 
 def test_attitudes_that_are_none_are_refused(visit: Visit, page_of: PageOf) -> None:
