@@ -4,6 +4,8 @@ import functools
 import sys
 import threading
 from collections.abc import Callable, Iterator
+from contextlib import ExitStack
+from functools import cache
 from http import HTTPStatus
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
@@ -127,15 +129,32 @@ def program(rules: ModuleType) -> Callable[[str], str]:
 
 
 # Playwright keeps an event loop running in its thread, which notebooks' kernels cannot stand: so
-# a browser lives for one module, and is gone before nbval begins.
+# a browser lives for the tests of one folder, and is gone before nbval begins.
+RUNNING = ExitStack()
+
+
+@cache
+def chromium(path: str) -> Browser:
+    """Launch a browser, or give the one that runs."""
+    RUNNING.callback(chromium.cache_clear)
+    playwright = RUNNING.enter_context(sync_playwright())
+    launched = playwright.chromium.launch(executable_path=path, args=CHROMIUM_FLAGS)
+    RUNNING.callback(launched.close)
+    return launched
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_teardown(item: pytest.Item, nextitem: pytest.Item | None) -> Iterator[None]:
+    """Close the browser when the tests of a folder are over."""
+    yield
+    if nextitem is None or nextitem.path.parent != item.path.parent:
+        RUNNING.close()
+
+
 @pytest.fixture(scope="module")
-def browser(program: Callable[[str], str]) -> Iterator[Browser]:
+def browser(program: Callable[[str], str]) -> Browser:
     """Debian's Chromium."""
-    path = program("chromium")
-    with sync_playwright() as playwright:
-        launched = playwright.chromium.launch(executable_path=path, args=CHROMIUM_FLAGS)
-        yield launched
-        launched.close()
+    return chromium(program("chromium"))
 
 
 Visit = Callable[..., Page]

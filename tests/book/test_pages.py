@@ -4,7 +4,6 @@ import re
 from collections.abc import Callable
 from pathlib import Path
 
-import pytest
 import yaml
 from playwright.sync_api import Page, expect
 
@@ -67,35 +66,40 @@ def test_each_chapter_is_a_page_and_nothing_else_is(book: Path) -> None:
 def looked_at(page: Page) -> None:
     """Fail on a formula not set, a picture without words and a dead demo."""
     left_over = page.evaluate(LEFT_OVER)
-    assert "$" not in left_over
-    assert "\\" not in left_over
-    assert page.locator("img:not([alt]), img[alt='']").count() == 0
+    assert "$" not in left_over, page.url
+    assert "\\" not in left_over, page.url
+    assert page.locator("img:not([alt]), img[alt='']").count() == 0, page.url
     demos = page.locator("[data-demo]").count()
-    assert page.locator("[data-demo] > .chr-demo").count() == demos
+    assert page.locator("[data-demo] > .chr-demo").count() == demos, page.url
 
 
 # `visit` fails on any request to elsewhere, missing file or error on the console.
-@pytest.mark.parametrize("name", PAGES)
-def test_page_stands_by_itself(
-    visit: Visit, served: str, name: str, record_property: Callable[[str, object], None]
+# One browser tab goes through all pages: a new one for each would take twice the time.
+def test_each_page_stands_by_itself(
+    visit: Visit, served: str, record_property: Callable[[str, object], None]
 ) -> None:
-    page = visit(served + name, color_scheme="light")
-    weight = page.evaluate(WEIGHT)
-    record_property("measured", f"{name} {weight / 1000:.0f} kB")
-    plain = page.locator("math").count() == 0
-    assert 300_000 < weight <= LIMITS.get(name, LIGHT if plain else LARGEST)
-    looked_at(page)
-    for width in (1280, 390):
-        page.set_viewport_size({"width": width, "height": 900})
-        assert page.evaluate("document.documentElement.scrollWidth") <= width
-        assert page.evaluate(TOO_WIDE) == []
-        page.evaluate("new Promise(requestAnimationFrame)")  # the page has seen its width
-        assert page.evaluate(OUT_OF_REACH) == []
+    page = visit("about:blank", color_scheme="light")
+    for name in PAGES:
+        page.set_viewport_size({"width": 1280, "height": 900})
+        page.goto(served + name)
+        weight = page.evaluate(WEIGHT)
+        record_property("measured", f"{name} {weight / 1000:.0f} kB")
+        plain = page.locator("math").count() == 0
+        assert 300_000 < weight <= LIMITS.get(name, LIGHT if plain else LARGEST), name
+        looked_at(page)
+        for width in (1280, 390):
+            page.set_viewport_size({"width": width, "height": 900})
+            assert page.evaluate("document.documentElement.scrollWidth") <= width, name
+            assert page.evaluate(TOO_WIDE) == [], (name, width)
+            page.evaluate("new Promise(requestAnimationFrame)")  # the page has seen its width
+            assert page.evaluate(OUT_OF_REACH) == [], (name, width)
 
 
-@pytest.mark.parametrize("name", FROM_DISK)
-def test_page_stands_from_the_disk(visit: Visit, book: Path, name: str) -> None:
-    looked_at(visit((book / name).as_uri(), color_scheme="dark"))
+def test_pages_stand_from_the_disk(visit: Visit, book: Path) -> None:
+    page = visit("about:blank", color_scheme="dark")
+    for name in FROM_DISK:
+        page.goto((book / name).as_uri())
+        looked_at(page)
 
 
 def test_pages_with_scripts_of_their_own_are_tried_from_the_disk(book: Path) -> None:

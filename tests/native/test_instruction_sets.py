@@ -1,6 +1,6 @@
 """Kernels built for one instruction set or another give the bits of the kernels that run.
 
-Those chose the best set of this processor. The plainest is built here, with less optimisation for
+Those chose the best set of this processor. The plainest is built here, without optimisation for
 the sake of time, which must not change a bit either; with `--full` each one as the package does.
 """
 
@@ -21,7 +21,7 @@ FLAGS = (
     *("-std=c99", "-ftree-vectorize", "-fvect-cost-model=dynamic"),
     *("-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math", "-shared", "-fPIC"),
 )
-LEVELS = {"x86-64": "-O1"}
+LEVELS = {"x86-64": "-O0"}
 ALL_LEVELS = {"x86-64": "-O3", "x86-64-v3": "-O3", "x86-64-v4": "-O3"}
 SOURCE = f"""\
 #include "{ROOT}/chr_notes/generated/c/kernels.c"

@@ -2,7 +2,7 @@
 
 from types import MappingProxyType
 
-from sympy import Function, ImmutableMatrix, Integral, MatrixSymbol, Symbol, exp, oo, simplify, sin
+from sympy import Function, ImmutableMatrix, Integral, MatrixSymbol, Symbol, exp, oo, sin
 
 from chr_notes.derivations import averaging as derived
 from chr_notes.derivations import dead_reckoning
@@ -46,9 +46,7 @@ MEAN_OF_MOTION = Told(
     ),
     MappingProxyType(
         {
-            FORCE: (rotation("B", "I") * dead_reckoning.accelerometer_reading()).applyfunc(
-                simplify
-            ),
+            FORCE: rotation("B", "I") * dead_reckoning.accelerometer_reading(),
             MEAN: derived.mean_acceleration(),
             LEAN: derived.mean_motion_error(),
         }
