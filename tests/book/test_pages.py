@@ -4,6 +4,7 @@ import re
 from collections.abc import Callable
 from pathlib import Path
 
+import pytest
 import yaml
 from playwright.sync_api import Page, expect
 
@@ -74,25 +75,22 @@ def looked_at(page: Page) -> None:
 
 
 # `visit` fails on any request to elsewhere, missing file or error on the console.
-# One browser tab goes through all pages: a new one for each would take twice the time.
-def test_each_page_stands_by_itself(
-    visit: Visit, served: str, record_property: Callable[[str, object], None]
+@pytest.mark.parametrize("name", PAGES)
+def test_page_stands_by_itself(
+    visit: Visit, served: str, name: str, record_property: Callable[[str, object], None]
 ) -> None:
-    page = visit("about:blank", color_scheme="light")
-    for name in PAGES:
-        page.set_viewport_size({"width": 1280, "height": 900})
-        page.goto(served + name)
-        weight = page.evaluate(WEIGHT)
-        record_property("measured", f"{name} {weight / 1000:.0f} kB")
-        plain = page.locator("math").count() == 0
-        assert 300_000 < weight <= LIMITS.get(name, LIGHT if plain else LARGEST), name
-        looked_at(page)
-        for width in (1280, 390):
-            page.set_viewport_size({"width": width, "height": 900})
-            assert page.evaluate("document.documentElement.scrollWidth") <= width, name
-            assert page.evaluate(TOO_WIDE) == [], (name, width)
-            page.evaluate("new Promise(requestAnimationFrame)")  # the page has seen its width
-            assert page.evaluate(OUT_OF_REACH) == [], (name, width)
+    page = visit(served + name, color_scheme="light")
+    weight = page.evaluate(WEIGHT)
+    record_property("measured", f"{name} {weight / 1000:.0f} kB")
+    plain = page.locator("math").count() == 0
+    assert 300_000 < weight <= LIMITS.get(name, LIGHT if plain else LARGEST)
+    looked_at(page)
+    for width in (1280, 390):
+        page.set_viewport_size({"width": width, "height": 900})
+        assert page.evaluate("document.documentElement.scrollWidth") <= width
+        assert page.evaluate(TOO_WIDE) == []
+        page.evaluate("new Promise(requestAnimationFrame)")  # the page has seen its width
+        assert page.evaluate(OUT_OF_REACH) == []
 
 
 def test_pages_stand_from_the_disk(visit: Visit, book: Path) -> None:
