@@ -7,6 +7,7 @@ from sympy import (
     Le,
     MatAdd,
     MatMul,
+    MatrixSymbol,
     Rational,
     cos,
     pi,
@@ -37,21 +38,25 @@ from chr_notes.printed import dead_reckoning_claims as claims
 from chr_notes.printed.statement import InOrder
 from chr_notes.symbols import T, g, m, phi, psi, theta
 
-RESIDUE_OF_TILT = Step(
-    "At rest the accelerometer reads minus gravity. Turned by an attitude of which the vertical is "
-    "off by ε, it does not cancel the gravity that is added: along the ground g sin ε stays, in "
-    "the direction of the tilt, and a little along the vertical.",
-    Eq(
-        printed.RESIDUE,
-        ImmutableMatrix(
-            [
-                g * sin(derived.tilt_error) * cos(derived.azimuth),
-                g * sin(derived.tilt_error) * sin(derived.azimuth),
-                g * (1 - cos(derived.tilt_error)),
-            ]
+
+def tilt_leaves(residue: MatrixSymbol) -> Step:
+    """Tell what an error of tilt leaves of gravity at rest, under the name that it has."""
+    return Step(
+        "At rest the accelerometer reads minus gravity. Turned by an attitude of which the "
+        "vertical is off by ε, it does not cancel the gravity that is added: along the ground "
+        "g sin ε stays, in the direction of the tilt, and a little along the vertical.",
+        Eq(
+            residue,
+            ImmutableMatrix(
+                [
+                    g * sin(derived.tilt_error) * cos(derived.azimuth),
+                    g * sin(derived.tilt_error) * sin(derived.azimuth),
+                    g * (1 - cos(derived.tilt_error)),
+                ]
+            ),
         ),
-    ),
-)
+    )
+
 
 HELD = (
     "An estimate by Euler integration, as in the note on attitude estimation: the rate of change "
@@ -131,9 +136,12 @@ SETTLED = (
         steps=(
             Step(
                 "With the acceleration held through one period, each component gains its area.",
-                Eq(
-                    Integral(derived.ACCELERATION[0], (derived.t, 0, T)),
-                    T * derived.ACCELERATION[0],
+                InOrder(
+                    Eq(printed.A_K, derived.ACCELERATION),
+                    Eq(
+                        Integral(derived.ACCELERATION[0], (derived.t, 0, T)),
+                        T * derived.ACCELERATION[0],
+                    ),
                 ),
             ),
             Step(
@@ -149,22 +157,27 @@ SETTLED = (
         steps=(
             Step(
                 "With the velocity held through one period, each component gains its area.",
-                Eq(Integral(derived.VELOCITY[0], (derived.t, 0, T)), T * derived.VELOCITY[0]),
+                InOrder(
+                    Eq(printed.V_K, derived.VELOCITY),
+                    Eq(Integral(derived.VELOCITY[0], (derived.t, 0, T)), T * derived.VELOCITY[0]),
+                ),
             ),
             Step(
-                "With an acceleration a that changes at the rate j meanwhile, this is what the "
+                "With a constant acceleration from rest, here to the north, n of the note's two "
+                "steps add up to the exact ½ a (nT)² less a remainder, as if each velocity came "
+                "one period late.",
+                Eq(
+                    SUMMED_POSITION,
+                    derived.ACCELERATION[0] * (derived.n * T) ** 2 / 2
+                    - derived.ACCELERATION[0] * T * (derived.n * T) / 2,
+                ),
+            ),
+            Step(
+                "With an acceleration a that changes at the rate j meanwhile, this is what one "
                 "step leaves out.",
                 Eq(
                     MatAdd(EXACT_POSITION, -printed.R_NEXT),
                     T**2 / 2 * derived.ACCELERATION + T**3 / 6 * derived.JERK,
-                ),
-            ),
-            Step(
-                "With a constant acceleration from rest, n of the note's two steps add up to the "
-                "exact ½ a (nT)² less a remainder, as if each velocity came one period late.",
-                Eq(
-                    SUMMED_POSITION,
-                    derived.a * (derived.n * T) ** 2 / 2 - derived.a * T * (derived.n * T) / 2,
                 ),
             ),
         ),
@@ -201,7 +214,7 @@ SETTLED = (
     ),
     Case(
         "dead_reckoning.4.g",
-        steps=(RESIDUE_OF_TILT,),
+        steps=(tilt_leaves(printed.RESIDUE),),
         remark="In general: here with some error of tilt. An error of yaw alone turns everything "
         "about the vertical, and gravity with it into itself: at rest nothing is left over.",
     ),
@@ -209,7 +222,7 @@ SETTLED = (
     Case(
         "dead_reckoning.4.i",
         steps=(
-            RESIDUE_OF_TILT,
+            tilt_leaves(claims.BY_TILT),
             Step(
                 "An error of yaw turns a level acceleration a, here to the north, about the "
                 "vertical: this is what it is off by.",

@@ -100,7 +100,9 @@ READ = reading(
         printed.RESIDUE: derived.residual_acceleration,
         claims.BY_TILT: derived.residual_acceleration,
         claims.BY_YAW: error_by_yaw,
-        SUMMED_POSITION: derived.position_by_steps,
+        SUMMED_POSITION: lambda: derived.position_by_steps().subs(
+            derived.a, derived.ACCELERATION[0]
+        ),
         **table_1.MEANING,
     },
     presumed=(

@@ -35,7 +35,7 @@ from chr_notes.ledger.shared_steps import felt, held
 from chr_notes.printed import BY_ID, DOCUMENTS
 from chr_notes.printed import estimation as printed
 from chr_notes.printed import estimation_claims as claims
-from chr_notes.printed.statement import InOrder, Rotation
+from chr_notes.printed.statement import InOrder, Rotation, chain
 from chr_notes.symbols import (
     ACCELEROMETER,
     BODY_RATES,
@@ -173,7 +173,11 @@ SETTLED = (
             Step(
                 "If gravity were the only force, F would be the force of gravity, and the model "
                 "of the reading would give zero. That is free fall.",
-                Eq(FREE_FALL, ZeroMatrix(3, 1)),
+                chain(
+                    FREE_FALL,
+                    MatMul(1 / m, MatAdd(printed.F_G, MatMul(-1, printed.F_G), evaluate=False)),
+                    ZeroMatrix(3, 1),
+                ),
             ),
             Step(
                 "F = 0 says that something holds the body against gravity. This force is what the "

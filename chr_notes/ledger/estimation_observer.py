@@ -82,9 +82,18 @@ SETTLED = (
                 ),
             ),
             Step(
-                "The powers die out. The error stops growing where a step leaves it as it is, and "
-                "there it is not zero.",
+                "A step leaves the error as it is at this size, which is not zero.",
                 Eq(SETTLED_ERROR, (1 - printed.L) / printed.L * derived.bias * T),
+            ),
+            Step(
+                "From one step to the next the error grows by a share of what it lacks of that. "
+                "The powers die out, and with them the growth.",
+                Eq(
+                    printed.GROWTH,
+                    printed.L
+                    * (1 - printed.L) ** printed.n
+                    * (SETTLED_ERROR - derived.start_error),
+                ),
             ),
         ),
         remark="Both sensors are combined, so the gain is not zero. (With L = 0, says the note, "

@@ -4,10 +4,12 @@
 """
 
 from sympy import (
+    Expr,
     Identity,
     ImmutableMatrix,
     MatAdd,
     MatMul,
+    MatrixSymbol,
     Transpose,
     cos,
     sin,
@@ -44,6 +46,19 @@ YAW_AND_PITCH = ImmutableMatrix(
         [sin(theta) * cos(psi), sin(theta) * sin(psi), cos(theta)],
     ]
 )
+
+
+def projected(axes: tuple[MatrixSymbol, ...], turned: int, matrix: Rotation, *to: Expr) -> Step:
+    """Tell that the rows of a matrix are the new axes: what it takes a vector to, one by one."""
+    return Step(
+        PROJECTED,
+        InOrder(
+            equation(MatMul(Transpose(axes[turned]), VECTOR), ImmutableMatrix([to[turned]])),
+            equation(MatMul(matrix, VECTOR), ImmutableMatrix(to)),
+        ),
+    )
+
+
 UNDONE = Step(
     "A turn is undone by the same turn the other way round; so are the other two.",
     equation(MatMul(Rotation("I", "v1", -psi), printed.R_YAW), Identity(3)),
@@ -96,18 +111,13 @@ SETTLED = (
                     equation(AXES_V1[1], ImmutableMatrix([-sin(psi), cos(psi), 0])),
                 ),
             ),
-            Step(
-                PROJECTED,
-                equation(
-                    MatMul(printed.R_YAW, VECTOR),
-                    ImmutableMatrix(
-                        [
-                            cos(psi) * VECTOR[0] + sin(psi) * VECTOR[1],
-                            -sin(psi) * VECTOR[0] + cos(psi) * VECTOR[1],
-                            VECTOR[2],
-                        ]
-                    ),
-                ),
+            projected(
+                AXES_V1,
+                0,
+                printed.R_YAW,
+                cos(psi) * VECTOR[0] + sin(psi) * VECTOR[1],
+                -sin(psi) * VECTOR[0] + cos(psi) * VECTOR[1],
+                VECTOR[2],
             ),
         ),
     ),
@@ -122,18 +132,13 @@ SETTLED = (
                     equation(AXES_V2[2], ImmutableMatrix([sin(theta), 0, cos(theta)])),
                 ),
             ),
-            Step(
-                PROJECTED,
-                equation(
-                    MatMul(printed.R_PITCH, VECTOR),
-                    ImmutableMatrix(
-                        [
-                            cos(theta) * VECTOR[0] - sin(theta) * VECTOR[2],
-                            VECTOR[1],
-                            sin(theta) * VECTOR[0] + cos(theta) * VECTOR[2],
-                        ]
-                    ),
-                ),
+            projected(
+                AXES_V2,
+                0,
+                printed.R_PITCH,
+                cos(theta) * VECTOR[0] - sin(theta) * VECTOR[2],
+                VECTOR[1],
+                sin(theta) * VECTOR[0] + cos(theta) * VECTOR[2],
             ),
         ),
     ),
@@ -184,18 +189,13 @@ SETTLED = (
                     equation(AXES_B[2], ImmutableMatrix([0, -sin(phi), cos(phi)])),
                 ),
             ),
-            Step(
-                PROJECTED,
-                equation(
-                    MatMul(printed.R_ROLL, VECTOR),
-                    ImmutableMatrix(
-                        [
-                            VECTOR[0],
-                            cos(phi) * VECTOR[1] + sin(phi) * VECTOR[2],
-                            -sin(phi) * VECTOR[1] + cos(phi) * VECTOR[2],
-                        ]
-                    ),
-                ),
+            projected(
+                AXES_B,
+                1,
+                printed.R_ROLL,
+                VECTOR[0],
+                cos(phi) * VECTOR[1] + sin(phi) * VECTOR[2],
+                -sin(phi) * VECTOR[1] + cos(phi) * VECTOR[2],
             ),
         ),
     ),

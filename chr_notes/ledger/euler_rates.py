@@ -109,9 +109,10 @@ SETTLED = (
         steps=(
             SUM,
             Step(
-                "Take the readings from the Euler rates: this is left.",
+                "D less the identity makes of the readings what they lack of the Euler rates. This "
+                "is not zero.",
                 equation(
-                    MatAdd(printed.RATES, MatMul(-1, printed.GYROS)),
+                    MatMul(MatAdd(printed.D, -Identity(3)), printed.GYROS),
                     ImmutableMatrix(
                         [
                             yaw_rate * sin(theta),

@@ -22,6 +22,7 @@ from sympy import Abs, And, Basic, Dummy, Eq, Limit, MatrixBase, sympify, togeth
 from sympy.logic.boolalg import Boolean
 
 from chr_notes.ledger.case import CannotJudgeError, Case, Reading
+from chr_notes.ledger.chain import check_steps
 from chr_notes.ledger.checks import (
     check_conditions,
     check_definition,
@@ -97,6 +98,8 @@ def _entry(case: Case) -> Entry:
     check_root(case, failing=failing)
     if failing:
         check_weight(case)
+    derivation = tuple(_step(case, place) for place in range(len(case.steps)))
+    check_steps(case)
     readings = tuple(_reading(case, each) for each in case.readings)
     if readings and verdict != "corrected" and not readings[0][1]:
         msg = f"{case.id}: {verdict}, yet it does not hold under the first of its readings"
@@ -122,7 +125,7 @@ def _entry(case: Case) -> Entry:
         undefined=undefined_where(case) if verdict == "proved" else None,
         witness=witness(case) if failing else None,
         method=method + (", by the first of the readings" if readings else ""),
-        derivation=tuple(_step(case, place) for place in range(len(case.steps))),
+        derivation=derivation,
         readings=readings,
         remark=case.remark,
     )

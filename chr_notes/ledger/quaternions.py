@@ -34,12 +34,11 @@ from chr_notes.printed import BY_ID, DOCUMENTS
 from chr_notes.printed import quaternions as printed
 from chr_notes.printed import quaternions_claims as claims
 from chr_notes.printed.hamilton import Conjugate, Product, Pure, Reciprocal
-from chr_notes.printed.statement import Rotation
+from chr_notes.printed.statement import InOrder, Rotation
 from chr_notes.symbols import (
     FIRST,
     VECTOR,
     a,
-    alpha,
     b,
     c,
     d,
@@ -56,7 +55,8 @@ NORTH = dict(zip(VECTOR, X, strict=True))
 
 S, T = symbols("s t", real=True)
 TURN_ABOUT_Z = ImmutableMatrix([S, 0, 0, T])
-TURN_ABOUT_AXIS = ImmutableMatrix([cos(alpha / 2), *(sin(alpha / 2) * UNIT_AXIS)])
+HALF_ABOUT_Z = {S: cos(printed.TURN / 2), T: sin(printed.TURN / 2)}
+TURN_ABOUT_AXIS = ImmutableMatrix([cos(printed.TURN / 2), *(sin(printed.TURN / 2) * UNIT_AXIS)])
 
 CONTRADICTION = (
     "Sections 3 and 4 of the note contradict each other. Take a yaw of 90°, nose to the east, "
@@ -73,15 +73,21 @@ SETTLED = (
             Step(
                 "To turn a vector about an axis, leave its part along the axis as it is and let "
                 "the part across it go round a circle. Turned about z, x moves towards y.",
-                Eq(X_TURNED, ImmutableMatrix([cos(alpha), sin(alpha), 0])),
+                Eq(X_TURNED, ImmutableMatrix([cos(printed.TURN), sin(printed.TURN), 0])),
             ),
             Step(
-                "Multiplied out, q v q* with q = s + t k makes of x the vector below. So s² − t² "
-                "must be the cosine of the angle and 2st its sine: s and t are the cosine and "
-                "the sine of half the angle.",
-                Eq(
-                    Product(TURN_ABOUT_Z, Pure(X), Conjugate(TURN_ABOUT_Z)),
-                    ImmutableMatrix([0, S**2 - T**2, 2 * S * T, 0]),
+                "Multiplied out, q v q* with q = s + t k makes of x a vector with s² − t² and 2st. "
+                "The first must be the cosine of the angle and the second its sine: s and t are "
+                "the cosine and the sine of half the angle.",
+                InOrder(
+                    Eq(
+                        Product(TURN_ABOUT_Z, Pure(X), Conjugate(TURN_ABOUT_Z)),
+                        ImmutableMatrix([0, S**2 - T**2, 2 * S * T, 0]),
+                    ),
+                    Eq(
+                        Pure(X_TURNED),
+                        ImmutableMatrix([0, S**2 - T**2, 2 * S * T, 0]).subs(HALF_ABOUT_Z),
+                    ),
                 ),
             ),
             Step(
@@ -127,9 +133,22 @@ SETTLED = (
             Step(
                 "The attitude quaternion turns the inertial axes to the body axes. With a yaw the "
                 "nose, x in the body frame, points to where q v q* takes x.",
-                Eq(
-                    Product(YAW_ONLY, Pure(X), Conjugate(YAW_ONLY)),
-                    ImmutableMatrix([0, cos(YAW), sin(YAW), 0]),
+                InOrder(
+                    Eq(
+                        Product(printed.Q, Pure(X), Conjugate(printed.Q)),
+                        ImmutableMatrix(
+                            [
+                                0,
+                                a**2 + b**2 - c**2 - d**2,
+                                2 * b * c + 2 * a * d,
+                                2 * b * d - 2 * a * c,
+                            ]
+                        ),
+                    ),
+                    Eq(
+                        Product(YAW_ONLY, Pure(X), Conjugate(YAW_ONLY)),
+                        ImmutableMatrix([0, cos(YAW), sin(YAW), 0]),
+                    ),
                 ),
             ),
             Step(

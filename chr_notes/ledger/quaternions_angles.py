@@ -6,6 +6,7 @@ from chr_notes.derivations import quaternions as derived
 from chr_notes.derivations.steps import Step
 from chr_notes.ledger.case import Case
 from chr_notes.ledger.quaternions_reading import (
+    READ,
     READ_AT_ITS_WORD,
     READ_AT_LOCK,
     READ_ORDERS,
@@ -14,16 +15,17 @@ from chr_notes.ledger.quaternions_reading import (
 )
 from chr_notes.printed import quaternions_claims as claims
 from chr_notes.printed.statement import Approximately
-from chr_notes.symbols import QUATERNION, Angle, a, b, c, d, phi, psi, theta
+from chr_notes.symbols import Angle, phi, psi, theta
 
-# The angles of the three turns, as distinct from those that a formula finds.
+# The angles of the three turns, and the elements that they make, as distinct from the angles that
+# a formula finds of any elements.
 ROLL, PITCH, YAW = OWN_ANGLES = symbols(r"\phi \theta \psi", real=True, cls=Angle)
-ELEMENTS_BY_TURNS = dict(
-    zip(
-        QUATERNION,
-        derived.from_euler().xreplace(dict(zip((phi, theta, psi), OWN_ANGLES, strict=True))),
-        strict=True,
-    )
+A, B, C, D = OWN_ELEMENTS = symbols("a b c d")  # not those that are known to be real
+BY_TURNS = derived.from_euler().xreplace(dict(zip((phi, theta, psi), OWN_ANGLES, strict=True)))
+READ_TURNS = READ.also(dict(zip(OWN_ELEMENTS, BY_TURNS, strict=True)))
+ELEMENTS = Step(
+    "The quaternion of the three turns, yaw first, is a product of three with half the angles.",
+    Eq(ImmutableMatrix(OWN_ELEMENTS), ImmutableMatrix(BY_TURNS), evaluate=False),
 )
 ALSO = (
     "Sections 3 and 4 of the note contradict each other, see quaternions.3.1. The sensors use the "
@@ -38,20 +40,22 @@ ATAN = (
 
 def _by_turns(left: ImmutableMatrix, right: ImmutableMatrix) -> Step:
     return Step(
-        "Put the quaternion of the three turns in place of a, b, c, d: numerator and denominator "
-        "are sine and cosine of the angle, times the cosine of pitch. That one is not negative "
-        "from −90° to 90°, so it drops out of the quotient and leaves the signs alone.",
-        Eq(left.xreplace(ELEMENTS_BY_TURNS), right, evaluate=False),
+        "With these in place of a, b, c, d numerator and denominator are sine and cosine of the "
+        "angle, times the cosine of pitch. That one is not negative from −90° to 90°, so it drops "
+        "out of the quotient and leaves the signs alone.",
+        Eq(left, right, evaluate=False),
     )
 
 
 SETTLED = (
     Case(
         "quaternions.4.1",
+        READ_TURNS,
         readings=READINGS,
         steps=(
+            ELEMENTS,
             _by_turns(
-                ImmutableMatrix([2 * (a * b + c * d), a**2 - b**2 - c**2 + d**2]),
+                ImmutableMatrix([2 * (A * B + C * D), A**2 - B**2 - C**2 + D**2]),
                 ImmutableMatrix([sin(ROLL) * cos(PITCH), cos(ROLL) * cos(PITCH)]),
             ),
         ),
@@ -59,12 +63,14 @@ SETTLED = (
     ),
     Case(
         "quaternions.4.2",
+        READ_TURNS,
         readings=READINGS,
         steps=(
+            ELEMENTS,
             Step(
-                "Put the quaternion of the three turns in place of a, b, c, d: what stands in the "
-                "brackets is minus the sine of pitch.",
-                Eq((2 * (b * d - a * c)).xreplace(ELEMENTS_BY_TURNS), -sin(PITCH), evaluate=False),
+                "With these in place of a, b, c, d what stands in the brackets is minus the sine "
+                "of pitch.",
+                Eq(2 * (B * D - A * C), -sin(PITCH), evaluate=False),
             ),
         ),
         remark="Pitch lies between −90° and 90°, as the arcsine does. In rounded numbers the "
@@ -72,10 +78,12 @@ SETTLED = (
     ),
     Case(
         "quaternions.4.3",
+        READ_TURNS,
         readings=READINGS,
         steps=(
+            ELEMENTS,
             _by_turns(
-                ImmutableMatrix([2 * (a * d + b * c), a**2 + b**2 - c**2 - d**2]),
+                ImmutableMatrix([2 * (A * D + B * C), A**2 + B**2 - C**2 - D**2]),
                 ImmutableMatrix([sin(YAW) * cos(PITCH), cos(YAW) * cos(PITCH)]),
             ),
         ),

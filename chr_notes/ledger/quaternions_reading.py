@@ -157,8 +157,8 @@ READ_AXIS = READ.also(
                 strict=True,
             )
         ),
-        X_TURNED: derived.turned(Z, alpha, X),
-        claims.TURNED: derived.turned(UNIT_AXIS, alpha, ImmutableMatrix(VECTOR)),
+        X_TURNED: derived.turned(Z, printed.TURN, X),
+        claims.TURNED: derived.turned(UNIT_AXIS, printed.TURN, ImmutableMatrix(VECTOR)),
     }
 )
 READ_ROTATION = READ.also(

@@ -130,7 +130,11 @@ def _corrected_cell(cell: Cell) -> Case:
             edits=(edit,),
             root="cut-off",
             weight="small print",
-            steps=(LEVEL_ACCELERATION, last_digit),
+            steps=(
+                LEVEL_ACCELERATION,
+                last_digit,
+                *(GROWTH[1:2] if COLUMNS[cell.column].quantity == "v" else ()),
+            ),
             remark="Cut off after the last digit instead of rounded.",
         )
     no_half = Step(

@@ -70,7 +70,7 @@ ROTATED_GRAVITY = MatMul(printed.R_IB, printed.G_I)
 def _for_vector(name: str, vector: tuple[S, ...]) -> Eq:
     """Print what an equation gives for another vector than gravity."""
     quotient = BY_ID[name].statement.rhs
-    return Eq(tan(psi), quotient.xreplace(dict(zip(printed.GRAVITY, vector, strict=True))))
+    return Eq(TANGENT, quotient.xreplace(dict(zip(printed.GRAVITY, vector, strict=True))))
 
 
 SETTLED = (

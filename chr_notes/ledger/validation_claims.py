@@ -8,8 +8,10 @@ from sympy import (
     Integer,
     MatMul,
     Ne,
+    Pow,
     Rational,
     S,
+    Subs,
     cos,
     sin,
     sqrt,
@@ -24,6 +26,7 @@ from chr_notes.ledger.edits import Edit
 from chr_notes.ledger.validation_attitude import NO_INFORMATION, ROTATED_GRAVITY, TANGENT
 from chr_notes.ledger.validation_presumed import BIAS, SEEN
 from chr_notes.ledger.validation_reading import (
+    ALTITUDE,
     E_ALONG_FIELD,
     FIELD_X_NORTH,
     GROUND_DIRECTION,
@@ -36,17 +39,19 @@ from chr_notes.ledger.validation_reading import (
     SIGNED_GROWTH,
     SOME_ATTITUDE,
     SOME_FIELD,
-    WEAKENING,
     WITHOUT_YAW,
 )
 from chr_notes.printed import validation as printed
 from chr_notes.printed import validation_claims as claims
-from chr_notes.printed.statement import Approximately, InOrder
+from chr_notes.printed.statement import Approximately, InOrder, chain
 from chr_notes.symbols import (
     g,
     phi,
     theta,
 )
+
+# Of n × M: an error about the axis n makes the field seem to turn.
+VERTICAL_PART = derived.ERROR_AXIS[0] * printed.M_YI - derived.ERROR_AXIS[1] * printed.M_XI
 
 SETTLED = (
     Case("validation.17", definition=True),
@@ -64,14 +69,16 @@ SETTLED = (
         weight="small print",
         steps=(
             Step(
-                "No number is minus its own inverse, for its square would be −1.",
-                Ne(TANGENT**2, -1, evaluate=False),
+                "As formulas, of any components, the two are minus inverse to each other. If both "
+                "were the tangent of one yaw, its square would be −1, and no number has that for a "
+                "square.",
+                InOrder(Eq(claims.BY_6 * claims.BY_7, -1), Ne(TANGENT**2, -1, evaluate=False)),
             ),
             NO_INFORMATION,
             Step(
                 "The reason is this: a turn about the vertical leaves gravity as it is, so what "
                 "the accelerometer reads is the same at every yaw.",
-                Eq(ROTATED_GRAVITY, MatMul(WITHOUT_YAW, printed.G_I)),
+                chain(printed.G_B, ROTATED_GRAVITY, MatMul(WITHOUT_YAW, printed.G_I)),
             ),
         ),
         remark="As formulas, of any three components, equations 6 and 7 are minus inverse to each "
@@ -237,8 +244,15 @@ SETTLED = (
                 ),
             ),
             Step(
-                "A kilometre up it is weaker by half a thousandth only.",
-                Approximately(WEAKENING, "0.9995"),
+                "A height h above the ground it is weaker by the cube of a quotient of distances. "
+                "A kilometre up that is half a thousandth only.",
+                InOrder(
+                    Eq(
+                        claims.HIGH_MAGNITUDE / claims.GROUND_MAGNITUDE,
+                        (derived.radius / (derived.radius + ALTITUDE)) ** 3,
+                    ),
+                    Approximately(Pow(Rational(6371, 6372), 3, evaluate=False), "0.9995"),
+                ),
             ),
         ),
         remark="True, and small. What normalising removes above all is an error of the "
@@ -254,26 +268,28 @@ SETTLED = (
             Step(
                 "Let the attitude be off by a small turn about an axis n. With its sign, before "
                 "the magnitude is taken, the difference changes by the vertical part of n × M.",
-                Eq(
-                    SIGNED_GROWTH,
-                    derived.ERROR_AXIS[0] * printed.M_YI - derived.ERROR_AXIS[1] * printed.M_XI,
+                Eq(SIGNED_GROWTH, VERTICAL_PART),
+            ),
+            Step(
+                "E is its magnitude and begins at zero, so it grows by the magnitude of that. A "
+                "tilt ε about the field's own horizontal direction shows only in second order.",
+                InOrder(
+                    Eq(GROWTH, Abs(SIGNED_GROWTH)),
+                    Eq(GROWTH, Abs(VERTICAL_PART)),
+                    Eq(E_ALONG_FIELD, Abs(printed.M_ZI * (1 - cos(derived.error_angle)))),
                 ),
             ),
             Step(
-                "E is its magnitude and begins at zero, so it grows by the magnitude of that. Yaw "
-                "(n along the vertical) leaves it unchanged, and so does a tilt about the "
-                "horizontal part of the field.",
-                Eq(GROWTH, Abs(SIGNED_GROWTH)),
-            ),
-            Step(
-                "A tilt ε about the field's own horizontal direction shows only by this, which is "
-                "of second order.",
-                Eq(E_ALONG_FIELD, Abs(printed.M_ZI * (1 - cos(derived.error_angle)))),
-            ),
-            Step(
-                "Roll turns about the nose and pitch about a level axis, which only at single "
-                "headings point along the field. Yaw turns about the vertical.",
-                Eq(claims.SHOWN_BY_E, 2),
+                "Yaw turns about the vertical, where n has no level part, and shows nothing. Roll "
+                "turns about the nose and pitch about a level axis, which only at single headings "
+                "point along the field.",
+                InOrder(
+                    Eq(
+                        Subs(Abs(VERTICAL_PART), derived.ERROR_AXIS[:2], (0, 0)),
+                        0,
+                    ),
+                    Eq(claims.SHOWN_BY_E, 2),
+                ),
             ),
         ),
         remark="E is blind to yaw altogether: yaw does not stand in it. Of an error of tilt it "

@@ -113,15 +113,16 @@ SETTLED = (
         weight="small print",
         steps=(
             Step(
-                "The rates belong to the angles of the same moment. That of pitch, by equation 9:",
-                Eq(pitch_rate, q * cos(phi) - r * sin(phi)),
-            ),
-            Step(
-                "With a roll that is late by some angle, it is off by that angle times this slope.",
+                "With a roll that is late by some angle, the rate of pitch is off by that angle "
+                "times this slope.",
                 Eq(
                     Derivative(q * cos(phi) - r * sin(phi), phi),
                     -q * sin(phi) - r * cos(phi),
                 ),
+            ),
+            Step(
+                "For it belongs to the roll of the same moment, by equation 9.",
+                Eq(pitch_rate, q * cos(phi) - r * sin(phi)),
             ),
         ),
         remark="Exact only where roll and pitch are still what they were one loop before. "

@@ -24,7 +24,6 @@ from sympy import (
     cos,
     expand,
     pi,
-    simplify,
     sin,
     symbols,
 )
@@ -58,9 +57,9 @@ ALTITUDE = Symbol("h", positive=True)
 
 # What steps speak of: the matrix of the labels without yaw; any vector that has no part to the
 # north, and one that has none to the east; the field in level axes, forward and right; the field
-# with x to the north; the direction of a dipole's field at the ground and higher up, how much
-# weaker it is there; how fast E grows with an error before its magnitude is taken; E after an error
-# about the field's own direction.
+# with x to the north; the direction of a dipole's field at the ground and higher up; how fast E
+# grows with an error, before its magnitude is taken and after; E after an error about the field's
+# own direction.
 WITHOUT_YAW = MatrixSymbol(r"R_{i}^{b}(\phi, \theta, 0)", 3, 3)
 NOT_NORTH, NOT_EAST = (
     symbols(rf"{name}_{{xb}} {name}_{{yb}} {name}_{{zb}}", real=True) for name in "uw"
@@ -71,7 +70,6 @@ GROUND_DIRECTION, HIGH_DIRECTION = (
     MatrixSymbol(rf"\frac{{\mathbf{{M}}({where})}}{{\lVert\mathbf{{M}}({where})\rVert}}", 3, 1)
     for where in ("0", "h")
 )
-WEAKENING = Symbol(r"\lVert\mathbf{M}(1\,\mathrm{km})\rVert / \lVert\mathbf{M}(0)\rVert")
 SIGNED_GROWTH = Symbol(r"\left.\frac{\partial E_\pm}{\partial\epsilon}\right|_{\epsilon=0}")
 GROWTH = Symbol(r"\left.\frac{\partial E}{\partial\epsilon}\right|_{\epsilon=0^+}", real=True)
 E_ALONG_FIELD = Symbol(r"E_{\text{tilt about the field's horizontal part}}", real=True)
@@ -246,9 +244,6 @@ READ_STEPS = READ.also(
         E_ALONG_FIELD: factor_along_field,
         GROUND_DIRECTION: derived.dipole_direction,
         HIGH_DIRECTION: lambda: derived.dipole_direction().subs(HIGH),
-        WEAKENING: lambda: simplify(
-            derived.dipole_magnitude().subs(derived.radius, 6372) / derived.dipole_magnitude()
-        ).subs(derived.radius, 6371),
     }
 )
 READ_YAW = READ.also(

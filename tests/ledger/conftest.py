@@ -29,7 +29,7 @@ def say(monkeypatch: pytest.MonkeyPatch) -> Say:
         **brought: object,
     ) -> Entry:
         document = tuple(
-            Printed(f"tried.1.{n}", "equation", "nowhere", "A statement.", statement)
+            Printed(f"tried.1.{n}", "claim", "nowhere", "A statement.", statement)
             for n, statement in enumerate(statements, 1)
         )
         monkeypatch.setitem(printed.DOCUMENTS, "tried", document)

@@ -27,6 +27,8 @@ from chr_notes.printed.statement import InOrder
 
 from .tried import FALSE, NAME, READ, ROOTED, Bring, Say, x, y, z
 
+STEPS = (Step("So.", Eq(y * x, x**3)),)
+
 
 def test_a_true_statement_is_proved(say: Say) -> None:
     assert say(Eq(y, x * x)).verdict == "proved"
@@ -67,7 +69,7 @@ def test_a_witness_must_lie_outside_and_fail(say: Say) -> None:
 
 
 def test_a_correction_keeps_what_it_does_not_correct(say: Say) -> None:
-    right = say(FALSE, edits=(Edit(x, x**2),), witness={x: 2}, **ROOTED)
+    right = say(FALSE, edits=(Edit(x, x**2),), witness={x: 2}, steps=STEPS, **ROOTED)
     assert right.verdict == "corrected"
     assert right.correction_latex == r"y = \boxed{x^{2}}"
     with pytest.raises(CannotJudgeError, match="expected in print"):
@@ -144,7 +146,7 @@ def test_of_several_readings_one_must_make_it_true(say: Say) -> None:
     swapped = (replace(readings[0], convention=cube), replace(readings[1], convention=square))
     with pytest.raises(CannotJudgeError, match="under its own reading alone"):
         say(Eq(y, x * x), readings=swapped)
-    wrong: Bring = {"edits": (Edit(x, x**2),), "witness": {x: 2}, **ROOTED}
+    wrong: Bring = {"edits": (Edit(x, x**2),), "witness": {x: 2}, "steps": STEPS, **ROOTED}
     with pytest.raises(CannotJudgeError, match="under none of its readings"):
         say(FALSE, readings=readings, **wrong)
     with pytest.raises(CannotJudgeError, match="under the first of its readings"):
