@@ -10,7 +10,7 @@ Floats = NDArray[np.float64]
 DOUBLE = np.dtype(np.float64)
 
 
-def floats(name: str, value: ArrayLike, *last: int) -> Floats:
+def floats(name: str, value: ArrayLike | float, *last: int) -> Floats:
     """Take an argument as an array of float64 in C order with the given last axes.
 
     Parameters
@@ -33,6 +33,8 @@ def floats(name: str, value: ArrayLike, *last: int) -> Floats:
         axes = value.ndim - len(last)
         if axes >= 0 and value.shape[axes:] == last:  # as is the rule, and quick to see
             return value
+    if isinstance(value, float) and not last:
+        return np.array(value, dtype=np.float64)
     try:
         array = np.asarray(value)
     except ValueError:

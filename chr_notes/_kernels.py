@@ -65,10 +65,10 @@ def completed(compiled: Callable[..., Any] | None, rest: Callable[..., Any]) -> 
     compiled
         The kernel, if there is one.
     rest
-        Takes what the kernel returned, or None, and its arguments.
+        Takes what the kernel returned, or None, and a tuple of its arguments.
     """
     if compiled is None or _MODULE is None:
-        return partial(rest, None)
+        return lambda *given: rest(None, given)
     return _MODULE.completed(compiled, rest)  # type: ignore[no-any-return] # a module of C
 
 
@@ -90,7 +90,7 @@ def of_arrays(step: Callable[..., Any]) -> Callable[..., Any]:
     return partial(_by_numbers, step) if compiled is None else completed(compiled, all_of_it)
 
 
-def all_of_it(done: tuple[Any, bytes] | None, *_: object) -> Any:  # noqa: ANN401 (arrays)
+def all_of_it(done: tuple[Any, bytes] | None, _: object) -> Any:  # noqa: ANN401 (arrays)
     """Take what a kernel of samples has done, whatever samples they were."""
     return done and done[0]
 

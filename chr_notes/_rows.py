@@ -1,11 +1,13 @@
 """Functions that take each row of their arrays by itself: by a kernel, and by NumPy."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from contextvars import Context
+from dataclasses import dataclass, field
 from math import prod
 from typing import Any, Literal
 
 import numpy as np
+from numpy import ndarray
 from numpy.typing import ArrayLike, NDArray
 
 from chr_notes._arrays import DOUBLE, Bools, Floats, check_out, common_shape, floats
@@ -21,27 +23,43 @@ BLOCK = 8192
 _MOST, _LEAST = 2.0**380, 2.0**-380
 _ALONE = 10_000
 _CLOSE = 1e-9  # hence R Rᵀ is within 3e-5
+_NOWHERE = np.empty(0, dtype=np.intp)
 
 
-@dataclass(frozen=True)
+@dataclass
 class Locked:
     """Attitudes at gimbal lock.
 
     Parameters
     ----------
+    every_place
+        Whether to keep the index of each, for which memory grows with their number, or of the
+        first one alone.
     count
         How many there are.
     places
-        Their indices in C order: the first one, or all of them if they were asked for.
+        Their indices in C order.
     """
 
-    count: int
-    places: Places
+    every_place: bool = False
+    count: int = 0
+    places: Places = field(default_factory=lambda: _NOWHERE)
+
+    def add(self, lock: Bools, rows: slice | Places) -> None:
+        """Take note of those among some rows."""
+        count = int(np.count_nonzero(lock))
+        if count and (self.every_place or not self.count):
+            found = np.r_[rows][np.flatnonzero(lock)[: None if self.every_place else 1]]
+            self.places = np.concatenate([self.places, found])
+        self.count += count
 
 
 Told = tuple[Bools | None, Floats | None]
-_NOWHERE = np.zeros((), dtype=np.bool_)
-NONE_LOCKED = Locked(0, np.empty(0, dtype=np.intp))
+_NONE_LOCKED = Locked()
+_FIRST = slice(0, BLOCK)
+# What is run in a copy of it is run under np.errstate(all="ignore"), which takes ten times as long.
+_SILENT = Context()
+_SILENT.run(np.seterr, all="ignore")
 
 
 class Rows:
@@ -85,8 +103,8 @@ class Rows:
         self._lasts = tuple(arrays.values())
         self._names, self._checked = (*names, *tuple(arrays)[len(names) :]), checked
         self._layout = tuple(
-            (last, slice(-len(last) or None), slice(-len(last) or 0, None if last else 0))
-            for last in self._lasts
+            (name, last, slice(-len(last) or None), slice(-len(last) or 0, None if last else 0))
+            for name, last in zip(self._names, self._lasts, strict=True)
         )
         self._rotation, self._scaled, self._degree = rotation, scaled, degree
         self.use(kernel(self.name))
@@ -94,14 +112,11 @@ class Rows:
     def use(self, compiled: Callable[..., Any] | None) -> None:
         """Compute by a kernel, or by NumPy alone."""
         self._kernel = compiled
-        self.compute = completed(compiled, self._rest)
+        self.compute = completed(compiled, self._finished)
 
     def __call__(self, *given: ArrayLike, out: Floats | None = None) -> Floats:
         """Compute; the arguments come in the order of the general function's."""
         return self.compute(*given, out)
-
-    def _rest(self, done: tuple[Floats, bytes] | None, *given: Any) -> Floats:  # noqa: ANN401 (arrays, and one for the result)
-        return self._finished(done, given[:-1], given[-1])[0]
 
     def located(
         self,
@@ -118,8 +133,7 @@ class Rows:
         out
             For the result, if it is to go there.
         every_place
-            Keep the index of each attitude at gimbal lock, for which memory grows with their
-            number, instead of the first one's.
+            Keep the index of each attitude at gimbal lock.
 
         Returns
         -------
@@ -137,78 +151,80 @@ class Rows:
         """
         done = self._kernel(*given, out) if self._kernel is not None else None
         if done.__class__ is np.ndarray:
-            return done, NONE_LOCKED
-        return self._finished(done, given, out, every_place=every_place)
+            return done, _NONE_LOCKED
+        locked = Locked(every_place)
+        return self._finished(done, (*given, out), locked), locked
 
     def _finished(
         self,
         done: Floats | tuple[Floats, bytes] | None,
         given: tuple[Any, ...],
-        out: Floats | None,
-        *,
-        every_place: bool = False,
-    ) -> tuple[Floats, Locked]:
+        locked: Locked | None = None,
+    ) -> Floats:
         """Check and compute what the kernel has left: some rows, or all."""
-        arrays, leading = given, self._leading(given)
-        if leading is None:
-            whole = zip(self._names, given, self._lasts, strict=True)
-            arrays = tuple(floats(name, value, *last) for name, value, last in whole)
-            leading = common_shape(self._names, arrays, tuple(map(len, self._lasts)))
+        arrays, leading = self._arrays(given)
         shape = leading + self._result
+        out: Floats | None = given[-1]
         if out is not None:
             check_out(out, shape)
         if done is None and self._kernel is not None:
             done = self._kernel(*self._as_rows(arrays, leading), None)
         if isinstance(done, np.ndarray):
-            result, locked = done.reshape(shape), NONE_LOCKED
+            result = done.reshape(shape)
         else:
+            silently = _SILENT.copy().run
             result = np.empty(shape) if done is None else done[0].reshape(shape)
-            with np.errstate(all="ignore"):
-                few = done is None and prod(leading) <= BLOCK
-                lock = self._at_once(arrays, result) if few else None
-                if lock is not None:
-                    locked = _places(lock, every_place=every_place)
-                else:
-                    left, rows = done and done[1], self._as_rows(arrays, leading)
-                    locked = self._complete(result, left, rows, leading, every_place=every_place)
+            few = done is None and result.size <= BLOCK
+            if not (few and silently(self._at_once, arrays, result, _FIRST, locked)):
+                left, rows = done and done[1], self._as_rows(arrays, leading)
+                silently(self._complete, result, left, rows, leading, locked)
         if out is None or out is result:
-            return result, locked
+            return result
         np.copyto(out, result)
-        return out, locked
+        return out
 
-    def _leading(self, given: tuple[Any, ...]) -> tuple[int, ...] | None:
-        """Tell the leading axes of arrays that are as they should be; None where one is not."""
+    def _arrays(self, given: tuple[Any, ...]) -> tuple[list[Floats], tuple[int, ...]]:
+        """Take the arguments as arrays, and tell the leading axes of the result."""
+        arrays: list[Floats] = []
         leading: tuple[int, ...] = ()
-        for array, (last, before, behind) in zip(given, self._layout, strict=True):
-            if type(array) is not np.ndarray or array.dtype is not DOUBLE:
-                return None
+        alike = True
+        for value, (name, last, before, behind) in zip(given, self._layout):  # noqa: B905 (slow)
+            array = value
+            if type(value) is not ndarray or value.dtype is not DOUBLE:
+                array = floats(name, value, *last)
             shape = array.shape
-            if shape[behind] != last or not array.flags.c_contiguous:
-                return None
-            own = shape[before]
-            if own and own != leading:
-                if leading:
-                    return None
-                leading = own
-        return leading
+            if shape != last:
+                if shape[behind] != last:
+                    floats(name, value, *last)  # raises
+                own = shape[before]
+                if own != leading:
+                    alike = alike and not leading
+                    leading = own
+            arrays.append(array)
+        if not alike:
+            leading = common_shape(self._names, tuple(arrays), tuple(map(len, self._lasts)))
+        return arrays, leading
 
-    def _as_rows(self, arrays: tuple[Floats, ...], leading: tuple[int, ...]) -> list[Floats]:
+    def _as_rows(self, arrays: list[Floats], leading: tuple[int, ...]) -> list[Floats]:
         return [_rows(a, leading, last) for a, last in zip(arrays, self._lasts, strict=True)]
 
-    def _at_once(self, parts: Sequence[Floats], values: Floats) -> Bools | None:
+    def _at_once(
+        self,
+        parts: Sequence[Floats],
+        values: Floats,
+        rows: slice | Places,
+        locked: Locked | None,
+    ) -> bool:
         """Compute rows of which none is odd.
 
-        Returns
-        -------
-        ndarray or None
-            Which are at gimbal lock; None if a row may have NaN, be zero, no rotation, or of a
-            length whose square is beyond the largest or smallest number.
+        False if a row may have NaN, be zero, no rotation, or of a length whose square is beyond the
+        largest or smallest number.
         """
         whole = 0.0
         for part in parts[self._checked :]:
             flat = part.ravel()
             # Of more numbers BLAS adds up with several threads, for which others have to wait.
-            whole += flat.dot(flat) if flat.size <= _ALONE else np.einsum("i,i", flat, flat)
+            whole += flat.dot(flat) if len(flat) <= _ALONE else np.einsum("i,i", flat, flat)
         most, least = _MOST, _LEAST
         if self._rotation:
             # The determinant is at most the root of the cube of a third of the sum of squares, and
@@ -217,11 +233,13 @@ class Rows:
             count = parts[0].size // 9
             most, least = 3 * count + _CLOSE, 1 - _CLOSE / (count or 1)
         if not whole < most:  # nor is NaN
-            return None
-        locked, guard = self._general(*parts, values)
+            return False
+        lock, guard = self._general(*parts, values)
         if guard is not None and guard.size and not guard.item(guard.argmin()) > least:
-            return None
-        return _NOWHERE if locked is None else locked
+            return False
+        if lock is not None and locked is not None:
+            locked.add(lock, rows)
+        return True
 
     def _complete(
         self,
@@ -229,15 +247,12 @@ class Rows:
         left: bytes | None,
         rows: list[Floats],
         leading: tuple[int, ...],
-        *,
-        every_place: bool,
-    ) -> Locked:
+        locked: Locked | None,
+    ) -> None:
         """Compute what the kernel has left, block by block."""
         count = prod(leading)
         flat = result.reshape(count, *self._result)
         odd = None if left is None else np.frombuffer(left, dtype=np.bool_)
-        locked = 0
-        places: list[Places] = []
         for start in range(0, count, BLOCK):
             block: slice | Places = slice(start, min(start + BLOCK, count))
             if odd is not None:
@@ -247,8 +262,8 @@ class Rows:
             parts = [array if len(array) == 1 else array[block] for array in rows]
             values = flat[block]  # a view, but where rows were picked
             try:
-                lock = self._at_once(parts, values)
-                lock = self._block(parts, values) if lock is None else lock
+                if not self._at_once(parts, values, block, locked):
+                    self._block(parts, values, block, locked)
             except WrongRow as wrong:
                 several = len(rows[0]) > 1
                 index = np.unravel_index(np.r_[block][wrong.row], leading) if several else ()
@@ -256,14 +271,10 @@ class Rows:
                 raise ValueError(msg) from None
             if odd is not None:
                 flat[block] = values
-            if np.count_nonzero(lock):
-                here = _places(lock, every_place=every_place)
-                if every_place or not places:
-                    places.append(np.r_[block][here.places])
-                locked += here.count
-        return Locked(locked, np.concatenate(places)) if places else NONE_LOCKED
 
-    def _block(self, parts: list[Floats], values: Floats) -> Bools:
+    def _block(
+        self, parts: list[Floats], values: Floats, rows: slice | Places, locked: Locked | None
+    ) -> None:
         """Compute rows any of which may be odd."""
         missing = rows_with_nan(parts)
         if self._rotation:
@@ -272,31 +283,18 @@ class Rows:
         if self._scaled is not None:
             parts[0], exponent, nothing = scaled(parts[0], refused=self._scaled == "refused")
             missing = nothing if missing is None else missing | nothing
-        locked, _ = self._general(*parts, values)
+        lock, _ = self._general(*parts, values)
         if exponent is not None and self._degree:
             exponent = self._degree * exponent
             np.ldexp(values, exponent.reshape(-1, *[1] * len(self._result)), out=values)
         if missing is not None:
             values[np.broadcast_to(missing, len(values))] = np.nan
-        return _NOWHERE if locked is None else locked
+        if lock is not None and locked is not None:
+            locked.add(lock, rows)
 
 
 def _rows(array: Floats, leading: tuple[int, ...], last: tuple[int, ...]) -> Floats:
     """Write an array as rows: as many as there are results, or one for all."""
-    if array.shape == (len(array) if array.ndim else 1, *last) and len(leading) == 1:
-        return array
-    if array.size == prod(last):
-        return array.reshape(1, *last)
-    if array.shape != (*leading, *last):
-        array = np.ascontiguousarray(np.broadcast_to(array, (*leading, *last)))
-    return array.reshape(-1, *last)
-
-
-def _places(lock: Bools, *, every_place: bool) -> Locked:
-    """Say where attitudes are at gimbal lock."""
-    if lock is _NOWHERE:
-        return NONE_LOCKED
-    count = int(np.count_nonzero(lock))
-    return (
-        Locked(count, np.flatnonzero(lock)[: None if every_place else 1]) if count else NONE_LOCKED
-    )
+    if array.size != prod(last) and array.shape != (*leading, *last):
+        array = np.broadcast_to(array, (*leading, *last))
+    return np.ascontiguousarray(array).reshape(-1, *last)

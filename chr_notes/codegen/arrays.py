@@ -9,26 +9,32 @@ from chr_notes.codegen import header
 from chr_notes.codegen.expressions import NumPy
 from chr_notes.codegen.lowering import Program, expressions
 from chr_notes.codegen.together import PRODUCTS, together
-from chr_notes.derivations.computation import Choice, Let
+from chr_notes.derivations.computation import NOTHING, Choice, Let
 
 NUMPY = NumPy()
 PRINCIPAL = '''
+# Arrays, which NumPy takes in less time than numbers.
+PI, INVERSE, TURN, LOW = (array(number) for number in
+    (3.141592653589793, 0.1591545, 6.2831853069365025, 2.430840202602477e-10))
+
+
 def less_turns(angle: Floats, turns: Floats) -> Floats:
-    """Take whole turns off: 2 pi is in three parts, whose first multiples are exact."""
-    rest: Floats = angle - turns*6.2831853069365025 - turns*2.4308402025215864e-10
-    return rest - turns*8.089064995183803e-21
+    """Take whole turns off: 2 pi is in two parts, the first of which has exact multiples."""
+    rest: Floats = angle - turns*TURN - turns*LOW
+    return rest
 
 
 def principal(angle: Floats) -> Floats:
-    """Angle from -pi to pi less whole turns; one that lies there is left as it is."""
-    turns = rint(angle*0.15915494309189535)
+    """Angle in [-pi, pi) less whole turns; one that lies there is left as it is."""
+    turns = rint(angle*INVERSE)
     found = less_turns(angle, turns)
-    beyond = abs(found) > 3.141592653589793
-    if count_nonzero(beyond):  # their number was rounded
-        found = less_turns(angle, turns + copysign(beyond, found))
-    large = abs(angle) >= 1e6
-    if count_nonzero(large):
-        found = where(large, arctan2(sin(angle), cos(angle)), found)
+    if count_nonzero(abs(found) >= PI):
+        # The number of turns was rounded, and is off for large angles: the inverse has few digits.
+        found = less_turns(angle, turns + copysign(abs(found) > PI, found))
+        large = abs(angle) >= 1e6
+        if count_nonzero(large):
+            found = where(large, arctan2(sin(angle), cos(angle)), found)
+        found = where(found >= PI, -PI, found)
     return found
 '''.strip()
 HELPERS = {"principal": PRINCIPAL, "products": PRODUCTS}
@@ -118,6 +124,18 @@ def _step(step: Let | Choice, flag: Symbol | None) -> list[str]:
         for name, value in zip(step.names, instead, strict=True):
             at_lock = f"where({flag}, {NUMPY.written(value)}, {name})"
             lines += header.in_brackets(f"        {name} = ", at_lock)
+        return lines
+    *seldom, (_, usual) = step.branches
+    numbers = all(value.is_number for _, values in seldom for value in values)
+    if numbers and usual[0].is_Symbol and NOTHING not in usual:
+        # Numbers that stand for what is at an end of a range are seldom put in.
+        for name, value in zip(step.names, usual, strict=True):
+            lines += _step(Let(name, value), None)
+        for condition, values in reversed(seldom):
+            lines.append(f"    if count_nonzero({NUMPY.written(condition)}):")
+            for name, value in zip(step.names, values, strict=True):
+                there = f"where({NUMPY.written(condition)}, {NUMPY.written(value)}, {name})"
+                lines += header.in_brackets(f"        {name} = ", there)
         return lines
     for name in step.names:
         lines += header.in_brackets(f"    {name} = ", NUMPY.conditional(step, name))

@@ -9,6 +9,7 @@ from sympy import (
     Basic,
     Expr,
     Function,
+    Ge,
     Pow,
     Symbol,
     Wild,
@@ -59,7 +60,7 @@ def by_library(values: tuple[Basic, ...]) -> tuple[tuple[Let, ...], dict[Basic, 
 
 
 class principal(Function):  # noqa: N801 (its name in C and NumPy)
-    """An angle less whole turns, from -pi to pi; one that lies there is left as it is."""
+    """An angle less whole turns, in [-pi, pi); one that lies there is left as it is."""
 
 
 def for_columns(values: tuple[Basic, ...]) -> tuple[tuple[Let, ...], dict[Basic, Expr]]:
@@ -78,6 +79,8 @@ def for_columns(values: tuple[Basic, ...]) -> tuple[tuple[Let, ...], dict[Basic,
         angle = call.args[0].args[0] if isinstance(call.args[0], sin) else None
         if angle is not None and call.args[1] == cos(angle):
             turned |= {call: principal(angle), And(angle >= -pi, angle < pi): false}
+            relations = [relation for each in values for relation in each.atoms(Ge)]
+            turned |= {relation: false for relation in relations if relation.rhs == pi}
     lets, replaced = by_library(tuple(value.xreplace(tangents | turned) for value in values))
     replaced |= {call: value.xreplace(replaced) for call, value in tangents.items()} | turned
     replaced[KNOWN] = true

@@ -120,7 +120,7 @@ INLINE double column_cos(double angle)
     return by_quarter(quarters + 1, near_sine(rest), cosine_of_square(rest * rest));
 }
 
-/* What is left of an angle after whole turns, from -pi to pi. */
+/* What is left of an angle after whole turns, in [-pi, pi). */
 INLINE double column_principal(double angle)
 {
     const double round = 0x1.8p52;
@@ -128,7 +128,8 @@ INLINE double column_principal(double angle)
     const double rest = ((angle - turns * HALF_PI_1) - turns * HALF_PI_2) - turns * HALF_PI_3;
     /* The number of turns was rounded: near half a turn it can be one off. */
     const double back = rest > 0x1.921fb54442d18p+1 ? 4.0 : rest < -0x1.921fb54442d18p+1 ? -4.0 : 0.0;
-    return ((rest - back * HALF_PI_1) - back * HALF_PI_2) - back * HALF_PI_3;
+    const double found = ((rest - back * HALF_PI_1) - back * HALF_PI_2) - back * HALF_PI_3;
+    return found >= 4.0 * EIGHTH ? -4.0 * EIGHTH : found;
 }
 
 /* Of finite numbers. */

@@ -8,7 +8,7 @@
  *   float in place of numbers, or its shape does not fit without a copy; then nothing is done.
  *
  * completed(function of arrays, rest) is a function that returns the result alone: rest(what the
- * first one returned, its arguments) gives it where that was anything else.
+ * first one returned, a tuple of its arguments) gives it where that was anything else.
  *
  * sampled(step of a filter, other) is a function of a state, which it moves on, and of a sample. It
  * returns what the other one makes of the state; or False where somebody should look, at a sample
@@ -224,18 +224,18 @@ static PyObject *call_completed(PyObject *self, PyObject *const *given, Py_ssize
 {
     PyObject *const done = call(PyTuple_GetItem(self, 0), given, count), *all, *result;
     if (!done || PyArray_CheckExact(done)) return done;
-    all = PyTuple_New(count + 1);
+    all = PyTuple_New(count);
     if (!all) {
         Py_DECREF(done);
         return NULL;
     }
-    PyTuple_SetItem(all, 0, done);
     for (Py_ssize_t place = 0; place < count; place++) {
         Py_INCREF(given[place]);
-        PyTuple_SetItem(all, place + 1, given[place]);
+        PyTuple_SetItem(all, place, given[place]);
     }
-    result = PyObject_CallObject(PyTuple_GetItem(self, 1), all);
+    result = PyObject_CallFunctionObjArgs(PyTuple_GetItem(self, 1), done, all, NULL);
     Py_DECREF(all);
+    Py_DECREF(done);
     return result;
 }
 

@@ -3,7 +3,7 @@ From the derivations behind the ledger entries estimation.2.5, estimation.2.6, v
 validation.4.
 """
 
-from numpy import arctan2, bool_, expm1, float64, log1p, nan, sqrt, where
+from numpy import arctan2, bool_, count_nonzero, expm1, float64, log1p, nan, sqrt, where
 from numpy.typing import NDArray
 
 Floats = NDArray[float64]
@@ -28,10 +28,11 @@ def tilt_from_accelerometer(accel: Floats, out: Floats) -> Told:
     length_squared = accel_y_squared_plus_accel_z_squared + accel_x*accel_x
     across = sqrt(accel_y_squared_plus_accel_z_squared)
     roll_seen = arctan2(-accel_y, -accel_z)
-    roll = (
-        where(across <= 0.0, 0.0, where(roll_seen <= -3.141592653589793, 3.141592653589793,
-            roll_seen))
-    )
+    roll = roll_seen
+    if count_nonzero(roll_seen <= -3.141592653589793):
+        roll = where(roll_seen <= -3.141592653589793, 3.141592653589793, roll)
+    if count_nonzero(across <= 0.0):
+        roll = where(across <= 0.0, 0.0, roll)
     pitch = arctan2(accel_x, across)
     out[..., 0] = roll
     out[..., 1] = pitch
@@ -79,6 +80,8 @@ def averaging_bound(
             bias_bound*time_constant + 0.20394324259558566*speed/averaged, where(time_constant >
             0.0, bias_bound*time_constant + 0.13744070696307817*speed/time_constant, nan)))
     )
-    bound = where(bound_told > 3.141592653589793, 3.141592653589793, bound_told)
+    bound = bound_told
+    if count_nonzero(bound_told > 3.141592653589793):
+        bound = where(bound_told > 3.141592653589793, 3.141592653589793, bound)
     out[...] = bound
     return None, None

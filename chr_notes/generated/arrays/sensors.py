@@ -13,7 +13,9 @@ Told = tuple[NDArray[bool_] | None, Floats | None]
 def products(matrix: Floats, vector: Floats) -> Floats:
     """Multiply vectors by one matrix for all, which BLAS does fast, or by one for each."""
     one = matrix.size == 9
-    found: Floats = vector @ matrix.reshape(3, 3).T if one else einsum("...ij,...j", matrix, vector)
+    found: Floats = (
+        vector.dot(matrix.reshape(3, 3).T) if one else einsum("...ij,...j", matrix, vector)
+    )
     return found
 
 

@@ -307,8 +307,7 @@ EVERY_INSTRUCTION_SET static int64_t wrap_angle
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double angle = angle_in[0][row];
             const double turned_back = column_principal(angle);
-            const double wrapped = turned_back >= 3.141592653589793 ? -3.141592653589793 :
-                turned_back;
+            const double wrapped = turned_back;
             results[0][row] = wrapped;
             left[row] = !(FINITE(angle) & (fabs(angle) < LARGEST_ANGLE));
             some |= left[row];
