@@ -75,6 +75,15 @@ export function words(context, text, [x, y], { colour, size = 12, align = "left"
   context.fillText(text, x, y);
 }
 
+/** Where north is, and below it, with its corner at a point, a rule of the largest power of ten up to `most`. */
+export function mapKey(context, [x, y], scale, most, named, { colour, size }) {
+  const unit = 10 ** Math.floor(Math.log10(most));
+  const end = x + scale(unit);
+  words(context, "N ↑", [x, 16], { colour, size, weight: 600 });
+  line(context, [[x, y - 6], [x, y], [end, y], [end, y - 6]], { colour, width: 1.5 });
+  words(context, named(unit), [x + 4, y - 11], { colour, size });
+}
+
 /** Draw in a part of the picture, as if it were all of it. */
 export function inPart(context, [x, y, width, height], drawIt) {
   context.save();
@@ -91,14 +100,14 @@ export function inPart(context, [x, y, width, height], drawIt) {
  * number, shown as a ring.
  */
 export function bars(context, { width, height }, title, rows, colours) {
-  const [left, right, top] = [26, width - 12, 24];
+  const [left, right, top] = [30, width - 12, 24];
   const step = (height - top - 8) / rows.length;
   const x = linear(-1, 1, left, right);
   words(context, title, [left, 12], { colour: colours("muted"), weight: 600 });
   line(context, [[x(0), top], [x(0), height - 6]], { colour: colours("muted"), width: 1 });
   rows.forEach(({ text, value, colour, twin }, i) => {
     const y = top + step * (i + 0.5);
-    words(context, text, [left - 10, y], { colour: colours(colour), size: 14, align: "center", weight: 600 });
+    words(context, text, [left - 15, y], { colour: colours(colour), size: 14, align: "center", weight: 600 });
     line(context, [[left, y], [right, y]], { colour: colours("line"), width: 1 });
     line(context, [[x(0), y], [x(value), y]], { colour: colours(colour), width: Math.min(10, step / 2) });
     if (twin !== undefined) ringAt(context, [x(twin), y], colours(colour));

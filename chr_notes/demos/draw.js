@@ -107,7 +107,7 @@ export function loft(outlines, fill) {
  * A ring of rectangular section round the origin, in the plane of the unit vectors `u` and `v`.
  * `mark(i)` says which of `count` segments carry the colour `marked` on their flat faces.
  */
-export function ring({ u, v, inner, outer, depth, fill, marked, mark, count = 48 }) {
+export function ring({ u, v, inner, outer, depth, fill, marked, mark, count = 36 }) {
   const axis = cross(u, v);
   const at = (i, radius, height) => {
     const angle = (2 * Math.PI * i) / count;

@@ -3,7 +3,7 @@
  * and dead reckoning adds it up, once to a velocity and twice to a position.
  */
 import { driftFromTiltError, positionAtLastVelocity, positionErrors } from "../generated/javascript/attitude.mjs";
-import { line, linear, logarithmic, mark, words } from "./chart.js";
+import { line, linear, logarithmic, mapKey, mark, words } from "./chart.js";
 import { mountOf } from "./controls.js";
 import { label } from "./draw.js";
 import { formatted } from "./parts.js";
@@ -153,7 +153,7 @@ function drawMap(context, { width, height }, state, colours) {
     context.stroke();
     if (radius > 22 && middle[1] + radius < height - 4) words(context, name, [middle[0], middle[1] + radius - 9], { ...small, align: "center" });
   }
-  words(context, "N ↑", [14, 16], { ...small, weight: 600 });
+  mapKey(context, [14, height - 16], scale, Math.max(total, noise, ROOM), distance, small);
   const at = (moment) => {
     const far = scale(errorsAfter(moment, state).total);
     return [middle[0] + far * Math.sin(BEARING), middle[1] - far * Math.cos(BEARING)];

@@ -36,7 +36,7 @@ function readouts(state) {
 function meaning({ gain, push, bank }, { gyro, accelerometer, observer, averaging, best, atRest, here, thenAtRest }) {
   const both = `Both together are off by ${rounded(observer)}°, the gyro alone by ${rounded(gyro)}°, the accelerometer alone by ${rounded(accelerometer)}°.`;
   if (push === 0 && bank === 0) {
-    if (observer < NEARLY * best.error) return `${both} No other gain does much better.`;
+    if (observer <= NEARLY * best.error) return `${both} No other gain does much better.`;
     return `${both} A ${best.gain > gain ? "larger" : "smaller"} gain does better: ${formatted(best.gain)} reaches ${rounded(best.error)}°.`;
   }
   const two = `The gain that is best at rest, ${formatted(atRest.gain)}, is off by ${rounded(here)}° here; the best one here, ${formatted(best.gain)}, by ${rounded(best.error)}°, and at rest by ${rounded(thenAtRest)}°.`;
@@ -117,7 +117,7 @@ function overGain(context, [left, right, top, bottom], { gain, push, bank }, all
     line(context, GAINS.map((each, i) => [x(each), height(all.rest.valley[i])]), { colour: colours("muted"), width: 1.5, dash: [3, 3] });
   line(context, GAINS.map((each, i) => [x(each), height(all.valley[i])]), { colour: colours("ink"), width: 2.5 });
   const bottomOf = [x(all.best.gain), height(all.best.error)];
-  mark(context, "triangle", [bottomOf[0], bottomOf[1] + 9], { colour: colours("ink"), rim: colours("page"), radius: 6 });
+  mark(context, "triangle", [bottomOf[0], Math.min(bottomOf[1] + 9, bottom - 6)], { colour: colours("ink"), rim: colours("page"), radius: 6 });
   line(context, [[x(gain), top], [x(gain), bottom]], { colour: colours("x"), width: 1.5 });
   mark(context, "circle", [x(gain), height(rms(all.observer))], { colour: colours("x"), rim: colours("page"), radius: 6 });
   label(context, ["L"], [x(gain), top + 4], { colour: colours("x"), rim: colours("page"), width: right + 14, offset: [8, 0] });
@@ -132,7 +132,7 @@ const handles = ({ gain }, { width, height }) => {
   const [left, right] = [44, width - 14];
   const place = ([x]) => Math.round(linear(left, right, 0, STEPS)(Math.min(right, Math.max(left, x))));
   const at = [linear(0, STEPS, left, right)(toPosition(gain)), 0.78 * height];
-  return [{ at, tall: height, hold: () => (pointer) => ({ gain: toValue(place(pointer)) }) }];
+  return [{ at, tall: 0.44 * height, hold: () => (pointer) => ({ gain: toValue(place(pointer)) }) }];
 };
 
 const DEGREES = { short: "°", long: "degrees" };
@@ -146,7 +146,7 @@ const definition = {
   hint: "Find the gain with the smallest error: drag the line of L. Then let the body turn. Is it still the best?",
   aspect: 1.08,
   start,
-  legend: [...LINES, { text: "the same at rest", colour: "muted", width: 1.5, dash: [3, 3] }, { text: "RMS error over the gain; ▲ its lowest", colour: "ink", width: 2.5 }],
+  legend: [...LINES, { text: "RMS error over the gain; ▲ its lowest", colour: "ink", width: 2.5 }, { text: "the same at rest", colour: "muted", width: 1.5, dash: [3, 3] }],
   controls: [
     {
       name: "gain", label: "Gain", symbol: ["L"], axis: "x", min: 0, max: STEPS, step: 1,

@@ -190,7 +190,7 @@ function letters(context, { project }, colours, width) {
   );
 }
 
-const draw = (...given) => [drawRings, drawFlight, drawRates][given[2].view](...given);
+const draw = (...given) => [drawRings, drawFlight, drawRates][given[2].view](...given, axesOf(given[2]).locked);
 
 function drawRings(context, size, state, colours, { heading, elevation }) {
   const seen = matrixFromEuler(0, elevation * DEGREE, heading * DEGREE);

@@ -64,11 +64,12 @@ function curves(context, { width, height }, { most, unit, lines }, far, colours)
     line(context, [[left, y(tick)], [right, y(tick)]], { colour: colours("line"), width: 1 });
     words(context, `${tick}${unit}`.replace("-", "−"), [left - 5, y(tick)], { ...small, align: "right" });
   }
-  words(context, "flown 360°", [right, bottom + 12], { ...small, align: "right" });
+  for (const [text, at, align] of [["0°", left, "left"], ["flown", (left + right) / 2, "center"], ["360°", right, "right"]])
+    words(context, text, [at, bottom + 12], { ...small, align });
   line(context, [[x(far), top], [x(far), bottom]], { colour: colours("muted"), width: 1 });
   lines.forEach(({ name, colour, values }, n) => {
     const style = { colour: colours(colour), dash: DASHES[colour] };
-    const place = left + (n * (right - left)) / lines.length;
+    const place = 8 + (n * (width - 16)) / lines.length;
     line(context, [[place, 10], [place + 14, 10]], { ...style, width: 3 });
     words(context, name, [place + 17, 10], { colour: colours(colour), weight: 600 });
     const pieces = [[]];
@@ -95,10 +96,11 @@ export function axesOf([roll, pitch, yaw]) {
   return [ahead.slice(0, 3), level.slice(3, 6), [0, 0, 1]];
 }
 
-export function drawRates(context, { width, height }, state, colours, viewpoint) {
+/** The turn split along the axes; where it is `locked`, nothing along them makes the turn. */
+export function drawRates(context, { width, height }, state, colours, viewpoint, locked) {
   const split = 0.66 * height;
   const { euler } = attitude(state);
-  const found = parts(euler[0], euler[1]);
+  const found = locked ? [] : parts(euler[0], euler[1]);
   inPart(context, [0, 0, width, split], (size) => {
     const view = looking(viewpoint, size, 2.9);
     const axes = axesOf(euler);
@@ -142,7 +144,7 @@ function overPitch(context, [left, right, top, bottom], [roll, pitch], found, co
   const steps = Array.from({ length: 179 }, (_, i) => i - 89);
   AXES.forEach((axis, i) => {
     line(context, steps.map((at) => [x(at), y(parts(roll, at * DEGREE)[i])]), { colour: colours(axis), dash: DASHES[axis], width: 2 });
-    mark(context, "circle", [x(pitch / DEGREE), y(found[i])], { colour: colours(axis), rim: colours("page") });
+    if (found.length > 0) mark(context, "circle", [x(pitch / DEGREE), y(found[i])], { colour: colours(axis), rim: colours("page") });
   });
   context.restore();
 }

@@ -25,7 +25,7 @@ export const turned = ({ heading, elevation }, [right, up]) => ({
 
 /**
  * What a hand does in a picture. `handles()` are what can be held now: [{ at, reach, tall, hold }],
- * where it is in pixels, how far from there it is taken hold of (or over which height), and what
+ * where it is in pixels, how far from there it is taken hold of (or over which height round it), and what
  * makes of the pointer's place, and of its way since, a part of the state for `put`. Elsewhere
  * `turn` turns the picture, if it can be turned, by arrow keys too; a double click and Home call
  * `putBack`. With Shift, arrow keys move the first of the handles.
@@ -36,7 +36,7 @@ export function byHand(canvas, { turn, putBack, handles = () => [], put }) {
   const way = ([x, y], [u, v]) => [x - u, y - v];
   const heldAt = ([x, y]) =>
     handles().find(({ at, reach = REACH, tall }) =>
-      tall ? Math.abs(x - at[0]) < reach : Math.hypot(x - at[0], y - at[1]) < reach);
+      tall ? Math.abs(x - at[0]) < reach && Math.abs(y - at[1]) < tall / 2 : Math.hypot(x - at[0], y - at[1]) < reach);
 
   canvas.classList.toggle("chr-turns", Boolean(turn));
   if (turn) {

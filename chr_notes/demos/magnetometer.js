@@ -20,13 +20,13 @@ const start = { readings: 150, tilt: 180, hard_iron: 15, soft_iron: 0.2, noise: 
 const found = keeping(Object.keys(start), (state) => {
   const points = cloud(state);
   const fitted = fit(points);
-  return { points, fitted, now: walked(state).at(-1), errors: headingErrors(state, fitted) };
+  return { points, fitted, gap: gap(state), now: walked(state).at(-1), errors: headingErrors(state, fitted) };
 });
 
 function readouts(state) {
   const { fitted, errors } = found(state);
   return {
-    gap: rounded(gap(state)),
+    gap: rounded(found(state).gap),
     error_before: rounded(largest(errors, "before")),
     error_after: fitted.refused ? { text: "–", note: "refused" } : rounded(largest(errors, "after")),
     meaning: meaning(state, fitted, errors),
@@ -39,7 +39,7 @@ function meaning(state, fitted, errors) {
   if (fitted.refused && count > 0 && count < FEWEST)
     return `${before} A fit needs ${FEWEST} at least: turn the sensor further.`;
   if (fitted.refused)
-    return `${before} The fit refuses: no reading comes from within ${rounded(gap(state))}° of one direction, and many ellipsoids go through such a cloud. Turn the sensor further.`;
+    return `${before} The fit refuses: no reading comes from within ${rounded(found(state).gap)}° of one direction, and many ellipsoids go through such a cloud. Turn the sensor further.`;
   return `${before} The fitted ellipsoid is brought back to a sphere about zero, and the heading is off by up to ${rounded(largest(errors, "after"))}°.`;
 }
 
@@ -66,6 +66,7 @@ function draw(context, { width, height }, state, colours, viewpoint) {
   const split = SPLIT * height;
   inPart(context, [0, 0, width, split], (size) => scene(context, size, state, points, fitted, colours, viewpoint));
   inPart(context, [0, 0, HELD * width, HELD * width], (size) => sensor(context, size, now, colours, viewpoint));
+  words(context, "drag the sensor", [6, 10], { colour: colours("muted"), weight: 600 });
   chart(context, [40, width - 14, split + 22, height - 22], fitted, errors, colours);
 }
 
@@ -100,7 +101,6 @@ function sensor(context, size, now, colours, viewpoint) {
   flown(context, view, matrix, colours, 0.9);
   AXES.forEach((_, k) => pointer(context, view, matrix.slice(3 * k, 3 * k + 3), { ...style, name: ["xyz"[k]], colour: "muted", width: 1.5 }));
   pointer(context, view, scaled(direction(0, -FIELD_DIP), 1.1), { ...style, name: ["field"], colour: "z", dash: [6, 3], width: 3 });
-  words(context, "drag the sensor", [6, 10], { colour: colours("muted"), weight: 600 });
 }
 
 /** The sensor is turned where it is drawn; what it has read before, on a walk, is forgotten. */

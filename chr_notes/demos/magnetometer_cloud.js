@@ -59,8 +59,16 @@ export const cloud = (state) => {
 
 /** The largest angle between a direction and the nearest of these, radians. */
 function gapOf(outward) {
-  const nearest = AROUND.map(([x, y, z]) => outward.reduce((most, [u, v, w]) => Math.max(most, x * u + y * v + z * w), -1));
-  return Math.acos(Math.min(1, Math.max(-1, Math.min(...nearest))));
+  let widest = 1; // its cosine
+  for (const [x, y, z] of AROUND) {
+    let nearest = -1;
+    for (const [u, v, w] of outward) {
+      nearest = Math.max(nearest, x * u + y * v + z * w);
+      if (nearest >= widest) break; // no wider one is here
+    }
+    widest = Math.min(widest, nearest);
+  }
+  return Math.acos(Math.max(-1, widest));
 }
 
 const unit = (vector) => scaled(vector, 1 / Math.hypot(...vector));

@@ -111,6 +111,7 @@ function textOf({ name, label, unit, wide, grid, longestAt }, readouts) {
       const { text, note = "" } = texts[name].text === undefined ? { text: texts[name] } : texts[name];
       if (output.textContent !== text) output.textContent = text;
       if (aside.textContent !== note) aside.textContent = note;
+      units.hidden = text === "–";
       element.toggleAttribute("data-void", note !== "");
     },
   };

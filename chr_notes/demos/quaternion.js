@@ -79,7 +79,7 @@ function describe(state) {
 
 // ── the picture ─────────────────────────────────────────────────────────────────────────────
 
-const SPLIT = 0.64; // of the height, for the sphere
+const [SPLIT, SHOWN] = [0.64, 2.95]; // of the height, for the sphere; what it shows, in radii
 
 function draw(context, { width, height }, state, colours, viewpoint) {
   const split = SPLIT * height;
@@ -99,7 +99,7 @@ function draw(context, { width, height }, state, colours, viewpoint) {
 }
 
 function scene(context, size, state, q, product, colours, viewpoint) {
-  const view = looking(viewpoint, size);
+  const view = looking(viewpoint, size, SHOWN);
   const axis = axisOf(state);
   const style = { colours, room: size.width };
   globe(context, view, colours, size);
@@ -117,7 +117,7 @@ function scene(context, size, state, q, product, colours, viewpoint) {
 }
 
 const handles = (state, { width, height }, viewpoint) => [
-  directed(looking(viewpoint, { width, height: SPLIT * height }), scaled(axisOf(state), 1.2), ([axis_yaw, axis_pitch]) => ({ axis_yaw, axis_pitch })),
+  directed(looking(viewpoint, { width, height: SPLIT * height }, SHOWN), scaled(axisOf(state), 1.2), ([axis_yaw, axis_pitch]) => ({ axis_yaw, axis_pitch })),
 ];
 
 /** The angle as the aircraft turns it, round and round, and half of it as the quaternion holds it. */

@@ -40,7 +40,7 @@ function readouts(state) {
 function meaning({ error, threshold, iron }, { seen, missed, falsely }) {
   const above = seen > threshold;
   const shares = `Of all directions of such an error it misses ${rounded(missed)} %. Where the angles are right, noise makes ${rounded(falsely)} % of the readings a false alarm.`;
-  const said = `E is ${three(seen)}, ${above ? "above" : "below"} the threshold`;
+  const said = `E is ${three(seen)}, ${above ? "above" : seen < threshold ? "below" : "at"} the threshold`;
   if (error === 0 && iron !== 0 && above) return `${said}, although the angles are right: the magnetometer lies. Noise alone makes ${rounded(falsely)} % of the readings a false alarm.`;
   if (error === 0) return `${said}, and the angles are right. Noise makes ${rounded(falsely)} % of the readings a false alarm.`;
   return above ? `${said}: it sees this error. ${shares}` : `${said}, although the attitude is off by ${rounded(error)}°: to this direction it is blind. ${shares}`;
@@ -67,7 +67,7 @@ const patches = (state) =>
     return { points: distinct, seen: factorAbout(state, at(belt + 0.5, sector + 0.5)) };
   });
 
-const [SPLIT, SHOWN] = [0.68, 3]; // of the height, for the globe; what it shows, in radii
+const [SPLIT, SHOWN] = [0.68, 3.25]; // of the height, for the globe; what it shows, in radii
 
 function draw(context, { width, height }, state, colours, viewpoint) {
   const split = SPLIT * height;

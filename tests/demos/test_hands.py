@@ -42,7 +42,7 @@ def axis_on_screen(state: dict[str, float], canvas: Locator) -> Place:
     angles = np.radians([0, state["axis_pitch"], state["axis_yaw"]])
     depth, right, down = camera @ (1.2 * chr_notes.matrix_from_euler(angles)[0])
     high = 0.64 * box["height"]
-    scale = 7 * min(box["width"], high) / 2.75 / (7 + depth)
+    scale = 7 * min(box["width"], high) / 2.95 / (7 + depth)
     return 0.5 + scale * right / box["width"], (high / 2 + scale * down) / box["height"]
 
 
