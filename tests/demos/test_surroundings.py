@@ -4,10 +4,11 @@ import re
 from collections.abc import Callable
 from pathlib import Path
 
-from playwright.sync_api import expect
+from playwright.sync_api import Page, expect
 
 from chr_notes.demos import DriftDemo, GimbalLockDemo, TiltDemo
 
+from .colours import channels, of_palette
 from .parts import (
     ALL,
     PageOf,
@@ -57,8 +58,34 @@ def test_demos_work_from_a_server_with_a_strict_policy(
     assert picture(page.locator(".chr-demo").first) != ""
 
 
-def test_what_a_finger_hits_is_large_enough(visit: Visit, page_of: PageOf) -> None:
+def test_all_fit_a_finger_paper_and_chosen_colours(visit: Visit, page_of: PageOf) -> None:
     page = visit(page_of(*(demo() for demo in ALL)), width=390, has_touch=True, is_mobile=True)
+    what_a_finger_hits_is_large_enough(page)
+    page.emulate_media(media="print")
+    for kind, name, value in (
+        ("input", "printColorAdjust", "exact"),  # else thumbs and fills stay white
+        (".chr-stage", "position", "static"),  # else pictures cover what follows
+    ):
+        assert styles_of(page, kind, name) == {value}
+    for forced, slider_looks in (("none", "none"), ("active", "auto")):
+        page.emulate_media(media="screen", forced_colors=forced)
+        assert styles_of(page, "[type=range]", "appearance") == {slider_looks}
+        # What is drawn keeps its colours, and the ground that they are made for.
+        ground = styles_of(page, ".chr-stage", "backgroundColor")
+        assert [channels(each) for each in ground] == [of_palette("page", "light")]
+        assert page.evaluate("document.documentElement.scrollWidth") <= 390
+
+
+def styles_of(page: Page, selector: str, name: str) -> set[str]:
+    """The values that a property has in all demos."""
+    values = page.locator(f".chr-demo {selector}").evaluate_all(
+        "(all, name) => all.map((each) => getComputedStyle(each)[name])", name
+    )
+    assert len(values) >= 8
+    return set(values)
+
+
+def what_a_finger_hits_is_large_enough(page: Page) -> None:
     sizes = page.evaluate(
         "() => [...document.querySelectorAll('.chr-demo :is(input, button, select, textarea)')]"
         ".filter((each) => !each.hidden)"
