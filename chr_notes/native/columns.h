@@ -73,7 +73,10 @@ INLINE void tile(double *to, ptrdiff_t across, const double *from, ptrdiff_t dow
 #define FETCH(address)
 #endif
 
-/* A row that is one for all fills the block; so does the first one where a block is not full. */
+/*
+ * A row that is one for all fills the first block, and stays; the first row fills up a block that is
+ * not full.
+ */
 INLINE void load(double *columns, int block, int width, const double *in, ptrdiff_t step,
     ptrdiff_t start, ptrdiff_t count, ptrdiff_t padded)
 {
@@ -81,6 +84,7 @@ INLINE void load(double *columns, int block, int width, const double *in, ptrdif
     const ptrdiff_t close = step == width ? count : 0;
     const ptrdiff_t tiles = width < TILE ? 0 : close / TILE * TILE;
     const int tiled = width / TILE * TILE;
+    if (step == 0 && start > 0) return;
     for (int number = 0; number < block * width; number += 8)
         FETCH(first + AHEAD * width + number);
     for (ptrdiff_t row = 0; row < tiles; row += TILE)

@@ -17,8 +17,8 @@ EVERY_INSTRUCTION_SET static int64_t matrix_from_euler
      unsigned char *odd)
 {
     int64_t any = 0;
+    double euler_in[3][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double euler_in[3][BLOCK];
         double results[9][BLOCK];
         int64_t left[BLOCK], some = 0;
         LOAD(euler_in, 0, 3)
@@ -65,8 +65,8 @@ EVERY_INSTRUCTION_SET static int64_t euler_from_matrix
      unsigned char *odd)
 {
     int64_t any = 0;
+    double matrix_in[9][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double matrix_in[9][BLOCK];
         double results[3][BLOCK];
         int64_t left[BLOCK], some = 0;
         LOAD(matrix_in, 0, 9)
@@ -122,8 +122,8 @@ EVERY_INSTRUCTION_SET static int64_t rotation_defect
      unsigned char *odd)
 {
     int64_t any = 0;
+    double matrix_in[9][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double matrix_in[9][BLOCK];
         double results[2][BLOCK];
         int64_t left[BLOCK], some = 0;
         LOAD(matrix_in, 0, 9)
@@ -168,8 +168,8 @@ EVERY_INSTRUCTION_SET static int64_t euler_rates_matrix
      unsigned char *odd)
 {
     int64_t any = 0;
+    double euler_in[3][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double euler_in[3][BLOCK];
         double results[9][BLOCK];
         int64_t left[BLOCK], some = 0;
         LOAD(euler_in, 0, 3)
@@ -213,9 +213,9 @@ EVERY_INSTRUCTION_SET static int64_t euler_rates_from_body_rates
      unsigned char *odd)
 {
     int64_t any = 0;
+    double euler_in[3][BLOCK];
+    double body_rates_in[3][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double euler_in[3][BLOCK];
-        double body_rates_in[3][BLOCK];
         double results[3][BLOCK];
         int64_t left[BLOCK], some = 0;
         LOAD(euler_in, 0, 3)
@@ -257,9 +257,9 @@ EVERY_INSTRUCTION_SET static int64_t body_rates_from_euler_rates
      unsigned char *odd)
 {
     int64_t any = 0;
+    double euler_in[3][BLOCK];
+    double euler_rates_in[3][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double euler_in[3][BLOCK];
-        double euler_rates_in[3][BLOCK];
         double results[3][BLOCK];
         int64_t left[BLOCK], some = 0;
         LOAD(euler_in, 0, 3)
@@ -299,8 +299,8 @@ EVERY_INSTRUCTION_SET static int64_t wrap_angle
      unsigned char *odd)
 {
     int64_t any = 0;
+    double angle_in[1][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double angle_in[1][BLOCK];
         double results[1][BLOCK];
         int64_t left[BLOCK], some = 0;
         LOAD(angle_in, 0, 1)
@@ -328,8 +328,8 @@ EVERY_INSTRUCTION_SET static int64_t matrix_from_quaternion
      unsigned char *odd)
 {
     int64_t any = 0;
+    double q_in[4][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double q_in[4][BLOCK];
         double results[9][BLOCK];
         int64_t left[BLOCK], some = 0;
         LOAD(q_in, 0, 4)
@@ -385,8 +385,8 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_from_matrix
      unsigned char *odd)
 {
     int64_t any = 0;
+    double matrix_in[9][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double matrix_in[9][BLOCK];
         double results[4][BLOCK];
         int64_t left[BLOCK], some = 0;
         LOAD(matrix_in, 0, 9)
@@ -447,8 +447,8 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_from_euler
      unsigned char *odd)
 {
     int64_t any = 0;
+    double euler_in[3][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double euler_in[3][BLOCK];
         double results[4][BLOCK];
         int64_t left[BLOCK], some = 0;
         LOAD(euler_in, 0, 3)
@@ -499,8 +499,8 @@ EVERY_INSTRUCTION_SET static int64_t euler_from_quaternion
      unsigned char *odd)
 {
     int64_t any = 0;
+    double q_in[4][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double q_in[4][BLOCK];
         double results[3][BLOCK];
         int64_t left[BLOCK], some = 0;
         LOAD(q_in, 0, 4)
@@ -547,9 +547,9 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_from_axis_angle
      unsigned char *odd)
 {
     int64_t any = 0;
+    double axis_in[3][BLOCK];
+    double angle_in[1][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double axis_in[3][BLOCK];
-        double angle_in[1][BLOCK];
         double results[4][BLOCK];
         int64_t left[BLOCK], some = 0;
         LOAD(axis_in, 0, 3)
@@ -588,8 +588,8 @@ EVERY_INSTRUCTION_SET static int64_t axis_angle_from_quaternion
      unsigned char *odd)
 {
     int64_t any = 0;
+    double q_in[4][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double q_in[4][BLOCK];
         double results[4][BLOCK];
         int64_t left[BLOCK], some = 0;
         LOAD(q_in, 0, 4)
@@ -632,8 +632,8 @@ EVERY_INSTRUCTION_SET static int64_t inclination_from_quaternion
      unsigned char *odd)
 {
     int64_t any = 0;
+    double q_in[4][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double q_in[4][BLOCK];
         double results[1][BLOCK];
         int64_t left[BLOCK], some = 0;
         LOAD(q_in, 0, 4)
@@ -666,9 +666,9 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_multiply
 {
     enum { BLOCK = 8 };
     int64_t any = 0;
+    double p_in[4][BLOCK];
+    double q_in[4][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double p_in[4][BLOCK];
-        double q_in[4][BLOCK];
         double results[4][BLOCK];
         int64_t left[BLOCK], some = 0;
         LOAD(p_in, 0, 4)
@@ -706,8 +706,8 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_conjugate
 {
     enum { BLOCK = 8 };
     int64_t any = 0;
+    double q_in[4][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double q_in[4][BLOCK];
         double results[4][BLOCK];
         int64_t left[BLOCK], some = 0;
         LOAD(q_in, 0, 4)
@@ -739,8 +739,8 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_inverse
      unsigned char *odd)
 {
     int64_t any = 0;
+    double q_in[4][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double q_in[4][BLOCK];
         double results[4][BLOCK];
         int64_t left[BLOCK], some = 0;
         LOAD(q_in, 0, 4)
@@ -774,9 +774,9 @@ EVERY_INSTRUCTION_SET static int64_t rotate_to_inertial
      unsigned char *odd)
 {
     int64_t any = 0;
+    double q_in[4][BLOCK];
+    double v_body_in[3][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double q_in[4][BLOCK];
-        double v_body_in[3][BLOCK];
         double results[3][BLOCK];
         int64_t left[BLOCK], some = 0;
         LOAD(q_in, 0, 4)
@@ -816,9 +816,9 @@ EVERY_INSTRUCTION_SET static int64_t rotate_to_body
      unsigned char *odd)
 {
     int64_t any = 0;
+    double q_in[4][BLOCK];
+    double v_inertial_in[3][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double q_in[4][BLOCK];
-        double v_inertial_in[3][BLOCK];
         double results[3][BLOCK];
         int64_t left[BLOCK], some = 0;
         LOAD(q_in, 0, 4)
@@ -859,9 +859,9 @@ EVERY_INSTRUCTION_SET static int64_t matrix_from_angles_zyx
 {
     const Frame frame = frame_of(in[1]);
     int64_t any = 0;
+    double angles_in[3][BLOCK];
+    double angles_given[3][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double angles_in[3][BLOCK];
-        double angles_given[3][BLOCK];
         double results[9][BLOCK];
         double told[9][BLOCK];
         int64_t left[BLOCK], some = 0;
@@ -925,9 +925,9 @@ EVERY_INSTRUCTION_SET static int64_t matrix_from_angles_zyz
 {
     const Frame frame = frame_of(in[1]);
     int64_t any = 0;
+    double angles_in[3][BLOCK];
+    double angles_given[3][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double angles_in[3][BLOCK];
-        double angles_given[3][BLOCK];
         double results[9][BLOCK];
         double told[9][BLOCK];
         int64_t left[BLOCK], some = 0;
@@ -993,9 +993,9 @@ EVERY_INSTRUCTION_SET static int64_t angles_from_matrix_zyx
 {
     const Frame frame = frame_of(in[1]);
     int64_t any = 0;
+    double matrix_in[9][BLOCK];
+    double matrix_given[9][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double matrix_in[9][BLOCK];
-        double matrix_given[9][BLOCK];
         double results[3][BLOCK];
         double told[3][BLOCK];
         int64_t left[BLOCK], some = 0;
@@ -1066,9 +1066,9 @@ EVERY_INSTRUCTION_SET static int64_t angles_from_matrix_zyz
 {
     const Frame frame = frame_of(in[1]);
     int64_t any = 0;
+    double matrix_in[9][BLOCK];
+    double matrix_given[9][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double matrix_in[9][BLOCK];
-        double matrix_given[9][BLOCK];
         double results[3][BLOCK];
         double told[3][BLOCK];
         int64_t left[BLOCK], some = 0;
@@ -1141,9 +1141,9 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_from_angles_zyx
 {
     const Frame frame = frame_of(in[1]);
     int64_t any = 0;
+    double angles_in[3][BLOCK];
+    double angles_given[3][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double angles_in[3][BLOCK];
-        double angles_given[3][BLOCK];
         double results[4][BLOCK];
         double told[4][BLOCK];
         int64_t left[BLOCK], some = 0;
@@ -1194,9 +1194,9 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_from_angles_zyz
 {
     const Frame frame = frame_of(in[1]);
     int64_t any = 0;
+    double angles_in[3][BLOCK];
+    double angles_given[3][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double angles_in[3][BLOCK];
-        double angles_given[3][BLOCK];
         double results[4][BLOCK];
         double told[4][BLOCK];
         int64_t left[BLOCK], some = 0;
@@ -1249,9 +1249,9 @@ EVERY_INSTRUCTION_SET static int64_t angles_from_quaternion_zyx
 {
     const Frame frame = frame_of(in[1]);
     int64_t any = 0;
+    double q_in[4][BLOCK];
+    double q_given[4][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double q_in[4][BLOCK];
-        double q_given[4][BLOCK];
         double results[3][BLOCK];
         double told[3][BLOCK];
         int64_t left[BLOCK], some = 0;
@@ -1307,9 +1307,9 @@ EVERY_INSTRUCTION_SET static int64_t angles_from_quaternion_zyz
 {
     const Frame frame = frame_of(in[1]);
     int64_t any = 0;
+    double q_in[4][BLOCK];
+    double q_given[4][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double q_in[4][BLOCK];
-        double q_given[4][BLOCK];
         double results[3][BLOCK];
         double told[3][BLOCK];
         int64_t left[BLOCK], some = 0;
@@ -1366,9 +1366,9 @@ EVERY_INSTRUCTION_SET static int64_t angle_rates_matrix_zyx
 {
     const Frame frame = frame_of(in[1]);
     int64_t any = 0;
+    double angles_in[3][BLOCK];
+    double angles_given[3][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double angles_in[3][BLOCK];
-        double angles_given[3][BLOCK];
         double results[9][BLOCK];
         double told[9][BLOCK];
         int64_t left[BLOCK], some = 0;
@@ -1422,9 +1422,9 @@ EVERY_INSTRUCTION_SET static int64_t angle_rates_matrix_zyz
 {
     const Frame frame = frame_of(in[1]);
     int64_t any = 0;
+    double angles_in[3][BLOCK];
+    double angles_given[3][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double angles_in[3][BLOCK];
-        double angles_given[3][BLOCK];
         double results[9][BLOCK];
         double told[9][BLOCK];
         int64_t left[BLOCK], some = 0;
@@ -1479,9 +1479,9 @@ EVERY_INSTRUCTION_SET static int64_t accelerometer_at_rest
      unsigned char *odd)
 {
     int64_t any = 0;
+    double euler_in[3][BLOCK];
+    double gravity_in[1][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double euler_in[3][BLOCK];
-        double gravity_in[1][BLOCK];
         double results[3][BLOCK];
         int64_t left[BLOCK], some = 0;
         LOAD(euler_in, 0, 3)
@@ -1519,11 +1519,11 @@ EVERY_INSTRUCTION_SET static int64_t sensor_measures
      unsigned char *odd)
 {
     int64_t any = 0;
+    double misalignment_in[9][BLOCK];
+    double sensitivity_in[3][BLOCK];
+    double bias_in[3][BLOCK];
+    double actual_in[3][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double misalignment_in[9][BLOCK];
-        double sensitivity_in[3][BLOCK];
-        double bias_in[3][BLOCK];
-        double actual_in[3][BLOCK];
         double results[3][BLOCK];
         int64_t left[BLOCK], some = 0;
         LOAD(misalignment_in, 0, 9)
@@ -1575,11 +1575,11 @@ EVERY_INSTRUCTION_SET static int64_t sensor_corrected
      unsigned char *odd)
 {
     int64_t any = 0;
+    double misalignment_in[9][BLOCK];
+    double sensitivity_in[3][BLOCK];
+    double bias_in[3][BLOCK];
+    double measured_in[3][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double misalignment_in[9][BLOCK];
-        double sensitivity_in[3][BLOCK];
-        double bias_in[3][BLOCK];
-        double measured_in[3][BLOCK];
         double results[3][BLOCK];
         int64_t left[BLOCK], some = 0;
         LOAD(misalignment_in, 0, 9)
@@ -1628,13 +1628,13 @@ EVERY_INSTRUCTION_SET static int64_t gyro_measures
      unsigned char *odd)
 {
     int64_t any = 0;
+    double misalignment_in[9][BLOCK];
+    double sensitivity_in[3][BLOCK];
+    double bias_in[3][BLOCK];
+    double g_sensitivity_in[9][BLOCK];
+    double accel_in[3][BLOCK];
+    double actual_in[3][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double misalignment_in[9][BLOCK];
-        double sensitivity_in[3][BLOCK];
-        double bias_in[3][BLOCK];
-        double g_sensitivity_in[9][BLOCK];
-        double accel_in[3][BLOCK];
-        double actual_in[3][BLOCK];
         double results[3][BLOCK];
         int64_t left[BLOCK], some = 0;
         LOAD(misalignment_in, 0, 9)
@@ -1701,13 +1701,13 @@ EVERY_INSTRUCTION_SET static int64_t gyro_corrected
      unsigned char *odd)
 {
     int64_t any = 0;
+    double misalignment_in[9][BLOCK];
+    double sensitivity_in[3][BLOCK];
+    double bias_in[3][BLOCK];
+    double g_sensitivity_in[9][BLOCK];
+    double accel_in[3][BLOCK];
+    double measured_in[3][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double misalignment_in[9][BLOCK];
-        double sensitivity_in[3][BLOCK];
-        double bias_in[3][BLOCK];
-        double g_sensitivity_in[9][BLOCK];
-        double accel_in[3][BLOCK];
-        double measured_in[3][BLOCK];
         double results[3][BLOCK];
         int64_t left[BLOCK], some = 0;
         LOAD(misalignment_in, 0, 9)
@@ -1774,10 +1774,10 @@ EVERY_INSTRUCTION_SET static int64_t iron_removed
      unsigned char *odd)
 {
     int64_t any = 0;
+    double soft_iron_in[9][BLOCK];
+    double hard_iron_in[3][BLOCK];
+    double field_in[3][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double soft_iron_in[9][BLOCK];
-        double hard_iron_in[3][BLOCK];
-        double field_in[3][BLOCK];
         double results[3][BLOCK];
         int64_t left[BLOCK], some = 0;
         LOAD(soft_iron_in, 0, 9)
@@ -1822,10 +1822,10 @@ EVERY_INSTRUCTION_SET static int64_t iron_added
      unsigned char *odd)
 {
     int64_t any = 0;
+    double soft_iron_in[9][BLOCK];
+    double hard_iron_in[3][BLOCK];
+    double actual_in[3][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double soft_iron_in[9][BLOCK];
-        double hard_iron_in[3][BLOCK];
-        double actual_in[3][BLOCK];
         double results[3][BLOCK];
         int64_t left[BLOCK], some = 0;
         LOAD(soft_iron_in, 0, 9)
@@ -1870,9 +1870,9 @@ EVERY_INSTRUCTION_SET static int64_t vector_rate
      unsigned char *odd)
 {
     int64_t any = 0;
+    double vector_in[3][BLOCK];
+    double body_rates_in[3][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double vector_in[3][BLOCK];
-        double body_rates_in[3][BLOCK];
         double results[3][BLOCK];
         int64_t left[BLOCK], some = 0;
         LOAD(vector_in, 0, 3)
@@ -1906,10 +1906,10 @@ EVERY_INSTRUCTION_SET static int64_t norm_misfit
      unsigned char *odd)
 {
     int64_t any = 0;
+    double to_sphere_in[6][BLOCK];
+    double centre_in[3][BLOCK];
+    double reading_in[3][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double to_sphere_in[6][BLOCK];
-        double centre_in[3][BLOCK];
-        double reading_in[3][BLOCK];
         double results[10][BLOCK];
         int64_t left[BLOCK], some = 0;
         LOAD(to_sphere_in, 0, 6)
@@ -1978,8 +1978,8 @@ EVERY_INSTRUCTION_SET static int64_t tilt_from_accelerometer
      unsigned char *odd)
 {
     int64_t any = 0;
+    double accel_in[3][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double accel_in[3][BLOCK];
         double results[2][BLOCK];
         int64_t left[BLOCK], some = 0;
         LOAD(accel_in, 0, 3)
@@ -2015,10 +2015,10 @@ EVERY_INSTRUCTION_SET static int64_t heading_from_magnetometer
      unsigned char *odd)
 {
     int64_t any = 0;
+    double mag_in[3][BLOCK];
+    double tilt_in[2][BLOCK];
+    double reference_in[2][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double mag_in[3][BLOCK];
-        double tilt_in[2][BLOCK];
-        double reference_in[2][BLOCK];
         double results[1][BLOCK];
         int64_t left[BLOCK], some = 0;
         LOAD(mag_in, 0, 3)
@@ -2062,10 +2062,10 @@ EVERY_INSTRUCTION_SET static int64_t validation_factor
      unsigned char *odd)
 {
     int64_t any = 0;
+    double mag_in[3][BLOCK];
+    double tilt_in[2][BLOCK];
+    double reference_down_in[1][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double mag_in[3][BLOCK];
-        double tilt_in[2][BLOCK];
-        double reference_down_in[1][BLOCK];
         double results[1][BLOCK];
         int64_t left[BLOCK], some = 0;
         LOAD(mag_in, 0, 3)
@@ -2113,12 +2113,12 @@ EVERY_INSTRUCTION_SET static int64_t monitor_gain
      unsigned char *odd)
 {
     int64_t any = 0;
+    double above_in[1][BLOCK];
+    double patience_in[1][BLOCK];
+    double gain_in[1][BLOCK];
+    double lowest_in[1][BLOCK];
+    double highest_in[1][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double above_in[1][BLOCK];
-        double patience_in[1][BLOCK];
-        double gain_in[1][BLOCK];
-        double lowest_in[1][BLOCK];
-        double highest_in[1][BLOCK];
         double results[1][BLOCK];
         int64_t left[BLOCK], some = 0;
         LOAD(above_in, 0, 1)
@@ -2154,10 +2154,10 @@ EVERY_INSTRUCTION_SET static int64_t inertial_acceleration
      unsigned char *odd)
 {
     int64_t any = 0;
+    double accel_in[3][BLOCK];
+    double euler_in[3][BLOCK];
+    double gravity_in[1][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double accel_in[3][BLOCK];
-        double euler_in[3][BLOCK];
-        double gravity_in[1][BLOCK];
         double results[3][BLOCK];
         int64_t left[BLOCK], some = 0;
         LOAD(accel_in, 0, 3)
@@ -2210,10 +2210,10 @@ EVERY_INSTRUCTION_SET static int64_t accelerometer_from_acceleration
      unsigned char *odd)
 {
     int64_t any = 0;
+    double acceleration_in[3][BLOCK];
+    double euler_in[3][BLOCK];
+    double gravity_in[1][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double acceleration_in[3][BLOCK];
-        double euler_in[3][BLOCK];
-        double gravity_in[1][BLOCK];
         double results[3][BLOCK];
         int64_t left[BLOCK], some = 0;
         LOAD(acceleration_in, 0, 3)
@@ -2270,10 +2270,10 @@ EVERY_INSTRUCTION_SET static int64_t drift_from_tilt_error
      unsigned char *odd)
 {
     int64_t any = 0;
+    double angle_error_in[1][BLOCK];
+    double time_in[1][BLOCK];
+    double gravity_in[1][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double angle_error_in[1][BLOCK];
-        double time_in[1][BLOCK];
-        double gravity_in[1][BLOCK];
         double results[3][BLOCK];
         int64_t left[BLOCK], some = 0;
         LOAD(angle_error_in, 0, 1)
@@ -2308,16 +2308,16 @@ EVERY_INSTRUCTION_SET static int64_t position_errors
      unsigned char *odd)
 {
     int64_t any = 0;
+    double angle_error_in[1][BLOCK];
+    double accel_bias_in[1][BLOCK];
+    double gyro_bias_in[1][BLOCK];
+    double scale_error_in[1][BLOCK];
+    double acceleration_in[1][BLOCK];
+    double accel_noise_in[1][BLOCK];
+    double gyro_noise_in[1][BLOCK];
+    double time_in[1][BLOCK];
+    double gravity_in[1][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double angle_error_in[1][BLOCK];
-        double accel_bias_in[1][BLOCK];
-        double gyro_bias_in[1][BLOCK];
-        double scale_error_in[1][BLOCK];
-        double acceleration_in[1][BLOCK];
-        double accel_noise_in[1][BLOCK];
-        double gyro_noise_in[1][BLOCK];
-        double time_in[1][BLOCK];
-        double gravity_in[1][BLOCK];
         double results[6][BLOCK];
         int64_t left[BLOCK], some = 0;
         LOAD(angle_error_in, 0, 1)
@@ -2369,9 +2369,9 @@ EVERY_INSTRUCTION_SET static int64_t gain_from_time_constant
      unsigned char *odd)
 {
     int64_t any = 0;
+    double time_constant_in[1][BLOCK];
+    double dt_in[1][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double time_constant_in[1][BLOCK];
-        double dt_in[1][BLOCK];
         double results[1][BLOCK];
         int64_t left[BLOCK], some = 0;
         LOAD(time_constant_in, 0, 1)
@@ -2400,9 +2400,9 @@ EVERY_INSTRUCTION_SET static int64_t time_constant_from_gain
      unsigned char *odd)
 {
     int64_t any = 0;
+    double gain_in[1][BLOCK];
+    double dt_in[1][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double gain_in[1][BLOCK];
-        double dt_in[1][BLOCK];
         double results[1][BLOCK];
         int64_t left[BLOCK], some = 0;
         LOAD(gain_in, 0, 1)
@@ -2433,11 +2433,11 @@ EVERY_INSTRUCTION_SET static int64_t averaging_bound
      unsigned char *odd)
 {
     int64_t any = 0;
+    double averaged_in[1][BLOCK];
+    double time_constant_in[1][BLOCK];
+    double speed_in[1][BLOCK];
+    double bias_bound_in[1][BLOCK];
     FOR_EACH_BLOCK(rows) {
-        double averaged_in[1][BLOCK];
-        double time_constant_in[1][BLOCK];
-        double speed_in[1][BLOCK];
-        double bias_bound_in[1][BLOCK];
         double results[1][BLOCK];
         int64_t left[BLOCK], some = 0;
         LOAD(averaged_in, 0, 1)
