@@ -31,10 +31,27 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print(f"{options.command}: stopped before the end", file=sys.stderr)
         return INTERRUPTED
     except BrokenPipeError:
-        # What is still to be written goes nowhere, without a second complaint at the end.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        _write_no_more()
         return UNREAD
+    except OSError as error:
+        # A full disk, most often; the output's own end would complain again.
+        print(f"{options.command}: {_said(error)}", file=sys.stderr)
+        _write_no_more()
+        return 1
     return code
+
+
+def _write_no_more() -> None:
+    """Let what is still to be printed go nowhere."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def _said(error: Exception) -> str:
+    """Return what happened and where, without the number that a system has for it."""
+    if not isinstance(error, OSError) or error.strerror is None:
+        return str(error)
+    place = f": {error.filename}" if error.filename else ""
+    return f"{error.strerror}{place}"
 
 
 # Each command loads what it needs: the book wants Sphinx, judging wants SymPy.
@@ -47,7 +64,7 @@ def _book(options: argparse.Namespace) -> int:
         build(folder=options.folder, open_browser=options.open)
     except (RuntimeError, OSError) as error:
         # It says what is missing or wrong; where in the program does not help.
-        print(f"book: {error}", file=sys.stderr)
+        print(f"book: {_said(error)}", file=sys.stderr)
         return 1
     return 0
 
@@ -83,7 +100,7 @@ def _say_written(command: str, write: Callable[[], Iterable[Path]]) -> int:
         written = write()
     except (OSError, RuntimeError) as error:
         # Where it is to go is the user's choice, so it is no fault of the program's.
-        print(f"{command}: {error}", file=sys.stderr)
+        print(f"{command}: {_said(error)}", file=sys.stderr)
         return 2
     for path in written:
         print(path)
@@ -138,9 +155,10 @@ def _parser() -> argparse.ArgumentParser:
     for name, choices in (("document", DOCUMENTS), ("verdict", VERDICTS)):
         told = f"only the entries of this one: {', '.join(choices)}"
         ledger.add_argument(f"--{name}", choices=choices, metavar=name.upper(), help=told)
-    ledger.add_argument("--json", action="store_true", help="a list of objects, not a table")
-    ledger.add_argument("--write", action="store_true", help="judge what changed, and store it")
-    ledger.add_argument(
+    what = ledger.add_mutually_exclusive_group()
+    what.add_argument("--json", action="store_true", help="a list of objects, not a table")
+    what.add_argument("--write", action="store_true", help="judge what changed, and store it")
+    what.add_argument(
         "--check", action="store_true", help="judge all, compare with the stored; a minute"
     )
 

@@ -4,6 +4,7 @@ import io
 import json
 import os
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -87,3 +88,28 @@ def test_a_reader_who_has_read_enough_is_no_error(monkeypatch: pytest.MonkeyPatc
     with os.fdopen(theirs, "w", encoding="utf-8") as output:
         monkeypatch.setattr(sys, "stdout", output)
         assert command.main(["ledger"]) == command.UNREAD
+
+
+def test_a_full_disk_is_told_in_a_line(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with Path("/dev/full").open("w", encoding="utf-8") as output:
+        monkeypatch.setattr(sys, "stdout", output)
+        assert command.main(["ledger"]) == 1
+    assert capsys.readouterr().err == "ledger: No space left on device\n"
+
+
+def test_a_file_in_the_place_of_a_folder_is_told_in_a_line(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    taken = tmp_path / "taken"
+    taken.touch()
+    assert command.main(["export", "c", str(taken)]) == 2
+    assert capsys.readouterr().err == f"export: File exists: {taken}\n"
+
+
+def test_a_list_and_a_judgement_are_not_had_at_once(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as ended:
+        command.main(["ledger", "--json", "--check"])
+    assert ended.value.code == 2
+    assert "not allowed with argument --json" in capsys.readouterr().err

@@ -20,7 +20,8 @@ SOURCES = ROOT / "book"
 _JUPYTER_BOOK = "from jupyter_book.cli.main import main; main()"
 _NEEDED = ("jupyter_book", "anywidget", "math_core", "fontTools", "brotli", "ziamath")
 _INSTALL = 'python -m pip install -e ".[book]", or "chr-notes[book]" without a clone'
-_MAKERS = ("jupyter-book", "myst-nb", "sphinx", "sphinx-book-theme")
+_MAKERS = ("jupyter-book", "matplotlib", "myst-nb", "sphinx", "sphinx-book-theme", "sympy")
+_STAMP = "made_by"
 
 
 def build(
@@ -57,20 +58,21 @@ def build(
     """
     _require()
     root = sources.find(folder)
-    _say("Writing the pages that come from data …")
-    _write_generated(root / "book")
+    made_by = _made_by(root / "book")
+    if not _is_from(root / "book" / "_generated", made_by):
+        _say("Writing the pages that come from data …")
+        _write_generated(root / "book", made_by)
     output = output or root / "book"
     output.mkdir(parents=True, exist_ok=True)
     built = output / "_build"
     with tempfile.TemporaryDirectory(dir=output, prefix=".build-") as beside:
         aside = Path(beside) / "_build"
-        made_by = _made_by(root / "book")
         whole = not _is_from(built, made_by)
         if not whole:
             shutil.copytree(built, aside)
         _say("Building the pages …" if whole else "Building the pages that changed …")
         _run_jupyter_book(root, aside.parent, whole=whole)
-        _write(aside / "made_by", made_by)
+        _write(aside / _STAMP, made_by)
         if built.exists():
             built.rename(Path(beside) / "before")
         aside.rename(built)
@@ -92,7 +94,7 @@ def _made_by(book: Path) -> str:
     """Stamp of what makes pages of their sources; where it differs, no page stays as it is."""
     package = Path(__file__).resolve().parents[1]
     files = [path for path in package.rglob("*") if path.is_file() and path.suffix != ".pyc"]
-    files += [book / name for name in ("_config.yml", "_toc.yml", "pages.css", "icons.css")]
+    files += [path for path in book.iterdir() if path.suffix in (".yml", ".css", ".js", ".json")]
     digest = hashlib.sha256()
     for path in sorted(files):
         digest.update(path.name.encode() + path.read_bytes())
@@ -101,11 +103,11 @@ def _made_by(book: Path) -> str:
 
 
 def _is_from(built: Path, made_by: str) -> bool:
-    stamp = built / "made_by"
+    stamp = built / _STAMP
     return stamp.is_file() and stamp.read_text(encoding="utf-8") == made_by
 
 
-def _write_generated(book: Path) -> None:
+def _write_generated(book: Path, made_by: str) -> None:
     # Imported here, so that a missing package is reported in our words and not as an ImportError.
     from chr_notes import lesson  # noqa: PLC0415
     from chr_notes.book import pages, search  # noqa: PLC0415
@@ -113,6 +115,7 @@ def _write_generated(book: Path) -> None:
     from chr_notes.ledger import entries  # noqa: PLC0415
 
     generated = book / "_generated"
+    (generated / _STAMP).unlink(missing_ok=True)  # until all are written they are from nothing
     static = generated / "static"
     shutil.rmtree(static, ignore_errors=True)  # each script in it would go into every page
     for name, text in pages.generated().items():
@@ -126,6 +129,7 @@ def _write_generated(book: Path) -> None:
     _write(static / "search_first.js", search.found_first(entries()) + first)
     _write(static / "pages.js", page_script())
     _write(static / "converter_page.js", page_script("converter"))
+    _write(generated / _STAMP, made_by)
 
 
 def _write(path: Path, text: str) -> None:

@@ -54,7 +54,7 @@ def runs(monkeypatch: pytest.MonkeyPatch) -> list[bool]:
             raise RuntimeError(msg)
 
     monkeypatch.setattr(chr_notes.book, "_run_jupyter_book", run)
-    monkeypatch.setattr(chr_notes.book, "_write_generated", lambda _: None)
+    monkeypatch.setattr(chr_notes.book, "_write_generated", lambda *_: None)
     return whole_ones
 
 
@@ -78,15 +78,33 @@ def test_another_program_makes_all_pages_anew(
     assert runs == [True, True]
 
 
+def test_pages_from_data_are_written_where_their_makers_changed(
+    runs: list[bool], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    generated = tmp_path / "book" / "_generated"
+    generated.mkdir(parents=True)
+    written = []
+    monkeypatch.setattr(sources, "find", lambda _: tmp_path)
+    monkeypatch.setattr(chr_notes.book, "_made_by", lambda _: "of today")
+    monkeypatch.setattr(chr_notes.book, "_write_generated", lambda *given: written.append(given))
+    for made_by, times in (("of yesterday", 1), ("of today", 1)):
+        (generated / "made_by").write_text(made_by, encoding="utf-8")
+        build(output=tmp_path)
+        assert len(written) == times
+    assert runs == [True, False]
+
+
 def test_a_folder_that_cannot_be_written_is_told_in_a_line(
     runs: list[bool], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
+    monkeypatch.setattr(chr_notes.book, "_made_by", lambda _: "another program")
+
     def full(*_: object, **__: object) -> None:
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), "page.html")
 
     monkeypatch.setattr(chr_notes.book, "_write_generated", full)
     assert main(["book"]) == 1
-    assert capsys.readouterr().err == "book: [Errno 28] No space left on device: 'page.html'\n"
+    assert capsys.readouterr().err == "book: No space left on device: page.html\n"
     assert runs == []
 
 

@@ -37,6 +37,16 @@ WEIGHT = """() => ["navigation", "resource"]
   .flatMap((type) => performance.getEntriesByType(type))
   .reduce((sum, entry) => sum + entry.decodedBodySize, 0)"""
 
+# How far what stands in the window has moved by itself, and the longest task in ms.
+UNREST = """() => Promise.all(["layout-shift", "longtask"].map((type) => new Promise((done) => {
+  new PerformanceObserver((list) => done(list.getEntries())).observe({ type, buffered: true });
+  setTimeout(() => done([]), 100);
+}))).then(([shifts, tasks]) => [
+  shifts.filter((shift) => !shift.hadRecentInput).reduce((sum, shift) => sum + shift.value, 0),
+  Math.max(0, ...tasks.map((task) => task.duration)),
+])"""
+MOST_SHIFT = 0.05
+
 LEFT_OVER = """() => {
   const article = document.querySelector(".bd-article")?.cloneNode(true);
   if (!article) return "";
@@ -71,7 +81,7 @@ def looked_at(page: Page) -> None:
     assert "\\" not in left_over, page.url
     assert page.locator("img:not([alt]), img[alt='']").count() == 0, page.url
     demos = page.locator("[data-demo]").count()
-    assert page.locator("[data-demo] > .chr-demo").count() == demos, page.url
+    expect(page.locator("[data-demo] > .chr-demo")).to_have_count(demos)
 
 
 # `visit` fails on any request to elsewhere, missing file or error on the console.
@@ -81,16 +91,33 @@ def test_page_stands_by_itself(
 ) -> None:
     page = visit(served + name, color_scheme="light")
     weight = page.evaluate(WEIGHT)
-    record_property("measured", f"{name} {weight / 1000:.0f} kB")
     plain = page.locator("math").count() == 0
     assert 300_000 < weight <= LIMITS.get(name, LIGHT if plain else LARGEST)
     looked_at(page)
+    shift, longest = page.evaluate(UNREST)
+    record_property(
+        "measured",
+        f"{name} {weight / 1000:.0f} kB, moves {shift:.3f}, longest task {longest:.0f} ms",
+    )
+    assert shift <= MOST_SHIFT
     for width in (1280, 390):
         page.set_viewport_size({"width": width, "height": 900})
         assert page.evaluate("document.documentElement.scrollWidth") <= width
         assert page.evaluate(TOO_WIDE) == []
         page.evaluate("new Promise(requestAnimationFrame)")  # the page has seen its width
         assert page.evaluate(OUT_OF_REACH) == []
+
+
+@pytest.mark.parametrize("name", ["book/converter", "notebooks/euler"])
+def test_on_a_phone_little_moves(
+    visit: Visit, served: str, name: str, record_property: Callable[[str, object], None]
+) -> None:
+    page = visit(f"{served}{name}.html", width=390)
+    demos = page.locator("[data-demo]").count()
+    expect(page.locator("[data-demo] > .chr-demo")).to_have_count(demos)
+    shift, _ = page.evaluate(UNREST)
+    record_property("measured", f"{name} at 390 px moves {shift:.3f}")
+    assert shift <= MOST_SHIFT
 
 
 def test_pages_stand_from_the_disk(visit: Visit, book: Path) -> None:
