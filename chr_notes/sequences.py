@@ -10,6 +10,8 @@ Matrices take components to the turned frame, as everywhere in this package; Sci
 transposes. Quaternions are those of `chr_notes.quaternions`.
 """
 
+from itertools import product
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -25,19 +27,13 @@ _angles_from_quaternion = Rows(generated.angles_from_quaternion, scaled="refused
 _angle_rates_matrix = Rows(generated.angle_rates_matrix)
 
 _ROTATING = tuple(
-    f"{first}{second}{third}"
-    for first in "XYZ"
-    for second in "XYZ"
-    for third in "XYZ"
-    if first != second != third
+    "".join(axes) for axes in product("XYZ", repeat=3) if axes[0] != axes[1] != axes[2]
 )
 SEQUENCES = (*_ROTATING, *(name.lower() for name in _ROTATING))
 """The twelve sequences about rotating axes, and the twelve about fixed ones."""
 # The axes of each in the order of turns about rotating axes, 1, 2, 3 for x, y, z.
 _AXES = {
-    name: np.array([1.0 + "XYZ".index(letter) for letter in name.upper()])[
-        :: 1 if name.isupper() else -1
-    ].copy()
+    name: np.array([1.0 + "XYZ".index(x) for x in name.upper()][:: 1 if name.isupper() else -1])
     for name in SEQUENCES
 }
 
