@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from itertools import combinations
+from types import MappingProxyType, NoneType
 
 from sympy import Basic, Eq, ImmutableMatrix, pi, preorder_traversal
 from sympy.logic.boolalg import Boolean
@@ -11,6 +12,7 @@ from chr_notes.derivations.steps import Step
 from chr_notes.ledger.condition import Condition
 from chr_notes.ledger.edits import Edit, edited
 from chr_notes.ledger.entry import Weight
+from chr_notes.ledger.files import see
 from chr_notes.ledger.reading import Defined, Read
 from chr_notes.printed import BY_ID, Printed
 
@@ -63,6 +65,9 @@ class Case:
     root, weight
         For a statement that does not hold as printed: which error it is one place of, see
         `chr_notes.ledger.roots`, and how much that matters.
+    told_in
+        For an error that could weigh more than it does: the statement of the same document that
+        has it right.
     definition
         That the statement only gives a name, by which other statements are read.
     replaces
@@ -86,12 +91,37 @@ class Case:
     witness: Mapping[Basic, Basic] = field(default_factory=dict)
     root: str | None = None
     weight: Weight | None = None
+    told_in: str | None = None
     definition: bool = False
     replaces: str | None = None
     reported: Boolean | None = None
     readings: tuple[Reading, ...] = ()
     steps: tuple[Step, ...] = ()
     remark: str | None = None
+
+    def __post_init__(self) -> None:
+        """Refuse what is not of its kind, and conditions that say nothing.
+
+        Raises
+        ------
+        CannotJudgeError
+            Then. It names the entry, what was expected and what came.
+        """
+        try:
+            for name, kind in KINDS.items():
+                _check_kind(getattr(self, name), kind, name)
+            for name, kind in EACH.items():
+                for value in getattr(self, name):
+                    _check_kind(value, kind, f"one of {name}")
+            for step in self.steps:
+                if not (isinstance(step.statement, Boolean) and step.statement.args):
+                    msg = f"expected a relation as step, got {step.statement!r}"
+                    raise ValueError(msg)  # noqa: TRY301 (named below)
+            for condition in filter(None, (*self.given, self.condition)):
+                condition.check()
+        except (TypeError, ValueError) as error:
+            msg = f"{self.id}: {error}; {see(self.id)}"
+            raise CannotJudgeError(msg) from error
 
     @property
     def printed(self) -> Printed:
@@ -116,6 +146,31 @@ class Case:
         except ValueError as error:
             msg = f"{self.id}: {error}"
             raise CannotJudgeError(msg) from error
+
+
+# What a case is made of; and of what there may be several, each one.
+KINDS: Mapping[str, tuple[type, ...]] = MappingProxyType(
+    {
+        "read": (Read, NoneType),
+        "given": (tuple,),
+        "condition": (Condition, NoneType),
+        "edits": (tuple,),
+        "witness": (Mapping,),
+        "reported": (Boolean, NoneType),
+        "readings": (tuple,),
+        "steps": (tuple,),
+    }
+)
+EACH: Mapping[str, tuple[type, ...]] = MappingProxyType(
+    {"given": (Condition,), "edits": (Edit,), "readings": (Reading,), "steps": (Step,)}
+)
+
+
+def _check_kind(value: object, kinds: tuple[type, ...], name: str) -> None:
+    if not isinstance(value, kinds):
+        called = " or ".join("None" if kind is NoneType else kind.__name__ for kind in kinds)
+        msg = f"expected {called} as {name}, got {value!r}"
+        raise TypeError(msg)
 
 
 def complete(
@@ -164,6 +219,14 @@ def complete(
             msg = (
                 f"{case.id}: expected readings, for the document contradicts itself in what it "
                 "names; got none"
+            )
+            raise CannotJudgeError(msg)
+        if case.told_in is not None and not any(
+            each.id == case.told_in and each.root is None for each in cases
+        ):
+            msg = (
+                f"{case.id}: expected as told_in a statement of its document that holds, got "
+                f"{case.told_in!r}"
             )
             raise CannotJudgeError(msg)
         other = next((each for each in cases if _means_otherwise(each, case)), None)

@@ -96,12 +96,14 @@ def terms(statement: Basic, case: Case) -> set[object]:
     """
     found: set[object] = set()
     for part in parts(in_order(statement)):
+        if isinstance(part, Approximately):
+            found.add(("number", part.number))
         for node in preorder_traversal(part):
             if isinstance(node, Relational | And | Approximately):
                 continue
             if isinstance(node, Str):
-                found.add(("number", node.name))
-            elif _is_name(node) or node in case.reading:
+                continue
+            if _is_name(node) or node in case.reading:
                 found |= set(_bases(node)) - EVERYDAY
             elif isinstance(node, MatrixBase):
                 found.add(node)

@@ -23,15 +23,17 @@ class Condition:
 
     holds: Boolean
 
-    def __post_init__(self) -> None:
+    def check(self) -> None:
         """Refuse a condition that says nothing, that cannot be met, or that no rule can state.
+
+        Each case checks its own, so that the message names the entry.
 
         Raises
         ------
         ValueError
             Then.
         """
-        if not self.holds.args:
+        if not isinstance(self.holds, Basic) or not self.holds.args:
             msg = f"expected a relation or several as condition, got {self.holds}"
             raise ValueError(msg)
         for relation in self.relations:

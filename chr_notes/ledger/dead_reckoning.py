@@ -194,6 +194,7 @@ SETTLED = (
         },
         root="local-gravity",
         weight="small print",
+        told_in="dead_reckoning.2.3",
         steps=(
             Step(
                 "With an exact attitude the reading comes back as the acceleration less gravity, "
@@ -208,7 +209,8 @@ SETTLED = (
                 ),
             ),
         ),
-        remark="The gravity that is added must be the local one. It runs from 9.780 m/s² at the "
+        remark="The gravity that is added must be the local one, as the symbol in "
+        "dead_reckoning.2.3 says. It runs from 9.780 m/s² at the "
         "equator to 9.832 at the poles; with the note's 9.8 a body at rest at a pole seems to "
         "accelerate by 0.032 m/s², more than 0.1° of tilt would make.",
     ),

@@ -165,6 +165,7 @@ SETTLED = (
         witness={**NO_FORCE, phi: 0, theta: 0, m: 1, g: Rational(98, 10)},
         root="gravity-alone",
         weight="label",
+        told_in="estimation.2.2",
         steps=(
             Step(
                 "All forces are gravity and what holds the body, whatever they add up to.",
@@ -185,7 +186,8 @@ SETTLED = (
                 Eq(printed.A_M, SUPPORT / m),
             ),
         ),
-        remark="The assumption F = 0 leads to the right reading. But it does not say that only "
+        remark="The assumption F = 0 leads to the right reading, see estimation.2.2. "
+        "But it does not say that only "
         "gravity acts: it says that all other forces together just cancel gravity.",
     ),
     Case(

@@ -248,6 +248,7 @@ SETTLED = (
         witness={phi: 30 * DEGREE, theta: 20 * DEGREE, psi: 60 * DEGREE},
         root="body-to-inertial-symbol",
         weight="label",
+        told_in="euler.5.4",
         steps=(
             Step(
                 "The rows of the matrix are three axes at right angles, of length one. So its "
@@ -261,7 +262,8 @@ SETTLED = (
             ),
         ),
         remark="The right-hand side is the matrix from body to inertial, as the sentence before "
-        "it says; the symbol on the left repeats the one of the opposite direction.",
+        "it says; the symbol on the left repeats the one of the opposite direction. "
+        "The line before has the right one, see euler.5.4.",
     ),
     Case("euler.5.a", steps=(UNDONE,)),
     Case("euler.7.e", remark="As euler.3.a says of the first."),

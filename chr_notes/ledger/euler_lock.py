@@ -58,6 +58,7 @@ SETTLED = (
         witness={theta: pi / 2, phi: 0, psi: 0},
         root="opposite-at-the-lock",
         weight="small print",
+        told_in="euler.6.b",
         steps=(
             Step(
                 "Roll turns about x of the body, yaw about z of the inertial frame, which is this "
@@ -68,7 +69,8 @@ SETTLED = (
                 ),
             ),
         ),
-        remark=f"The same line, which is why one of the two angles is lost. {OPPOSITE}",
+        remark=f"The same line, which is why one of the two angles is lost. {OPPOSITE} "
+        "What the note makes of it has the right sign, see euler.6.b.",
     ),
     Case(
         "euler.6.d",
@@ -88,6 +90,7 @@ SETTLED = (
         edits=(Edit(Integer(0), Integer(1)),),
         root="lock-without-a-cure",
         weight="small print",
+        told_in="euler.6.d",
         steps=(
             Step(
                 "Three turns lock where their axes lie in a plane, so where the determinant of the "
@@ -103,6 +106,7 @@ SETTLED = (
         "where the nose points straight up, turns about z, x and z are as far from their lock as "
         "can be. So an estimator that changes between two sequences gets by, and the quaternion "
         "note says itself that the filter can fail “if special precautions aren't taken”. "
-        "Another representation is the simple cure, and not the only one.",
+        "Another representation is the simple cure, and not the only one: where the lock lies "
+        "depends on the order of the turns, see euler.6.d.",
     ),
 )

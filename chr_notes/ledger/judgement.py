@@ -46,7 +46,8 @@ from chr_notes.ledger.generality import (
 from chr_notes.ledger.identities import OnSphere, reduced
 from chr_notes.ledger.proof import Finding, examine, excludes, fails, proves
 from chr_notes.ledger.search import is_exact
-from chr_notes.ledger.ties import check_weight
+from chr_notes.ledger.step_words import check_words
+from chr_notes.ledger.ties import check_place, check_weight
 from chr_notes.ledger.witness import check_witness, number, witness
 from chr_notes.ledger.words import misfits
 from chr_notes.printed.statement import Approximately
@@ -88,6 +89,11 @@ def judge(case: Case) -> Entry:
     except CannotJudgeError as error:
         msg = f"{error}; {see(case.id)}"
         raise CannotJudgeError(msg) from error
+    except (AttributeError, IndexError, TypeError, ValueError) as error:
+        msg = (
+            f"{case.id}: expected mathematics that can be worked out, got: {error}; {see(case.id)}"
+        )
+        raise CannotJudgeError(msg) from error
 
 
 def _entry(case: Case) -> Entry:
@@ -98,8 +104,10 @@ def _entry(case: Case) -> Entry:
     check_root(case, failing=failing)
     if failing:
         check_weight(case)
+        check_place(case)
     derivation = tuple(_step(case, place) for place in range(len(case.steps)))
     check_steps(case)
+    check_words(case)
     readings = tuple(_reading(case, each) for each in case.readings)
     if readings and verdict != "corrected" and not readings[0][1]:
         msg = f"{case.id}: {verdict}, yet it does not hold under the first of its readings"

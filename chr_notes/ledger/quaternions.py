@@ -106,6 +106,7 @@ SETTLED = (
         edits=(Edit(3 * printed.COMPLEX, 3 * printed.IMAGINARY),),
         root="complex-for-imaginary",
         weight="label",
+        told_in="quaternions.2.1",
         steps=(
             Step(
                 "A complex number is a real one and a real multiple of i: two numbers. One real "
@@ -115,7 +116,7 @@ SETTLED = (
             Step("A quaternion is four numbers.", Eq(printed.QUATERNIONS, 4)),
         ),
         remark="One real element and three **imaginary** ones: real multiples of i, j and k, each "
-        "of which squares to −1.",
+        "of which squares to −1. With its four elements it stands in quaternions.2.1.",
     ),
     Case(
         "quaternions.3.1",
@@ -241,6 +242,7 @@ SETTLED = (
         witness={a: 2, b: 0, c: 0, d: 0},
         root="inverse-is-conjugate",
         weight="small print",
+        told_in="quaternions.2.1",
         steps=(
             Step(
                 "A quaternion times its conjugate is a number, the sum of the squares.",
@@ -253,7 +255,8 @@ SETTLED = (
             ),
         ),
         remark="The sentence speaks of quaternions in general. Of the attitude quaternion it is "
-        "true, because that one has norm one; of 2, whose inverse is ½, it is not.",
+        "true, because that one has norm one, see quaternions.2.1; of 2, whose inverse is ½, it is "
+        "not.",
     ),
     Case(
         "quaternions.3.b",

@@ -140,12 +140,9 @@ def judged(document: str) -> tuple[list[Entry], list[str]]:
     from chr_notes.ledger.case import CannotJudgeError  # noqa: PLC0415
     from chr_notes.ledger.cases import CASES  # noqa: PLC0415
     from chr_notes.ledger.judgement import judge  # noqa: PLC0415
-    from chr_notes.ledger.ties import unlike  # noqa: PLC0415
 
     own = [case for case in CASES.values() if case.printed.document == document]
-    roots = {case.root for case in own}
-    errors = list(unlike(case for case in CASES.values() if case.root in roots))
-    entries = []
+    errors, entries = [], []
     for case in own:
         try:
             entries.append(judge(case))

@@ -58,3 +58,36 @@ ROOTS: Final[Mapping[str, str]] = MappingProxyType(
 
 In the order of the documents.
 """
+
+KNOWN_BY: Final[Mapping[str, str]] = MappingProxyType(
+    {
+        "rates-by-projection": r".+R_\{B\}\^\{v_2\}.+ for .+\^\{-1\}.+",
+        "body-to-inertial-symbol": r"R_\{I\}\^\{B\}.+ for R_\{B\}\^\{I\}.+",
+        "opposite-at-the-lock": r"minus before numbers",
+        "lock-without-a-cure": r"0 for 1",
+        "vehicle-3": r".*vehicle-3.* for .*vehicle-2.*",
+        "quaternion-direction": r"readings of .*\\mathbf\{q\}.*",
+        "complex-for-imaginary": r".*\\mathbb\{C\} for .* i\\mathbb\{R\}",
+        "inverse-is-conjugate": r"only if a\^\{2\} \+ b\^\{2\} \+ c\^\{2\} \+ d\^\{2\} = 1",
+        "accelerometer-for-magnetometer": r"\{S_a\}.* for \{S_b\}.*",
+        "specific-force-called-acceleration": r"\\mathbf\{F\} - \\mathbf\{F\}_g for \\mathbf\{F\}",
+        "constant-but-for-temperature": r"only if T_\{1\} = T_\{2\}",
+        "figure-without-a-number": r".*Figure 1.* for .*no number.*",
+        "gravity-alone": r"\\mathbf\{F\}_g for \\mathbf\{F\}_g \+ .*",
+        "missing-half": r"2 times too large",
+        "kilometre": r"3\.25 times too large",
+        "cut-off": r"cut off",
+        "local-gravity": r"only if \\hat\{g\} = g",
+        "matrix-label": r"readings of .*R_\{i\}\^\{b\}.*",
+        "gravity-or-reading": r"minus before \\phi, \\theta, g",
+        "no-information": r"step .*g_\{xb\}.* = 0.*g_\{yb\}.* = 0",
+        "roll-quadrant": r"only if .*\\phi.* < \\frac\{\\pi\}\{2\}",
+        "seam": r"only from - \\pi to \\pi",
+        "bias-stays": r"only if b = 0",
+        "angles-before": r"only if \\phi_\{Comp\(n-1\)\} = \\phi .*",
+        "factor-needs-field": r"only if .*M_\{zi\}",
+        "factor-blind": r"3 for 2",
+        "south-field": r"minus before .*\\alpha.*",
+    }
+)
+"""How each place of an error is known: a pattern for one of its `ties.traits`."""

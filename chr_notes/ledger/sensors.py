@@ -130,6 +130,7 @@ SETTLED = (
         witness=AT_REST,
         root="specific-force-called-acceleration",
         weight="label",
+        told_in="sensors.2.1",
         steps=(
             Step(
                 "By Newton's second law all forces together accelerate the body, gravity among "
@@ -137,7 +138,8 @@ SETTLED = (
                 equation(MatMul(m, claims.ACTUAL), printed.F),
             ),
         ),
-        remark="What is extracted is the specific force, and the formula for it is right. It is "
+        remark="What is extracted is the specific force, and the formula for it is right, as in "
+        "sensors.2.1. It is "
         "the acceleration without what gravity does: at rest one g upwards.",
     ),
     Case(

@@ -110,6 +110,7 @@ SETTLED = (
         witness={**dict.fromkeys(printed.SENSITIVITIES, 4), printed.S_B: 2 * EYE},
         root="accelerometer-for-magnetometer",
         weight="label",
+        told_in="sensors.4.1",
         steps=(
             Step(
                 "Of the magnetometer's reading, misalignment and bias taken out, the field is left "
@@ -121,7 +122,8 @@ SETTLED = (
                 equation(printed.B, FIELD_FROM_READING),
             ),
         ),
-        remark="The index is the accelerometer's; the formula just before has the right one.",
+        remark="The index is the accelerometer's; the formula just before has the right one, see "
+        "sensors.4.1.",
     ),
     Case(
         "sensors.4.e",
@@ -153,6 +155,7 @@ SETTLED = (
         },
         root="constant-but-for-temperature",
         weight="small print",
+        told_in="sensors.2.3",
         steps=(
             Step(
                 "Let bias and sensitivity change evenly with temperature. Between two temperatures "
@@ -172,7 +175,8 @@ SETTLED = (
             ),
         ),
         remark="Wherever the sensor is mounted, the sentence means. With temperature two of the "
-        "three change: the section's first paragraph says so, and so do the symbols.",
+        "three change: the section's first paragraph says so, and so do the symbols from "
+        "sensors.2.3 on.",
     ),
     Case(
         "sensors.4.g",

@@ -5,7 +5,7 @@ held to what is known: all places of one root have something in common, and a we
 what is wrong.
 """
 
-from collections.abc import Iterable, Iterator
+import re
 
 from sympy import Basic, Expr, MatrixBase, N, Symbol, Transpose
 from sympy.matrices.expressions.matexpr import MatrixExpr
@@ -15,7 +15,9 @@ from chr_notes.ledger.corrections import is_renamed
 from chr_notes.ledger.edits import Edit, in_order
 from chr_notes.ledger.evaluation import evaluate, parts
 from chr_notes.ledger.proof import fails
+from chr_notes.ledger.roots import KNOWN_BY
 from chr_notes.printed.statement import Approximately, Rotation
+from chr_notes.typeset import latex
 
 ROUNDING = 0.01  # a number that is off by less misleads nobody
 NEARLY = 0.01  # a number may be so far from a multiple of the right one, for it was rounded
@@ -32,6 +34,14 @@ def check_weight(case: Case) -> None:
     fitting = fitting_weights(case)
     if case.weight not in fitting:
         msg = f"{case.id}: expected {' or '.join(fitting)} as weight, got {case.weight}"
+        raise CannotJudgeError(msg)
+    lighter = case.weight != fitting[0] and fitting[0] == "misleads"
+    if lighter != (case.told_in is not None):
+        wants = "a statement that has it right, for it could mislead" if lighter else "None"
+        msg = f"{case.id}: expected {wants} as told_in, got {case.told_in!r} with {case.weight!r}"
+        raise CannotJudgeError(msg)
+    if case.told_in is not None and case.told_in not in (case.remark or ""):
+        msg = f"{case.id}: expected a remark that leads to {case.told_in}, got {case.remark!r}"
         raise CannotJudgeError(msg)
 
 
@@ -63,20 +73,28 @@ def fitting_weights(case: Case) -> tuple[str, ...]:
     )
 
 
-def unlike(cases: Iterable[Case]) -> Iterator[str]:
-    """Yield what is wrong with roots: places of one that have nothing in common."""
-    places: dict[str, list[Case]] = {}
-    for case in cases:
-        if case.root is not None:
-            places.setdefault(case.root, []).append(case)
-    for root, several in places.items():
-        if not frozenset.intersection(*(traits(case) for case in several)):
-            names = ", ".join(case.id for case in several)
-            yield f"expected something in common of all places of {root!r}: {names}"
+def check_place(case: Case) -> None:
+    """Refuse a root of which a statement is no place.
+
+    Raises
+    ------
+    CannotJudgeError
+        If what is wrong has nothing that the root is known by.
+    """
+    if case.root is None:
+        return
+    known_by = KNOWN_BY[case.root]
+    found = traits(case)
+    if not any(re.fullmatch(known_by, trait) for trait in found):
+        msg = (
+            f"{case.id}: expected of a place of {case.root!r} what {known_by!r} matches, "
+            f"got: {'; '.join(sorted(found))}"
+        )
+        raise CannotJudgeError(msg)
 
 
-def traits(case: Case) -> frozenset[object]:
-    """List by what an error may be known again in another place.
+def traits(case: Case) -> frozenset[str]:
+    """List by what an error may be known again in another place, in LaTeX.
 
     Of a wrong number that is how many times too large it is, or that it was cut off. Of all else
     the same edit, a minus put in before the same quantities, the same condition or the same bounds
@@ -85,17 +103,20 @@ def traits(case: Case) -> frozenset[object]:
     numbers = [part for part in _failing(case) if isinstance(part, Approximately)]
     if numbers:
         return frozenset(_trait_of_number(part, case) for part in numbers)
-    found: set[object] = {in_order(step.statement) for step in case.steps}
+    found = {f"step {latex(in_order(step.statement))}" for step in case.steps}
     for edit in case.edits:
         part, by = in_order(edit.part), in_order(edit.by)
-        found.add((part, by))
+        found.add(f"{latex(part)} for {latex(by)}")
         if isinstance(part, Expr | MatrixBase) and in_order(-part) == by:
-            found.add(("minus", frozenset(case.reading(part).free_symbols)))
+            of = sorted(map(latex, case.reading(part).free_symbols))
+            found.add(f"minus before {', '.join(of) or 'numbers'}")
     if case.condition is not None:
-        holds = case.condition.relations
-        found |= {case.condition.holds, frozenset((type(each), each.rhs) for each in holds)}
+        found.add(f"only if {latex(case.condition.holds)}")
+        bounds = sorted((each.rhs for each in case.condition.relations), key=str)
+        if len(bounds) > 1:
+            found.add(f"only from {' to '.join(map(latex, bounds))}")
     if case.readings:
-        found.add(tuple(reading.convention for reading in case.readings))
+        found.add(f"readings of {' or '.join(latex(each.convention) for each in case.readings)}")
     return frozenset(found)
 
 
@@ -109,13 +130,13 @@ def _ratio(part: Approximately, case: Case) -> float:
     return float(part.rhs / N(evaluate(part.lhs, case.reading, case.witness), 30))
 
 
-def _trait_of_number(part: Approximately, case: Case) -> object:
+def _trait_of_number(part: Approximately, case: Case) -> str:
     ratio = _ratio(part, case)
     short = 0 < part.rhs / ratio - part.rhs < part.unit
-    times = round(ratio)
-    if short and times == 1:
+    if short and round(ratio) == 1:
         return "cut off"
-    return ("times", times) if abs(ratio / times - 1) < NEARLY else part
+    nearly = abs(ratio / round(ratio) - 1) < NEARLY
+    return f"{round(ratio) if nearly else f'{ratio:.2f}'} times too large"
 
 
 def _exchanges_names(edit: Edit) -> bool:

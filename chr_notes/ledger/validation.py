@@ -120,6 +120,7 @@ SETTLED = (
         witness={**SOME_ATTITUDE, **SOME_FIELD},
         root="matrix-label",
         weight="label",
+        told_in="validation.13",
         readings=READINGS,
         steps=(
             Step(
@@ -127,7 +128,8 @@ SETTLED = (
                 Eq(printed.R_BI, printed.R_IB.T, evaluate=False),
             ),
         ),
-        remark="Written out it is right; the symbol in front names the other direction. " + LABEL,
+        remark="Written out it is right, and so is what follows from it, see validation.13; "
+        "the symbol in front names the other direction. " + LABEL,
     ),
     Case(
         "validation.13",

@@ -190,10 +190,11 @@ SETTLED = (
         witness={**SOME_ATTITUDE, g: Rational(98, 10)},
         root="matrix-label",
         weight="label",
+        told_in="validation.2",
         readings=READINGS,
         steps=(WAY_BACK,),
-        remark="Equation 2 has the same symbol for the opposite direction. With the elements that "
-        "equation 1 prints the numbers are right. " + LABEL,
+        remark="Equation 2 has the same symbol for the opposite direction, see validation.2. With "
+        "the elements that equation 1 prints the numbers are right. " + LABEL,
     ),
     *(
         Case(

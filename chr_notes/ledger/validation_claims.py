@@ -63,6 +63,7 @@ SETTLED = (
         edits=(Edit(EmptySet, S.Reals),),
         root="no-information",
         weight="small print",
+        told_in="validation.k",
         steps=(
             Step(
                 "As formulas, of any components, the two are minus inverse to each other. If both "

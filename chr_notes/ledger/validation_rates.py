@@ -36,6 +36,7 @@ SETTLED = (
         witness={**SOME_ATTITUDE, roll_rate: 10 * DEGREE, pitch_rate: 0, yaw_rate: 0},
         root="matrix-label",
         weight="label",
+        told_in="validation.9",
         readings=RATES_READINGS,
         steps=(
             Step(
@@ -60,7 +61,7 @@ SETTLED = (
             ),
         ),
         remark="With the matrix that equation 1 prints the transpose is right, with what its label "
-        "says it is one too many. " + LABEL,
+        "says it is one too many. What follows from it is right, see validation.9. " + LABEL,
     ),
     Case(
         "validation.9",
@@ -111,6 +112,7 @@ SETTLED = (
         },
         root="angles-before",
         weight="small print",
+        told_in="validation.9",
         steps=(
             Step(
                 "With a roll that is late by some angle, the rate of pitch is off by that angle "
@@ -126,6 +128,7 @@ SETTLED = (
             ),
         ),
         remark="Exact only where roll and pitch are still what they were one loop before. "
-        "Otherwise the rates come one loop late; the error shrinks with the time between loops.",
+        "Otherwise the rates come one loop late; the error shrinks with the time between loops. "
+        "The rates themselves are right, see validation.9.",
     ),
 )

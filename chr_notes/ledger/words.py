@@ -126,10 +126,10 @@ def misfits(name: str, says: str, formula: str, presumed: str = "") -> Iterator[
     """
     elsewhere = ELSEWHERE.get(name, frozenset())
     for word in elsewhere:
-        if not any(_met(word, says)):
+        if not any(met(word, says)):
             yield f"“{word}” is meant and not said"
     for words, signs in SIGNS.items():
-        for word in _met(words, says):
+        for word in met(words, says):
             if word.lower() not in elsewhere and not re.search(signs, formula + presumed):
                 yield f"“{word}” is said and does not show"
     yield from _wrong_ways(says, formula)
@@ -137,7 +137,7 @@ def misfits(name: str, says: str, formula: str, presumed: str = "") -> Iterator[
         if word not in elsewhere and not re.search(_written(word), formula + presumed):
             yield f"{word} is said and does not show"
     for sign, words in WORDS.items():
-        if re.search(sign, formula) and not any(_met(words, says)):
+        if re.search(sign, formula) and not any(met(words, says)):
             yield f"what {sign} shows is not said"
 
 
@@ -157,7 +157,8 @@ def _leads(source: str, target: str, formula: str) -> bool:
     return re.search(rf"R_\{{{source}\}}\^\{{{target}\}}", formula) is not None
 
 
-def _met(words: str, says: str) -> list[str]:
+def met(words: str, says: str) -> list[str]:
+    """List the words of a pattern that are said."""
     return re.findall(rf"(?<![\w-])(?:{words})(?![\w-])", says, re.IGNORECASE)
 
 

@@ -31,7 +31,7 @@ WORDS = {
 LIST = r"\d+(?:(?:, | and |, and )\d+)*"
 REFERENCE = re.compile(
     rf"\b(?:[Ee]quations?|[Ss]ections?|[Ff]igure|[Tt]able) {LIST}"
-    r"|\b[a-z_]+\.(?:t1|\d)\.[\w.]*\w"  # the id of an entry
+    r"|\b[a-z_]+\.(?:t1|\d)\.[\w.]*\w|\bvalidation\.\w+"  # the id of an entry
     r"|\bvehicle-\d|\$[^$]*_\w+\$"  # names
 )
 NUMBER = re.compile(

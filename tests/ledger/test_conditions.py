@@ -16,12 +16,12 @@ from sympy import (
 )
 
 from chr_notes.derivations.steps import Step
-from chr_notes.ledger.case import CannotJudgeError
+from chr_notes.ledger.case import CannotJudgeError, Case
 from chr_notes.ledger.condition import Condition, Presumed
 from chr_notes.ledger.reading import Read, reading
 from chr_notes.symbols import theta
 
-from .tried import FALSE, OTHER, READ, ROOTED, Bring, Say, x, y, z
+from .tried import FALSE, NAME, OTHER, READ, ROOTED, Bring, Say, x, y, z
 
 
 def test_an_equality_is_not_proved_as_an_inequality(say: Say) -> None:
@@ -89,15 +89,15 @@ def test_an_attitude_is_fixed_by_the_words_of_the_statement_alone(say: Say) -> N
 
 def test_the_condition_shown_is_the_one_that_is_proved(say: Say) -> None:
     for holds in (Lt(abs(theta), 3 * pi / 4), And(), And(Eq(x, 1), Lt(x, 3), evaluate=False)):
-        with pytest.raises(ValueError, match=r"no rule for|expected a relation"):
-            Condition(holds)
+        with pytest.raises(CannotJudgeError, match=r"x.1: (no rule for|expected a relation)"):
+            Case("x.1", condition=Condition(holds))
     with pytest.raises(CannotJudgeError, match="not proved under the condition"):
         say(FALSE, condition=Condition(Lt(x, 1)), witness={x: 2}, **ROOTED)
 
 
 def test_a_condition_that_cannot_be_met_is_refused(say: Say) -> None:
-    with pytest.raises(ValueError, match="can be met"):
-        Condition(Eq(Abs(z), -1, evaluate=False))
+    with pytest.raises(CannotJudgeError, match=r"x.1: .* can be met"):
+        Case("x.1", given=(Condition(Eq(Abs(z), -1, evaluate=False)),))
     never = Condition(And(Gt(theta, 1), Lt(theta, x)))
     for given in ((never, Condition(Lt(x, 0))), (Condition(Eq(sin(x), 2)),)):
         with pytest.raises(CannotJudgeError, match="no point was found that meets"):
@@ -106,8 +106,39 @@ def test_a_condition_that_cannot_be_met_is_refused(say: Say) -> None:
 
 def test_a_condition_has_a_quantity_on_its_left() -> None:
     for holds in (Lt(1, theta, evaluate=False), Eq(1, x, evaluate=False), Xor(x > 1, z > 1)):
-        with pytest.raises(ValueError, match="quantity on the left"):
-            Condition(holds)
+        with pytest.raises(CannotJudgeError, match=r"x.1: .*quantity on the left"):
+            Case("x.1", condition=Condition(holds))
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "says"),
+    [
+        ("condition", "x > 0", "expected Condition or None as condition, got 'x > 0'"),
+        ("condition", -NAME, "expected Condition or None as condition, got -name"),
+        ("condition", Condition(-NAME), "expected relations with a quantity on the left, got"),
+        ("condition", Condition("x > 0"), "expected a relation or several as condition, got x > 0"),
+        ("given", Condition(Gt(x, 0)), "expected tuple as given, got Condition"),
+        ("witness", None, "expected Mapping as witness, got None"),
+        ("edits", (x,), "expected Edit as one of edits, got x"),
+        ("steps", (Eq(y, x**2),), r"expected Step as one of steps, got Eq\(y, x\*\*2\)"),
+        ("steps", (Step("So.", "y = x"),), "expected a relation as step, got 'y = x'"),
+        ("steps", (Step("So.", Eq(1, 1)),), "expected a relation as step, got True"),
+        ("readings", (READ,), "expected Reading as one of readings, got <"),
+    ],
+)
+def test_what_is_not_of_its_kind_is_told_with_the_entry(
+    name: str, value: object, says: str
+) -> None:
+    with pytest.raises(
+        CannotJudgeError, match=rf"euler\.2\.a: {says}.*; see chr_notes/printed/euler"
+    ):
+        Case("euler.2.a", **{name: value})  # type: ignore[arg-type]
+
+
+def test_what_cannot_be_worked_out_is_told_with_the_entry(say: Say) -> None:
+    text = reading({y: lambda: "x"})  # type: ignore[dict-item,return-value]
+    with pytest.raises(CannotJudgeError, match=r"tried.1.1: expected mathematics .*, got: "):
+        say(Eq(y, x, evaluate=False), read=text)
 
 
 def test_a_condition_that_says_the_statement_is_refused(say: Say) -> None:

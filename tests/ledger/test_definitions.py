@@ -67,7 +67,7 @@ def test_a_name_with_a_meaning_is_not_defined_once_more(say: Say) -> None:
 
 def test_a_name_that_is_defined_by_itself_is_refused(say: Say) -> None:
     own = reading({NAME: Defined("tried.1.1")})
-    with pytest.raises(ValueError, match=r"defined by itself, in tried\.1\.1"):
+    with pytest.raises(CannotJudgeError, match=r"defined by itself, in tried\.1\.1"):
         say(Eq(NAME, OTHER + NAME, evaluate=False), Eq(NAME, OTHER), of=2, read=own)
 
 

@@ -1,12 +1,15 @@
 """Roots and weights agree with what can be computed of them."""
 
+import re
 from dataclasses import replace
 
 import pytest
 
-from chr_notes.ledger.case import CannotJudgeError
+from chr_notes.ledger.case import CannotJudgeError, complete
 from chr_notes.ledger.cases import CASES
-from chr_notes.ledger.ties import check_weight, fitting_weights, traits, unlike
+from chr_notes.ledger.roots import KNOWN_BY
+from chr_notes.ledger.ties import check_place, check_weight, fitting_weights, traits
+from chr_notes.printed import DOCUMENTS
 
 ROOTED = {name: case for name, case in CASES.items() if case.root is not None}
 ROOTS: dict[str, list[str]] = {}
@@ -44,29 +47,65 @@ def test_most_weights_are_the_only_ones_that_fit() -> None:
 
 
 @pytest.fixture(scope="module")
-def known() -> dict[str, frozenset[object]]:
+def known() -> dict[str, frozenset[str]]:
     """The traits of all that fails, worked out once."""
     return {name: traits(case) for name, case in ROOTED.items()}
 
 
-@pytest.mark.parametrize("root", [root for root, names in ROOTS.items() if len(names) > 1])
-def test_no_stranger_is_a_place_of_a_root(root: str, known: dict[str, frozenset[object]]) -> None:
-    names = ROOTS[root]
-    common = frozenset.intersection(*(known[name] for name in names))
-    assert common
-    assert [name for name in ROOTED if name not in names and known[name] & common] == []
+@pytest.mark.parametrize("root", KNOWN_BY)
+def test_a_root_is_known_by_what_no_stranger_has(
+    root: str, known: dict[str, frozenset[str]]
+) -> None:
+    found = [
+        name
+        for name, has in known.items()
+        if any(re.fullmatch(KNOWN_BY[root], trait) for trait in has)
+    ]
+    assert found == ROOTS[root]
 
 
-def test_a_place_that_is_unlike_is_told() -> None:
-    stranger = replace(CASES["estimation.4.4"], root="roll-quadrant")
-    (told,) = unlike([CASES["validation.3"], stranger])
-    assert told == (
-        "expected something in common of all places of 'roll-quadrant': "
-        "validation.3, estimation.4.4"
-    )
+def test_a_wrong_root_is_told() -> None:
+    for name, root in (("validation.4", "south-field"), ("estimation.4.4", "roll-quadrant")):
+        with pytest.raises(CannotJudgeError, match=f"{name}: expected of a place of '{root}' what"):
+            check_place(replace(CASES[name], root=root))
+    with pytest.raises(CannotJudgeError, match="expected of a place of 'quaternion-direction'"):
+        check_place(replace(CASES["quaternions.3.1"], readings=()))
 
 
-def test_readings_that_are_left_out_are_missed_by_the_root() -> None:
-    for one, other in (("quaternions.3.1", "quaternions.3.3"), ("validation.8", "validation.5")):
-        assert list(unlike([CASES[one], CASES[other]])) == []
-        assert len(list(unlike([replace(CASES[one], readings=()), CASES[other]]))) == 1
+# Lighter than they could be, by a statement of the document that has it right.
+LIGHTER = [name for name, case in ROOTED.items() if case.told_in is not None]
+
+
+def test_what_weighs_less_than_it_could_is_told_right_elsewhere() -> None:
+    assert len(LIGHTER) == 15
+    for name in LIGHTER:
+        with pytest.raises(
+            CannotJudgeError, match=f"{name}: expected a statement that has it right"
+        ):
+            check_weight(replace(CASES[name], told_in=None))
+        with pytest.raises(CannotJudgeError, match=f"{name}: expected a remark that leads to"):
+            check_weight(replace(CASES[name], remark="None."))
+
+
+@pytest.mark.parametrize(
+    ("name", "weight"),
+    [
+        ("validation.h", "small print"),
+        ("validation.e", "small print"),
+        ("euler.7.a", "small print"),
+    ],
+)
+def test_a_weight_is_not_made_less_without_a_reason(name: str, weight: str) -> None:
+    with pytest.raises(CannotJudgeError, match="expected a statement that has it right"):
+        check_weight(replace(CASES[name], weight=weight))  # type: ignore[arg-type]
+    with pytest.raises(CannotJudgeError, match="expected None as told_in"):
+        check_weight(replace(CASES[name], told_in="euler.7.2"))
+
+
+def test_what_is_told_in_holds_and_is_of_the_document() -> None:
+    document, case = DOCUMENTS["validation"], CASES["validation.b"]
+    read = CASES["validation.a"].reading
+    for where in ("validation.h", "euler.5.4", "validation.z"):
+        lean, wrong = replace(case, told_in=where, given=()), CASES["validation.h"]
+        with pytest.raises(CannotJudgeError, match="expected as told_in a statement"):
+            complete(document, read, (lean, replace(wrong, given=())))
