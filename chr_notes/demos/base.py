@@ -93,6 +93,8 @@ class Control(traitlets.Float[float, float]):
 class Demo(anywidget.AnyWidget):
     """Base of the demos: a subclass names its element and its traits, and says its numbers.
 
+    One that draws nothing has no still picture: it is not `pictured`.
+
     Raises
     ------
     traitlets.TraitError
@@ -103,6 +105,7 @@ class Demo(anywidget.AnyWidget):
     bundle: ClassVar[str] = "demos"
     controls: ClassVar[tuple[str, ...]]
     texts: ClassVar[tuple[str, ...]] = ()
+    pictured: ClassVar[bool] = True
 
     _esm = traitlets.Unicode().tag(sync=True)
     _css = traitlets.Unicode().tag(sync=True)
@@ -140,7 +143,7 @@ class Demo(anywidget.AnyWidget):
     def _picture(self) -> str:
         """Return the still picture with its words, where the state has one."""
         path = BUILT / self.still_name()
-        if not path.is_file():
+        if not self.pictured or not path.is_file():
             return ""
         drawn = path.read_text(encoding="utf-8")
         words = drawn.partition("<title>")[2].partition("</title>")[0]

@@ -7,12 +7,20 @@ from typing import Any, ClassVar, Final
 import numpy as np
 import traitlets
 
+from chr_notes._odd_rows import ROTATION_TOLERANCE
 from chr_notes.demos.base import Demo, entry
 from chr_notes.systems.axes import KNOWN
 from chr_notes.systems.candidates import FIELDS, KEPT, NAMED, PLAIN, REORDERED, SIGNED
 from chr_notes.systems.convention import Convention
 from chr_notes.systems.detective import find_conventions
-from chr_notes.systems.examples import LEAST_ERROR, MOST_DECIMALS, MOST_ERROR, SIZES, TRIED
+from chr_notes.systems.examples import (
+    LEAST_ERROR,
+    MOST_DECIMALS,
+    MOST_ERROR,
+    ORDINALS,
+    SIZES,
+    TRIED,
+)
 from chr_notes.systems.matches import GENERIC, Match
 
 __all__ = ["DETECTIVE", "DetectiveDemo"]
@@ -56,6 +64,8 @@ DETECTIVE: Final = {
         "sizes": SIZES,
     },
     "shapes": SHAPES,
+    "ordinals": ORDINALS,
+    "tolerance": ROTATION_TOLERANCE,
 }
 """What the page's script has of the tables of the search."""
 
@@ -84,6 +94,7 @@ class DetectiveDemo(Demo):
 
     element = "detective"
     bundle = "converter"
+    pictured = False
     controls: ClassVar[tuple[str, ...]] = ()
 
     angles = traitlets.List(traitlets.Float(), [17.19, 11.46, 5.73]).tag(sync=True)
@@ -141,10 +152,6 @@ class DetectiveDemo(Demo):
             f"matrix {first.matrix}, a quaternion {first.quaternion} with its scalar part "
             f"{'first' if first.scalar_first else 'last'}."
         )
-
-    def still_name(self) -> str:
-        """Return a name that no file has: there is nothing to draw."""
-        return "detective.svg"
 
     def __repr__(self) -> str:
         """Return the call that makes this demo."""

@@ -8,14 +8,21 @@ import { nearestRotation } from "./nearest.js";
 
 /* global DETECTIVE: build.py puts in what chr_notes/demos/detective.py has of Python's tables */
 
-const { fields: FIELDS, plain, reordered, signed, named, kept, axes: AXES, tried, generic, own, rounds, shapes } = DETECTIVE;
+const { fields: FIELDS, plain, reordered, signed, named, kept, axes: AXES, tried, generic, own, rounds, shapes, ordinals, tolerance } = DETECTIVE;
 const [DEGREE, ATTITUDES] = [Math.PI / 180, ["angles", "matrix", "quaternion"]];
 const IDENTITY = [1, 0, 0, 0, 1, 0, 0, 0, 1];
 
 export const KINDS = Object.keys(shapes);
 
-/** What is wrong with what is given: an error whose message is for the reader. */
-class Misfit extends Error {}
+/** What is wrong with what is given, for the reader, and in which example. */
+class Misfit extends Error {
+  constructor(message, place = null) {
+    super(message);
+    this.place = place;
+  }
+}
+
+const theExample = (place) => (place < ordinals.length ? `the ${ordinals[place]} example` : `example ${place + 1}`);
 
 /** Some fields of a convention, as converting.js reads it. */
 export function readAs(fields) {
@@ -54,13 +61,20 @@ function rounding(kind, rows) {
   return (rounds.sizes[kind] * unit) / Math.max(Math.min(...rows.map(norm)), unit);
 }
 
-function unitOf(kind, row, place) {
+function rotationOf(matrix, place, rounded) {
+  const nearest = nearestRotation(matrix);
+  if (nearest === null) throw new Misfit(`matrix: expected rotations, got a reflection in ${theExample(place)}`, place);
+  const size = nearest.reduce((total, value, i) => total + value * matrix[i], 0) / 3; // by least squares
+  const off = nearest.map((value, i) => Math.abs(matrix[i] / size - value));
+  // Digits may be cut off instead of rounded.
+  if (norm(off) > 2 * rounded + tolerance)
+    throw new Misfit(`matrix: expected rotations, but ${theExample(place)} is none: its elements are off the nearest one by up to ${Math.max(...off).toFixed(4)}, more than by its digits`, place);
+  return nearest;
+}
+
+function unitOf(kind, row, place, rounded) {
   if (kind === "angles") return row;
-  if (kind === "matrix") {
-    const nearest = nearestRotation(row);
-    if (nearest === null) throw new Misfit(`matrix: expected rotations, got a reflection in example ${place}`);
-    return nearest;
-  }
+  if (kind === "matrix") return rotationOf(row, place, rounded);
   const parts = kind === "vectors" ? [row.slice(0, 3), row.slice(3)] : [row];
   if (parts.some((part) => norm(part) === 0)) throw new Misfit(`${kind}: expected no row of zeros, got one`);
   return parts.flatMap((part) => part.map((value) => value / norm(part)));
@@ -72,10 +86,11 @@ function examplesOf(given) {
     throw new Misfit("expected two or more of them, one an attitude");
   const counts = kinds.map((kind) => given[kind].length);
   if (new Set(counts).size > 1 || counts.includes(0)) throw new Misfit(`expected as many examples of each, got ${counts.join(", ")}`);
+  const off = Object.fromEntries(kinds.map((kind) => [kind, rounding(kind, given[kind])]));
   return {
     kinds, count: counts[0],
-    values: Object.fromEntries(kinds.map((kind) => [kind, given[kind].map((row, i) => unitOf(kind, row, i))])),
-    rounding: Object.fromEntries(kinds.map((kind) => [kind, rounding(kind, given[kind])])),
+    values: Object.fromEntries(kinds.map((kind) => [kind, given[kind].map((row, i) => unitOf(kind, row, i, off[kind]))])),
+    rounding: off,
   };
 }
 
@@ -159,7 +174,7 @@ function whatDoesNotFit(given, units) {
   const all = (some) => [...judged(some, units, true)];
   for (let i = 0; given.count > 1 && i < given.count; i++)
     if (!all(oneOf(given, i)).some(({ error, allowed }) => error <= allowed))
-      return `expected examples of one rotation each, but no convention explains example ${i}`;
+      return `expected examples of one rotation each, but no convention explains ${theExample(i)}`;
   for (const [i, one] of given.kinds.entries())
     for (const other of given.kinds.slice(i + 1)) {
       if ([one, other].every((kind) => ["accel", "vectors"].includes(kind))) continue;
@@ -260,7 +275,17 @@ export function findConventions(given, degrees = null) {
     }
     return { fault: whatDoesNotFit(examples, units) };
   } catch (error) {
-    if (error instanceof Misfit) return { fault: error.message };
+    if (error instanceof Misfit) return { fault: error.message, place: error.place };
     throw error;
   }
+}
+
+/** The numbers of angles or of a quaternion whose other sign would do in one pair of frames: { kind, place }. */
+export function signSlips(given, degrees = null) {
+  const units = degrees === null ? [false, true] : [degrees];
+  const fits = (other) => [...judged(examplesOf(other), units, false)].some(({ error, allowed }) => error <= allowed);
+  return ["angles", "quaternion"].filter((kind) => given[kind]).flatMap((kind) =>
+    given[kind][0]
+      .map((_, place) => ({ kind, place }))
+      .filter(({ place }) => fits({ ...given, [kind]: given[kind].map((row) => row.map((value, i) => (i === place ? -value : value))) })));
 }

@@ -165,6 +165,9 @@ PRESETS: dict[str, Convention] = {
     "this book": Convention(),
     "CHR": Convention(degrees=True),
     "ROS": Convention(matrix="to navigation", scalar_first=False, accelerometer=1, **_ROOM),  # type: ignore[arg-type]
+    "ROS (local frame)": Convention(
+        matrix="to navigation", scalar_first=False, accelerometer=1, navigation="nwu", body="flu"
+    ),
     "SciPy": Convention("ZYX", matrix="to navigation", scalar_first=False, vectors="to navigation"),
     "PX4": Convention(matrix="to navigation"),
     "MATLAB": Convention("ZYX"),
@@ -182,6 +185,8 @@ PRESETS: dict[str, Convention] = {
 - `this book`: roll, pitch, yaw in radians, the matrix to the body.
 - `CHR`: the sensors UM6 and UM7; the same in degrees.
 - `ROS`: REP 103, east-north-up and forward-left-up; quaternions x, y, z, w.
+- `ROS (local frame)`: the same from where the robot started (odom, map without a compass): x ahead,
+  y left, z up; ahead stands for north.
 - `SciPy`: `Rotation`, with yaw, pitch, roll of "ZYX"; it leaves the axes open.
 - `PX4`: the matrix and the quaternion lead from body to navigation.
 - `MATLAB`: `angle2dcm` and `angle2quat`: yaw, pitch, roll, the matrix to the body.

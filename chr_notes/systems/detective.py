@@ -14,7 +14,7 @@ from chr_notes.systems.axes import ONE, Axes, other_axes
 from chr_notes.systems.candidates import FIELDS, KEPT, NAMED, PLAIN, REORDERED, SIGNED, Fields
 from chr_notes.systems.convention import Convention
 from chr_notes.systems.converting import to_body
-from chr_notes.systems.examples import ATTITUDES, Examples, examples, turned_apart
+from chr_notes.systems.examples import ATTITUDES, Examples, examples, the_example, turned_apart
 from chr_notes.systems.matches import Match, told_apart
 
 _Units = tuple[bool, ...]
@@ -171,8 +171,8 @@ def _what_does_not_fit(given: Examples, units: _Units) -> str:
         judged = _judged(given.one(number), units, wide=True)
         if not any((error <= allowed).any() for _, error, allowed, _ in judged):
             return (
-                f"expected examples of one rotation each, but no convention explains example "
-                f"{number}"
+                "expected examples of one rotation each, but no convention explains "
+                f"{the_example(number)}"
             )
     for pair in combinations(given.values, 2):
         if "accel" in pair and "vectors" in pair:

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from chr_notes._arrays import Floats, floats
+from chr_notes._odd_rows import ROTATION_TOLERANCE
 from chr_notes.systems.convention import Convention
 
 TRIED = ((30.0, 0.0, 0.0), (0.0, 30.0, 0.0), (0.0, 0.0, 30.0), (10.0, 20.0, 30.0), (1.0, 0.5, 0.25))
@@ -19,6 +20,8 @@ LEAST_ERROR = 1e-9
 MOST_ERROR = 0.03
 """Radians; whole degrees may be off by as much. Numbers with fewer digits count as exact."""
 # Elements off by half of the last digit each; a quaternion has half the angle.
+ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth")
+"""Readers count from one."""
 SIZES = {"matrix": 3.0, "quaternion": 2.0, "vectors": 4.0, "accel": 1.0}
 """How far off a value may be, in units of its last digit."""
 
@@ -83,7 +86,8 @@ def examples(given: Mapping[str, Any]) -> Examples:
             msg = f"{kind}: expected numbers, got NaN or infinity"
             raise ValueError(msg)
     rounding = {kind: _rounding(kind, value) for kind, value in values.items()}
-    return Examples({kind: _unit(kind, value) for kind, value in values.items()}, rounding)
+    unit = {kind: _unit(kind, value, rounding[kind]) for kind, value in values.items()}
+    return Examples(unit, rounding)
 
 
 def _rows(kind: str, value: Any) -> Floats:  # noqa: ANN401 (an array or a pair)
@@ -107,7 +111,7 @@ def _rounding(kind: str, values: Floats) -> float:
     return float(SIZES[kind] * unit / max(length, unit))
 
 
-def _unit(kind: str, values: Floats) -> Floats:
+def _unit(kind: str, values: Floats, rounding: float) -> Floats:
     """Give quaternions and directions unit length, and matrices right angles."""
     if kind == "angles":
         return values
@@ -116,14 +120,35 @@ def _unit(kind: str, values: Floats) -> Floats:
         rotations = left @ right
         flipped = np.flatnonzero(np.linalg.det(rotations) < 0)
         if flipped.size:
-            msg = f"matrix: expected rotations, got a reflection in example {flipped[0]}"
+            msg = f"matrix: expected rotations, got a reflection in {the_example(flipped[0])}"
             raise ValueError(msg)
+        _refuse_misprints(values, rotations, rounding)
         return np.asarray(rotations)
     lengths = np.linalg.norm(values, axis=-1, keepdims=True)
     if not lengths.all():
         msg = f"{kind}: expected no row of zeros, got one"
         raise ValueError(msg)
     return np.asarray(values / lengths)
+
+
+def _refuse_misprints(values: Floats, rotations: Floats, rounding: float) -> None:
+    """Raise for a matrix that is farther from a rotation than its digits allow."""
+    size = (values * rotations).sum(axis=(1, 2)) / 3  # by least squares
+    off = np.abs(values / size[:, np.newaxis, np.newaxis] - rotations)
+    # Digits may be cut off instead of rounded.
+    wrong = np.flatnonzero(np.linalg.norm(off, axis=(1, 2)) > 2 * rounding + ROTATION_TOLERANCE)
+    if wrong.size:
+        number = wrong[0]
+        msg = (
+            f"matrix: expected rotations, but {the_example(number)} is none: its elements are off "
+            f"the nearest one by up to {off[number].max():.4f}, more than by its digits"
+        )
+        raise ValueError(msg)
+
+
+def the_example(number: int) -> str:
+    """Name an example by its place, in words."""
+    return f"the {ORDINALS[number]} example" if number < len(ORDINALS) else f"example {number + 1}"
 
 
 Reading = tuple[dict[str, Any], Floats | None]

@@ -76,20 +76,38 @@ def test_three_js() -> None:
     assert_allclose(within("three.js", angles, "matrix"), np.transpose(columns), atol=1e-15)
 
 
-def test_ros() -> None:
+@pytest.mark.parametrize("name", ["ROS", "ROS (local frame)"])
+def test_ros_angles(name: str) -> None:
     # From the documentation of tf.transformations: quaternion_from_euler(1, 2, 3, 'ryxz').
-    own = replace(PRESETS["ROS"], sequence="YXZ")
+    own = replace(PRESETS[name], sequence="YXZ")
     q = convert(chr_notes.quaternion_from_angles([1, 2, 3], "YXZ"), room_of(own), own,
                 kind="quaternion")  # fmt: skip
     assert_allclose(q, [0.310622, -0.718287, 0.444435, 0.435953], atol=1e-6)
     # And the sum of the first row of euler_matrix(1, 2, 3, 'syxz').
-    own = replace(PRESETS["ROS"], sequence="yxz")
+    own = replace(PRESETS[name], sequence="yxz")
     matrix = convert(chr_notes.matrix_from_angles([1, 2, 3], "yxz"), room_of(own), own,
                      kind="matrix")  # fmt: skip
     assert matrix[0].sum() == pytest.approx(-1.34786452, abs=1e-8)
+
+
+def test_ros_axes() -> None:
     # REP 103: x forward, y left, z up; east, north, up.
     assert_allclose(convert([1, 2, 3], "ROS", "this book", kind="body vector"), [1, -2, -3])
     assert_allclose(convert([1, 2, 3], "ROS", "this book", kind="navigation vector"), [2, 1, -3])
+
+
+@few(10)
+@given(q=st.tuples(ELEMENT, ELEMENT, ELEMENT, ELEMENT))
+def test_ros_in_its_local_frame(q: tuple[float, ...]) -> None:
+    """Unity's own connector (ROSGeometry, FLU) has (-y, z, x, -w); for the Earth's frame (ENU) it
+    turns by 90° of yaw as well, where z of the scene is north."""
+    x, y, z, w = np.array(q) / np.linalg.norm(q) * np.sign(q[3])
+    local = convert([x, y, z, w], "ROS (local frame)", "Unity", kind="quaternion")
+    assert_allclose(local, [y, -z, -x, w], atol=1e-15)
+    unreal = convert([x, y, z, w], "ROS (local frame)", "Unreal", kind="quaternion")
+    assert_allclose(unreal, [-x, y, -z, w], atol=1e-15)
+    earth = convert([0, 0, 0, 1], "ROS", "Unity", kind="quaternion", to="angles")
+    assert_allclose(earth, [0, 90, 0], atol=1e-13)
 
 
 def test_chr() -> None:

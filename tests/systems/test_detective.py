@@ -172,7 +172,7 @@ def test_several_examples_scale_and_units() -> None:
     q = 3 * chr_notes.quaternion_from_euler(euler)
     (match,) = find_conventions(angles=np.degrees(euler), quaternion=q)
     assert match.convention == Convention(degrees=True)
-    with pytest.raises(ValueError, match="no convention explains example 1"):
+    with pytest.raises(ValueError, match="no convention explains the second example"):
         find_conventions(angles=[euler[0], euler[1] + 0.2], quaternion=q)
     with pytest.raises(ValueError, match="at least"):
         find_conventions(angles=np.degrees(euler[0]), quaternion=q[0], degrees=False)
@@ -216,7 +216,7 @@ def test_wrong_input_is_refused() -> None:
         ({"angles": [[0, 0, 0]] * 2, "accel": [0, 0, 1]}, "as many examples"),
         ({"angles": [0, 0, np.nan], "accel": [0, 0, 1]}, "angles: expected numbers"),
         ({"angles": [0, 0, 0], "quaternion": [0, 0, 0, 0]}, "quaternion: expected no row of zeros"),
-        ({"angles": [0, 0, 0], "matrix": np.diag([1, 1, -1])}, "reflection in example 0"),
+        ({"angles": [0, 0, 0], "matrix": np.diag([1, 1, -1])}, "reflection in the first example"),
     ):
         with pytest.raises(ValueError, match=said):
             find_conventions(**given)  # type: ignore[arg-type]
