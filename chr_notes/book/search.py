@@ -9,9 +9,19 @@ from chr_notes.ledger import Entry
 
 __all__ = ["PLACES", "found_first"]
 
+_CONVERTER: Final = (
+    (
+        "book/converter.html#converter-and-detective",
+        "Converter: one attitude as two systems write it",
+    ),
+    ("book/conventions.html#one-attitude-written-by-each", "Conventions: one attitude, by each"),
+)
 _FILTER: Final = "book/api_estimation.html#chr_notes.estimation"
 PLACES: Final[Mapping[str, tuple[tuple[str, str], ...]]] = MappingProxyType(
     {
+        **dict.fromkeys(
+            ("enu", "geometry_msgs", "ros", "um6", "um7", "unity", "unreal"), _CONVERTER
+        ),
         "ahrs": (
             ("notebooks/own_sensor.html#the-attitude", "Your own sensor: the attitude from a log"),
             (f"{_FILTER}.averaging.averaged_attitude", "averaged_attitude(), with heading"),

@@ -6,6 +6,7 @@ from math import degrees, radians
 import numpy as np
 from sympy import ImmutableMatrix, Symbol
 
+from chr_notes.demos.converter import LABELS
 from chr_notes.derivations import sequences
 from chr_notes.euler import matrix_from_euler
 from chr_notes.quaternions.conversions import quaternion_from_euler
@@ -64,7 +65,8 @@ def _display(text: str) -> str:
 
 
 def _table(systems: dict[str, Convention]) -> Iterator[str]:
-    """Yield one attitude as each system writes it."""
+    """Yield one attitude as each system writes it; on a phone its cells stand below one another."""
+    yield ":::{div} by-system"
     yield "| system | axes of room and body | angles | quaternion | first row of the matrix |"
     yield "|---|---|---|---|---|"
     attitude = [radians(each) for each in (ROLL, PITCH, YAW)]
@@ -78,10 +80,11 @@ def _table(systems: dict[str, Convention]) -> Iterator[str]:
         against = " and ".join(f"`{letter}`" for letter in system.negated)
         turns += f", {against} the other way" if against else ""
         yield (
-            f"| {name} | {system.navigation}, {system.body} | "
+            f"| {LABELS.get(name, name)} | {system.navigation}, {system.body} | "
             f"{_row(angles, 2 if system.degrees else 4)}{unit} ({turns}) | {_row(q, 4)} | "
             f"{_row(matrix[0], 4)} |"
         )
+    yield ":::"
 
 
 def _row(values: np.ndarray, digits: int) -> str:

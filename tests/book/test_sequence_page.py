@@ -25,5 +25,5 @@ def test_an_attitude_in_each_system(made: dict[str, str]) -> None:
     rows = {line.split(" | ")[0]: line for line in made["presets.md"].splitlines()}
     # Pitch has the other sign there, and yaw counts from east to the left: 60°.
     assert "0.1745, -0.3491, 1.0472 rad (`xyz`)" in rows["| ROS"]
-    assert "10.00, 20.00, 30.00° (`xyz`)" in rows["| CHR"]
+    assert "10.00, 20.00, 30.00° (`xyz`)" in rows["| CH Robotics (UM6, UM7)"]
     assert "-20.00, 30.00, -10.00° (`zxy`, written `xyz`)" in made["documented.md"]
