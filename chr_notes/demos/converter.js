@@ -3,7 +3,8 @@
  * one side is followed by all other numbers on both.
  */
 import { describe, draw } from "./converter_picture.js";
-import { KINDS, computed, differences, lockWords, sourceOf, stated, understood } from "./converter_state.js";
+import { KINDS, computed, sourceOf, stated, understood } from "./converter_state.js";
+import { SHOWN_DIGITS, asText, differences, lockWords, noTurnWords, summary, triplesWords } from "./converter_words.js";
 import { SEQUENCES, SYSTEMS, fromMatrix, turnNames } from "./converting.js";
 import { copied } from "./copying.js";
 import { transposed } from "./draw.js";
@@ -12,18 +13,15 @@ import { byHand, turned } from "./looking.js";
 import { nearestRotation } from "./nearest.js";
 import { node, slider } from "./parts.js";
 import { keepKeys, painting } from "./stage.js";
-import { LANGUAGES, exactly, meanings } from "./writing.js";
+import { LANGUAGES, meanings } from "./writing.js";
 
 const ANNOUNCE_AFTER = 600; // milliseconds without a change
 const THANKS = 1500; // milliseconds for which a button says what it did
 const LABELS = { angles: "Angles", quaternion: "Quaternion", "axis angle": "Axis and angle", matrix: "Matrix" };
 const DEGREES = { short: "°", long: "degrees" };
 const RADIANS = { short: " rad", long: "radians" };
-
-const asText = (kind, value) =>
-  kind === "matrix"
-    ? [0, 3, 6].map((i) => value.slice(i, i + 3).map(exactly).join(", ")).join("\n")
-    : value.map(exactly).join(", ");
+const LAST = ["Picture and sliders", "the last valid attitude"];
+const NARROW = 560; // as in demos.css
 
 const option = (value, text = value) => node("option", { value }, text);
 
@@ -34,7 +32,7 @@ const choice = (name, label, ...options) => {
 
 /** The three choices that make a convention. */
 function choices(side, label) {
-  const systems = (documented) => Object.values(SYSTEMS).filter((each) => each.documented === documented).map(({ name }) => option(name));
+  const systems = (documented) => Object.values(SYSTEMS).filter((each) => each.documented === documented).map(({ name, label: text }) => option(name, text));
   const turns = (rotating) => SEQUENCES.filter((name) => (name === name.toUpperCase()) === rotating).map((name) => option(name));
   const group = (text, options) => node("optgroup", { label: text }, ...options);
   return {
@@ -59,6 +57,7 @@ function mountConverter(element, opening, { now = {}, onChange = () => {}, linkT
   const home = { ...start, ...opening };
   let state = { ...home, ...stated(now) };
   let viewpoint = definition.viewpoint();
+  let narrow = false;
   let typedIn = null; // the field in which the reader writes keeps what was written
   let fault = null;
   let timer = 0;
@@ -72,6 +71,8 @@ function mountConverter(element, opening, { now = {}, onChange = () => {}, linkT
     source_lock: result("source_lock", "lock"), target_lock: result("target_lock", "lock"),
     source_triples: result("source_triples", "angles"), meaning: result("meaning", "lock"),
   };
+  const noTurn = node("p", { class: "chr-aside" });
+  const digits = node("p", { class: "chr-aside" });
   const turns = node("div", { class: "chr-turns3" });
   const canvas = node("canvas", { role: "img", style: `aspect-ratio: 1 / ${definition.aspect}` });
   const live = node("p", { class: "chr-live", "aria-live": "polite" });
@@ -99,6 +100,7 @@ function mountConverter(element, opening, { now = {}, onChange = () => {}, linkT
   const buttons = node("div", { class: "chr-buttons" },
     button("swap", "Swap", swap), button("transpose", "Transpose", transpose), button("reset", "Reset", () => changed(home)),
     ...(linkTo ? [copy("link", "Copy link", () => linkTo(state))] : []));
+  const ofAttitude = [...buttons.querySelectorAll(':is([name="swap"], [name="transpose"], [name="link"])')];
   const copies = node("div", { class: "chr-buttons" }, copy("code", "Copy as", written), language);
   const root = node(
     "div",
@@ -108,8 +110,8 @@ function mountConverter(element, opening, { now = {}, onChange = () => {}, linkT
       node("div", { class: "chr-stage" }, canvas),
       node("div", { class: "chr-panel" }, said.here, fields.angles.element, turns, also.source_triples.element, also.source_lock.element,
         fields.quaternion.element, fields["axis angle"].element, fields.matrix.element, wrong, buttons),
-      node("div", { class: "chr-panel" }, said.there, results.angles.element, also.target_triples.element, also.target_lock.element,
-        results.quaternion.element, also.target_negative.element, results["axis angle"].element, results.matrix.element, copies),
+      node("div", { class: "chr-panel" }, said.there, noTurn, results.angles.element, also.target_triples.element, also.target_lock.element,
+        results.quaternion.element, also.target_negative.element, results["axis angle"].element, results.matrix.element, copies, digits),
       node("div", { class: "chr-panel" }, also.meaning.element)),
     live,
   );
@@ -130,8 +132,8 @@ function mountConverter(element, opening, { now = {}, onChange = () => {}, linkT
     changed(spelled ? { ...part, value: fromMatrix(computed(state).own, sourceOf(next), state.kind) } : part);
   }
 
-  function typed(kind, text) {
-    const made = understood(text, kind, sourceOf(state));
+  function typed(kind, text, pasted) {
+    const made = understood(text, kind, sourceOf(state), pasted);
     typedIn = made.kind && made.kind !== kind ? null : kind;
     if (made.fault) {
       fault = made.fault;
@@ -163,7 +165,7 @@ function mountConverter(element, opening, { now = {}, onChange = () => {}, linkT
 
   function announceSoon() {
     clearTimeout(timer);
-    timer = setTimeout(() => (live.textContent = fault ? fault.words : summary(state)), ANNOUNCE_AFTER);
+    timer = setTimeout(() => (live.textContent = fault ? `${fault.words} ${LAST.join(" show ")}.` : summary(state)), ANNOUNCE_AFTER);
   }
 
   let shownTurns = "";
@@ -192,7 +194,11 @@ function mountConverter(element, opening, { now = {}, onChange = () => {}, linkT
     const { source, target, here, there } = computed(state);
     root.dataset.state = JSON.stringify(state);
     root.toggleAttribute("data-fault", fault !== null);
-    canvas.setAttribute("aria-label", describe(state));
+    canvas.setAttribute("aria-label", fault === null ? describe(state) : `The last valid attitude. ${describe(state)}`);
+    for (const each of [...ofAttitude, ...copies.children]) each.disabled = fault !== null;
+    noTurn.textContent = noTurnWords(source, target);
+    noTurn.hidden = noTurn.textContent === "";
+    digits.textContent = `Shown with ${narrow ? SHOWN_DIGITS.narrow : SHOWN_DIGITS.wide}, copied with all.`;
     const names = { source, target };
     for (const [side, convention] of Object.entries(names)) {
       selects[side].select.value = convention.name;
@@ -203,16 +209,16 @@ function mountConverter(element, opening, { now = {}, onChange = () => {}, linkT
     for (const kind of KINDS) {
       const { name, input } = fields[kind];
       name.textContent = `${LABELS[kind]}: ${mine[kind]}`;
-      if (kind !== typedIn) input.value = fault === null ? asText(kind, here[kind]) : "";
+      if (kind !== typedIn) input.value = fault === null ? asText(kind, here[kind], narrow && kind !== state.kind) : "";
       input.setAttribute("aria-invalid", String(fault !== null && kind === typedIn));
       results[kind].label.textContent = `${LABELS[kind]}: ${theirs[kind]}`;
-      results[kind].output.setAttribute("aria-label", `${LABELS[kind]} for ${target.name}`);
-      results[kind].output.textContent = fault === null ? asText(kind, there[kind]) : "–";
+      results[kind].output.setAttribute("aria-label", `${LABELS[kind]} for ${target.label}`);
+      results[kind].output.textContent = fault === null ? asText(kind, there[kind], narrow) : "–";
     }
     const more = {
-      target_negative: ["The same attitude", asText("quaternion", there.quaternion.map((value) => -value))],
-      source_triples: ["The same attitude", triples(here)],
-      target_triples: ["The same attitude", triples(there)],
+      target_negative: ["The same attitude", asText("quaternion", there.quaternion.map((value) => -value), narrow)],
+      source_triples: fault === null ? ["The same attitude", triplesWords(here, source, narrow)] : LAST,
+      target_triples: ["The same attitude", triplesWords(there, target, narrow)],
       source_lock: ["Lock", lockWords(here)],
       target_lock: ["Lock", lockWords(there)],
       meaning: ["What differs", differences(source, target).join(" ") || "Nothing: both write an attitude with the same numbers."],
@@ -220,7 +226,7 @@ function mountConverter(element, opening, { now = {}, onChange = () => {}, linkT
     for (const [name, [label, text]] of Object.entries(more)) {
       also[name].label.textContent = label;
       also[name].output.setAttribute("aria-label", label);
-      also[name].output.textContent = fault === null || name === "meaning" ? text : "–";
+      also[name].output.textContent = fault === null || ["meaning", "source_triples"].includes(name) ? text : "–";
     }
     wrong.hidden = fault === null;
     wrong.replaceChildren(...(fault === null ? [] : [fault.words, ...(fault.matrix && nearestRotation(fault.matrix) ? [" ", nearest] : [])]));
@@ -235,6 +241,12 @@ function mountConverter(element, opening, { now = {}, onChange = () => {}, linkT
   const redraw = painting(root, canvas, (context, size, colours) => draw(context, size, state, colours, viewpoint), { signal: cleanup.signal });
   element.replaceChildren(root);
   show();
+  const sizes = new ResizeObserver(([{ contentRect }]) => {
+    if (contentRect.width < NARROW === narrow) return;
+    narrow = !narrow;
+    show();
+  });
+  sizes.observe(root);
 
   return {
     update(part) {
@@ -245,23 +257,12 @@ function mountConverter(element, opening, { now = {}, onChange = () => {}, linkT
     },
     destroy() {
       cleanup.abort();
+      sizes.disconnect();
       clearTimeout(timer);
       root.remove();
     },
   };
 }
-
-/** The other triples of angles, in words. */
-const triples = ({ triples: [, ...others], locked }) =>
-  locked
-    ? "any two outer angles that make the same turn together; whole turns more"
-    : `${others.map((angles) => asText("angles", angles)).join(" or ")}; whole turns more`;
-
-const summary = (state) => {
-  const { target, there } = computed(state);
-  const short = (values) => values.map((value) => Number(value.toFixed(4))).join(", ").replaceAll("-", "−");
-  return `${target.name}: angles ${short(there.angles)}, ${target.degrees ? "degrees" : "radians"}. Quaternion ${short(there.quaternion)}. ${lockWords(there)}`;
-};
 
 const start = {
   kind: "angles", value: [10, 20, 30],

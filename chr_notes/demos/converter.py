@@ -17,6 +17,8 @@ __all__ = ["CONVENTIONS", "ConverterDemo"]
 SYSTEMS: Final = PRESETS | DOCUMENTED
 KINDS: Final = get_args(Kind)[:4]
 UNITS: Final = ("", "degrees", "radians")
+LABELS: Final = {"CHR": "CH Robotics (UM6, UM7)"}
+"""What readers call a system, where its name says too little."""
 _SIZES: Final = {"angles": 3, "matrix": 9, "quaternion": 4, "axis angle": 4}
 _WORDS: Final = {
     "n": "north", "s": "south", "e": "east", "w": "west", "u": "up", "d": "down",
@@ -28,6 +30,7 @@ def _table(name: str, convention: Convention) -> dict[str, Any]:
     """Return what the page's script needs to know of a convention."""
     return {
         "name": name,
+        "label": LABELS.get(name, name),
         "documented": name in DOCUMENTED,
         "sequence": convention.sequence,
         "order": convention.order,

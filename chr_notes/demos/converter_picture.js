@@ -21,11 +21,11 @@ export function draw(context, { width, height }, state, colours, viewpoint) {
   line(context, [[half, 10], [half, height - 10]], { colour: colours("line"), width: 1 });
 }
 
-function scene(context, size, { name, navigation, body }, attitude, colours, viewpoint) {
+function scene(context, size, { label, navigation, body }, attitude, colours, viewpoint) {
   const view = looking(viewpoint, size, 3.1);
   const style = { colours, room: size.width };
   const column = (m, k) => [m[k], m[3 + k], m[6 + k]];
-  words(context, `axes of ${name}`, [size.width / 2, 14], { colour: colours("muted"), align: "center", weight: 600 });
+  words(context, label, [size.width / 2, 14], { colour: colours("muted"), align: "center", weight: 600 });
   globe(context, view, colours, size, { radius: 1.15 });
   UNITS.forEach((_, k) =>
     pointer(context, view, scaled(column(navigation, k), 0.7), { ...style, name: [ROOM[k]], colour: "muted", width: 1.5 }),
@@ -40,7 +40,7 @@ function scene(context, size, { name, navigation, body }, attitude, colours, vie
 export function describe(state) {
   const { source, target, here } = computed(state);
   const names = turnNames(source).map((name, i) => `${name} ${Number(here.angles[i].toFixed(3))}`);
-  const axes = ({ name, along }) => `of ${name}, where x points ${along[0]}, y ${along[1]}, z ${along[2]}`;
+  const axes = ({ label, along }) => `of ${label}, where x points ${along[0]}, y ${along[1]}, z ${along[2]}`;
   const unit = source.degrees ? "degrees" : "radians";
-  return `One aircraft twice: with the axes ${axes(source)}, and with those ${axes(target)}. By ${source.name} its angles are ${names.join(", ")}, ${unit}.`.replaceAll("-", "−");
+  return `One aircraft twice: with the axes ${axes(source)}, and with those ${axes(target)}. By ${source.label} its angles are ${names.join(", ")}, ${unit}.`.replaceAll("-", "−");
 }

@@ -10,6 +10,7 @@ import {
   triplesOf,
   turnNames,
 } from "./converting.js";
+import { misprintWords } from "./nearest.js";
 import { numbersIn, rotationIn } from "./reading.js";
 
 export const SIZES = { angles: 3, quaternion: 4, "axis angle": 4, matrix: 9 };
@@ -51,9 +52,10 @@ function faultInMatrix(matrix) {
   if (fault === null) return null;
   const { defect, determinant } = fault;
   const off = `R Rᵀ is off the unit matrix by ${Number(defect.toPrecision(3))} (root mean square; 0.0001 passes), and the determinant is ${Number(determinant.toPrecision(4))}`;
+  const alone = misprintWords(matrix);
   return determinant < 0
-    ? { words: `No rotation but a reflection: ${off}. One axis points the other way, as between a right-handed and a left-handed frame.` }
-    : { words: `No rotation: ${off}. With fewer than four digits take the nearest rotation.`, matrix };
+    ? { words: `No rotation but a reflection: ${off}. One axis points the other way, as between a right-handed and a left-handed frame.${alone}` }
+    : { words: `No rotation: ${off}.${alone || " With fewer than four digits take the nearest rotation."}`, matrix };
 }
 
 /** Numbers with labels in the order of the convention; as they stand without. */
@@ -68,14 +70,15 @@ function inOrder({ values, labels }, kind, convention) {
 
 /**
  * What a text in the field of a kind says: { kind, value }, or { fault }. So many numbers as another
- * kind has are taken for that one: a matrix pasted into the field of a quaternion is a matrix.
+ * kind has are taken for that one if all were pasted: a matrix pasted into the field of a quaternion is
+ * a matrix. Whoever is typing has only not come to the end.
  */
-export function understood(text, kind, convention) {
+export function understood(text, kind, convention, pasted = false) {
   const found = numbersIn(text);
   const values = rotationIn(found.values);
   const fits = (name) => SIZES[name] === values.length;
-  const meant = fits(kind) ? kind : KINDS.find(fits);
-  if (meant === undefined)
+  const meant = fits(kind) || !pasted ? kind : KINDS.find(fits);
+  if (meant === undefined || !fits(meant))
     return { fault: { words: `Expected ${SIZES[kind]} numbers, found ${values.length}.` } };
   const value = inOrder({ ...found, values }, meant, convention);
   const fault = faultIn(meant, value);
@@ -95,31 +98,4 @@ export function stated(given) {
   if (KINDS.includes(given.kind) && value.length === SIZES[given.kind] && faultIn(given.kind, value) === null)
     Object.assign(known, { kind: given.kind, value });
   return known;
-}
-
-const axesWords = ({ room, along }) => `${room.join("-")} and ${along.join("-")}`;
-
-/** What two conventions have not in common, a sentence each. */
-export function differences(source, target) {
-  const way = ({ transposed }) => (transposed ? "from body to navigation" : "from navigation to body");
-  const place = ({ scalarFirst }) => (scalarFirst ? "first" : "last");
-  const unit = ({ degrees }) => (degrees ? "degrees" : "radians");
-  const turns = ({ sequence, signs }) => [sequence, ...[...sequence.toLowerCase()].filter((letter, i) => signs[i] < 0).map((letter) => `${letter} the other way`)].join(", ");
-  const leads = ({ conjugated }) => (conjugated ? "conjugate" : "plain");
-  const differ = (by, words) => (by(source) === by(target) ? [] : [words]);
-  return [
-    ...differ(axesWords, `Axes: ${axesWords(source)} become ${axesWords(target)}.`),
-    ...differ(way, `The matrix leads ${way(source)} in one, ${way(target)} in the other.`),
-    ...differ(leads, "The quaternions of one are the conjugates of the other's."),
-    ...differ(place, `The scalar part stands ${place(source)} in one, ${place(target)} in the other.`),
-    ...differ(turns, `The angles are ${turns(source)} in one, ${turns(target)} in the other.`),
-    ...differ(unit, `Angles in ${unit(source)} become ${unit(target)}.`),
-  ];
-}
-
-/** How far from the lock, in words. */
-export function lockWords({ locked, fromLock }) {
-  if (locked) return "At the lock: the first and the third turn go about one line. The last turn is set to 0, the other carries the rest.";
-  if (fromLock < 1) return `${Number(fromLock.toPrecision(3))}° from the lock: a small error of the attitude is a large one of the outer angles.`;
-  return `${Number(fromLock.toFixed(2))}° from the lock.`;
 }

@@ -1,8 +1,10 @@
 /** The rotation nearest to a matrix, for numbers that were printed with few digits. */
+import { rotationDefect } from "../generated/javascript/attitude.mjs";
 import { cross, scaled } from "./draw.js";
 
 const STEPS = 60;
 const SETTLED = 4e-16;
+const ALONE = 5; // so many times nearer to a rotation must one number bring a matrix
 
 /** Cofactors and determinant of a matrix: its inverse transposed, and that which divides it. */
 function cofactors(m) {
@@ -28,4 +30,28 @@ export function nearestRotation(matrix) {
     if (moved < SETTLED) break;
   }
   return now;
+}
+
+/**
+ * The one number that is wrong in what would else be a rotation: { place, value }, where it stands in
+ * the flat matrix and what would fit; null if no single one explains it. In a rotation each element is
+ * its own cofactor, which the element itself has no part in.
+ */
+export function misprint(matrix) {
+  const [parts] = cofactors(matrix);
+  const mended = parts.map((value, place) => {
+    const [defect, determinant] = rotationDefect(...matrix.map((each, i) => (i === place ? value : each)));
+    return { place, value, defect: determinant > 0 ? defect : Infinity };
+  });
+  const [best, second] = mended.sort((a, b) => a.defect - b.defect);
+  const [defect] = rotationDefect(...matrix);
+  return ALONE * best.defect < defect && 2 * best.defect <= second.defect ? { place: best.place, value: best.value } : null;
+}
+
+/** The same in words, with a space before them. */
+export function misprintWords(matrix) {
+  const one = misprint(matrix);
+  if (one === null) return "";
+  const place = `row ${Math.floor(one.place / 3) + 1}, column ${(one.place % 3) + 1}`;
+  return ` One number alone would explain it: ${place}, ${matrix[one.place]}, where ${Number(one.value.toPrecision(4))} would fit.`;
 }

@@ -3,7 +3,6 @@
 import json
 import re
 from collections.abc import Callable
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -12,9 +11,8 @@ import pytest
 from traitlets import TraitError
 
 import chr_notes
-from chr_notes import Convention
 from chr_notes.demos import ConverterDemo
-from chr_notes.demos.converter import KINDS, SYSTEMS, convention
+from chr_notes.demos.converter import CONVENTIONS, KINDS, SYSTEMS, convention
 from chr_notes.sequences import SEQUENCES
 
 from .modules import called
@@ -124,7 +122,7 @@ def test_all_triples_mean_the_same(both: list[tuple[dict[str, Any], Any]]) -> No
 
 def test_what_is_copied_computes_the_same(program: Program, tmp_path: Path) -> None:
     program("node")
-    given = states()[:40]
+    given = states()[:40] + in_each_system()
     computed = called(tmp_path, "converter_state.js", "computed", [[state] for state in given])
     made = [
         [each | {"kind": state["kind"], "value": state["value"], "converted": each["there"]}]
@@ -132,27 +130,38 @@ def test_what_is_copied_computes_the_same(program: Program, tmp_path: Path) -> N
     ]
     for language in ("Python", "SciPy", "C", "JavaScript", "LaTeX"):
         texts = called(tmp_path, "writing.js", f"LANGUAGES.{language}", made)
-        for text, state, (each,) in zip(texts, given, made, strict=True):
-            copied_is_right(language, text, state, each["there"])
+        for text, (each,) in zip(texts, made, strict=True):
+            copied_is_right(language, text, each["there"])
 
 
-def copied_is_right(
-    language: str, text: str, state: dict[str, Any], there: dict[str, list[float]]
-) -> None:
+def in_each_system() -> list[dict[str, Any]]:
+    """One attitude given in each form and wanted by each system, in its own turns and unit."""
+    given = {
+        "angles": [10.0, 20.0, 30.0],
+        "quaternion": [0.9, 0.1, -0.3, 0.2],
+        "axis angle": [1.0, -2.0, 3.0, 50.0],
+        "matrix": chr_notes.matrix_from_euler([0.4, -0.5, 2.6]).ravel().tolist(),
+    }
+    empty = {f"{side}{end}": "" for side in ("source", "target") for end in ("_sequence", "_unit")}
+    return [
+        {"kind": kind, "value": value, "source": "CHR", "target": target, **empty}
+        for target in SYSTEMS
+        for kind, value in given.items()
+    ]
+
+
+def copied_is_right(language: str, text: str, there: dict[str, list[float]]) -> None:
     names: dict[str, Any] = {}
     if language in ("Python", "SciPy"):
         exec(text, names)  # noqa: S102 (our own text)
     if language == "Python":
         for kind, value in names["converted"].items():
             assert np.ravel(value) == pytest.approx(there[kind], abs=1e-12), text
+        assert set(names["converted"]) == set(KINDS)
     elif language == "SciPy":
-        own = written(state, "target")
-        to_body = chr_notes.convert(names["matrix"].T, Convention(), Convention(), kind="matrix")
-        matrix = to_body.T if own.matrix_is_transposed else to_body
-        assert matrix.ravel() == pytest.approx(there["matrix"], abs=1e-14)
-        free = replace(own, written="", negated="", matrix="to navigation", row_vectors=False)
-        again = chr_notes.convert(names["angles"], free, free, kind="angles", to="matrix")
-        assert again == pytest.approx(names["matrix"], abs=1e-14)
+        # The numbers of the page, in its order and with its signs.
+        for kind in ("angles", "quaternion", "matrix"):
+            assert np.ravel(names[kind]) == pytest.approx(there[kind], abs=1e-12), text
     elif language == "LaTeX":
         numbers = re.findall(r"-?\d[^ ]*(?: \\cdot 10\^\{-?\d+\})?", text.partition("R = ")[2])
         values = [float(re.sub(r" \\cdot 10\^\{(.*)\}", r"e\1", number)) for number in numbers]
@@ -160,8 +169,56 @@ def copied_is_right(
     else:
         for line in text.splitlines():
             value = line.partition(" = ")[2].partition(";")[0].translate(str.maketrans("{}", "[]"))
-            kind = re.findall(r"angles|quaternion|matrix", line)[0]
+            kind = re.findall(r"angles|quaternion|axis_angle|matrix", line)[0].replace("_", " ")
             assert np.ravel(json.loads(value)).tolist() == there[kind]
+
+
+def test_scipy_has_the_conjugate_where_a_system_has_it(program: Program, tmp_path: Path) -> None:
+    program("node")
+    q = np.array([0.5, 0.1, -0.7, 0.5])
+    matrix = chr_notes.matrix_from_quaternion(q).ravel().tolist()
+    for scalar_first, order in ((True, [0, 1, 2, 3]), (False, [1, 2, 3, 0])):
+        target = CONVENTIONS["systems"]["ROS"] | {"conjugated": True, "scalarFirst": scalar_first}
+        given = [[{"matrix": matrix, "target": target}]]
+        (text,) = called(tmp_path, "writing.js", "LANGUAGES.SciPy", given)
+        names: dict[str, Any] = {}
+        exec(text, names)  # noqa: S102 (our own text)
+        assert names["quaternion"] == pytest.approx((q * [1, -1, -1, -1])[order], abs=1e-14)
+
+
+def test_no_turn_is_said_to_differ_where_it_does(program: Program, tmp_path: Path) -> None:
+    program("node")
+    tables = CONVENTIONS["systems"]
+    pairs = [(one, other) for one in tables for other in tables]
+    given = [[tables[one], tables[other]] for one, other in pairs]
+    said = dict(
+        zip(pairs, called(tmp_path, "converter_words.js", "noTurnWords", given), strict=True)
+    )
+    for (one, other), words in said.items():
+        matrix = chr_notes.convert(np.eye(3), one, other, kind="matrix")
+        assert (words == "") == np.allclose(matrix, np.eye(3)), (one, other)
+    assert said["ROS", "Unity"].startswith("No turn faces east in ROS, north in Unity.")
+    assert "choose ROS (local frame)" in said["ROS", "Unity"]
+    assert "CH Robotics (UM6, UM7)" in said["CHR", "ROS"]
+
+
+def test_what_is_shown_has_no_noise_and_reads_back(program: Program, tmp_path: Path) -> None:
+    program("node")
+    random = np.random.default_rng(5)
+    given = [[[9.999999999999998, 19.999999999999996, 1.2e-17], "angles"],
+             [[1e-9, 0.0, 0.0], "angles"],
+             [[1.0, 0.0, 0.0, 3e-20], "axis angle"],
+             [[0.1234567890123, 1.0, -2e-9], "angles", True]]  # fmt: skip
+    attitudes = [chr_notes.matrix_from_quaternion(q).ravel() for q in random.normal(size=(40, 4))]
+    given += [[each.tolist(), "matrix"] for each in attitudes]
+    angles, small, turn, narrow, *matrices = called(tmp_path, "writing.js", "shown", given)
+    assert angles == ["10", "20", "0"]
+    assert small == ["1e-9", "0", "0"]
+    assert turn[0] == "1"
+    assert float(turn[3]) == 0
+    assert narrow == ["0.12345679", "1", "-2e-9"]
+    for matrix, texts in zip(attitudes, matrices, strict=True):
+        np.testing.assert_allclose([*map(float, texts)], matrix, rtol=5e-15, atol=4e-16)
 
 
 def test_a_state_that_is_none_is_refused() -> None:

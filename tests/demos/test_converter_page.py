@@ -38,6 +38,7 @@ def test_on_a_page_from_a_file(visit: Visit, page_of: PageOf) -> None:
     page.get_by_role("button", name="Take the nearest rotation").click()
     expect(page.locator(".chr-fault")).to_be_hidden()
     assert numbers(page, "target_quaternion") == pytest.approx(expected["quaternion"], abs=5e-3)
+    check_typing(page, expected["quaternion"])
     # The address keeps all digits.
     page.locator('textarea[name="quaternion"]').fill("0.5 0.1 0.2 0.3333333333333333")
     page.wait_for_function("location.hash.includes('0.3333333333333333')")
@@ -54,6 +55,53 @@ def test_on_a_page_from_a_file(visit: Visit, page_of: PageOf) -> None:
     page.locator('textarea[name="angles"]').fill("10 90 30")
     expect(output(page, "source_lock")).to_contain_text("At the lock")
     expect(output(page, "target_lock")).to_contain_text("At the lock")
+    check_a_narrow_screen(page)
+
+
+LINES = """(each) => {
+  const style = getComputedStyle(each);
+  const height = each.scrollHeight - parseFloat(style.paddingTop) - parseFloat(style.paddingBottom);
+  return [height, parseFloat(style.lineHeight), each.scrollWidth, each.clientWidth];
+}"""
+"""The height of the text, that of a line, and the width that the text needs and has."""
+
+
+def check_typing(page: Page, pasted: list[float]) -> None:
+    """What is being typed stays under the cursor, and means what its field is for."""
+    quaternion = page.locator('textarea[name="quaternion"]')
+    quaternion.fill("")
+    quaternion.press_sequentially("0.1, 0.2, 0.3")
+    expect(page.locator(".chr-fault")).to_have_text("Expected 4 numbers, found 3.")
+    expect(output(page, "source_triples")).to_have_text("the last valid attitude")
+    expect(page.get_by_role("button", name="Copy as")).to_be_disabled()
+    quaternion.press_sequentially(", 0.9273618")
+    expect(quaternion).to_have_value("0.1, 0.2, 0.3, 0.9273618")
+    expect(output(page, "source_triples")).to_contain_text("360° more or less")
+    expect(page.get_by_role("button", name="Copy as")).to_be_enabled()
+    # A matrix that is pasted there is a matrix.
+    page.locator('textarea[name="matrix"]').fill(str(ROTATION))
+    page.locator('textarea[name="matrix"]').press("Control+a")
+    page.locator('textarea[name="matrix"]').press("Control+c")
+    quaternion.fill("1 0 0 0")
+    quaternion.press("Control+a")
+    quaternion.press("Control+v")
+    assert numbers(page, "target_quaternion") == pytest.approx(pasted, abs=1e-13)
+
+
+def check_a_narrow_screen(page: Page) -> None:
+    """Each row of a matrix is a line there, and no field hides what it has."""
+    page.locator('textarea[name="angles"]').fill("10.123456789 20.123456789 30.123456789")
+    page.set_viewport_size({"width": 390, "height": 844})
+    expect(page.locator(".chr-aside").last).to_have_text("Shown with 8 decimals, copied with all.")
+    for name in ('output[name="target_matrix"]', 'textarea[name="matrix"]'):
+        height, line, wide, room = page.locator(name).evaluate(LINES)
+        assert height / line == pytest.approx(3, abs=0.1), name
+        assert wide <= room, name
+    for name in ("angles", "axis angle"):
+        lacking = page.locator(f'textarea[name="{name}"]').evaluate(
+            "(each) => each.scrollHeight - each.clientHeight"
+        )
+        assert lacking <= 0, name
 
 
 def test_another_spelling_is_the_same_attitude(visit: Visit, page_of: PageOf) -> None:

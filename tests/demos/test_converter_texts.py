@@ -31,12 +31,39 @@ def test_a_matrix_in_any_notation(program: Program, tmp_path: Path) -> None:
     program("node")
     own = {"scalarFirst": True}
     given = [[text, kind, own] for kind, text in TEXTS.values()]
-    # In the field of another kind it is a matrix all the same.
-    given += [[text, "quaternion", own] for _, text in TEXTS.values()]
+    # Pasted into the field of another kind it is a matrix all the same.
+    given += [[text, "quaternion", own, True] for _, text in TEXTS.values()]
     made = called(tmp_path, "converter_state.js", "understood", given)
     for name, found in zip([*TEXTS, *TEXTS], made, strict=True):
         assert found.get("kind") == "matrix", (name, found)
         np.testing.assert_allclose(found["value"], np.ravel(ROTATION), atol=1e-15, err_msg=name)
+
+
+def test_what_is_being_typed_is_of_its_field(program: Program, tmp_path: Path) -> None:
+    """Each beginning of it is of the field's kind, or not yet enough; never something else."""
+    program("node")
+    own = {"scalarFirst": False, "along": ["forward", "left", "up"], "sequence": "xyz",
+           "order": [0, 1, 2]}  # fmt: skip
+    typed = {
+        "quaternion": "0.1, 0.2, 0.3, 0.9273618",
+        "axis angle": "0.1 0.2 0.3 45",
+        "angles": "0.1 0.2 0.3 0.9",
+        "matrix": "0.36 0.48 -0.8 -0.8 0.6 0 0.48 0.64 0.6",
+    }
+    given = [
+        [text[:end], kind, own] for kind, text in typed.items() for end in range(len(text) + 1)
+    ]
+    given += [["10 20 30", "quaternion", own], ["1 2 3 4 5 6 7 8 9", "angles", own]]
+    made = called(tmp_path, "converter_state.js", "understood", given)
+    for (text, kind, _), found in zip(given, made, strict=True):
+        assert found.get("kind", kind) == kind, text
+        full = [float(each) for each in text.replace(",", " ").split() if each not in ("-", ".")]
+        assert found.get("value", full) == full, text
+    whole = {text: each for (text, _, _), each in zip(given, made, strict=True)}
+    assert whole[typed["quaternion"]]["value"] == [0.1, 0.2, 0.3, 0.9273618]
+    assert whole["0.1 0.2 0.3 0.9"]["fault"]["words"] == "Expected 3 numbers, found 4."
+    assert whole["10 20 30"]["fault"]["words"] == "Expected 4 numbers, found 3."
+    assert len(whole[typed["matrix"]]["value"]) == 9
 
 
 TABLE = {  # text: (kind, scalar first, values)
@@ -91,7 +118,20 @@ def test_what_is_no_rotation_is_told_by_how_much(program: Program, tmp_path: Pat
     defect = np.sqrt(((rough @ rough.T - np.eye(3)) ** 2).mean())
     assert f"off the unit matrix by {float(f'{defect:.3g}')}" in off["fault"]["words"]
     assert "reflection" in reflected["fault"]["words"]
+    # A digit or a sign that is wrong is named; many that are rounded are not.
+    assert "One number alone" not in off["fault"]["words"]
+    wrong = np.array(ROTATION)
     random = np.random.default_rng(3)
+    faults = []
+    for place in range(9):
+        one = wrong.copy()
+        one.flat[place] = -one.flat[place] if place % 2 else one.flat[place] + 0.06
+        faults.append([str(one.tolist()), "matrix", {}])
+    for place, found in enumerate(called(tmp_path, "converter_state.js", "understood", faults)):
+        said = f"row {place // 3 + 1}, column {place % 3 + 1}, "
+        assert said in found["fault"]["words"], found
+        fits = float(found["fault"]["words"].split("where ")[1].split()[0])
+        assert abs(fits - wrong.flat[place]) < 1e-3
     matrices = random.normal(size=(40, 3, 3))
     nearest = called(
         tmp_path, "nearest.js", "nearestRotation", [[m.ravel().tolist()] for m in matrices]
