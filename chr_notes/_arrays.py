@@ -8,6 +8,13 @@ from numpy.typing import ArrayLike, NDArray
 Bools = NDArray[np.bool_]
 Floats = NDArray[np.float64]
 DOUBLE = np.dtype(np.float64)
+_LEFT_OUT = {
+    "body_rates": "a log without a gyro has none",
+    "accel": "a log without an accelerometer has none",
+    "mag": "a log without a magnetometer has none",
+    "temperature": "a log without a thermometer has none; leave the argument out",
+    "dt": "a log without times has none; pass rate= to read_log, in Hz, or here one over the rate",
+}
 
 
 def floats(name: str, value: ArrayLike | float, *last: int) -> Floats:
@@ -60,6 +67,10 @@ def _numbers(name: str, array: NDArray[Any]) -> Floats:
     """
     if array.dtype.kind != "O":
         msg = f"{name}: expected real numbers, got {array.dtype}"
+        raise TypeError(msg)
+    if array.shape == () and array[()] is None:
+        advice = f"; {_LEFT_OUT[name]}" if name in _LEFT_OUT else ""
+        msg = f"{name}: expected real numbers, got None{advice}"
         raise TypeError(msg)
     numbers = np.empty(array.shape)
     for place, value in np.ndenumerate(array):

@@ -230,8 +230,10 @@ def _run(
     settings: Settings,
 ) -> Floats:
     """Run the filter, and give of each state what is wanted of it; NaN before the first force."""
-    named = zip(("body_rates", "accel", "mag"), recording, strict=True)
-    read = [(name, samples(name, value)) for name, value in named if value is not None]
+    body_rates, accel, mag = recording
+    read = [("body_rates", samples("body_rates", body_rates)), ("accel", samples("accel", accel))]
+    if mag is not None:
+        read.append(("mag", samples("mag", mag)))
     count = same_length(*read)
     rates, forces, *field = (array for _, array in read)
     dt = _steps(dt, count, settings.longest_step)
