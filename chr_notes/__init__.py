@@ -71,6 +71,7 @@ from chr_notes.sensors.calibration import (
 )
 from chr_notes.sensors.ellipsoid import Ellipsoid, fit_ellipsoid
 from chr_notes.sensors.gyro import fit_gyro_at_rest, fit_gyro_scale
+from chr_notes.sensors.log_calibration import CalibratedRecording, calibrate_recording
 from chr_notes.sensors.logs import read_log
 from chr_notes.sensors.magnetometer import fit_hard_iron, fit_magnetometer
 from chr_notes.sensors.models import (
@@ -101,6 +102,7 @@ __all__ = [
     "STANDARD_GRAVITY",
     "Averaged",
     "AxesRelation",
+    "CalibratedRecording",
     "CalibrationWarning",
     "Convention",
     "Doubts",
@@ -133,6 +135,7 @@ __all__ = [
     "averaging_observer",
     "axis_angle_from_quaternion",
     "body_rates_from_euler_rates",
+    "calibrate_recording",
     "change_angles",
     "change_axes",
     "change_quaternion",

@@ -50,7 +50,14 @@ WORDS = {
     "monitor": chr_notes.Monitor(0.1, 3),
 }
 """What is no array."""
-NO_ARRAYS = {"coasting_time", "convert", "find_conventions", "kernels_in_use", "read_log"}
+NO_ARRAYS = {
+    "calibrate_recording",
+    "coasting_time",
+    "convert",
+    "find_conventions",
+    "kernels_in_use",
+    "read_log",
+}
 OWN: dict[str, dict[str, Any]] = {
     "change_angles": {"source": "ros", "target": "notes"},
     "change_quaternion": {"source": "ros", "target": "notes"},

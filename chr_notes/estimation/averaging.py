@@ -23,6 +23,7 @@ from chr_notes._units import warn_of_rates
 from chr_notes.estimation.averaging_bound import averaging_bound
 from chr_notes.estimation.averaging_settings import Settings
 from chr_notes.estimation.bias import Bias, bias_of
+from chr_notes.estimation.calibrated import doubt_of_calibration
 from chr_notes.estimation.earth_field import EarthField
 from chr_notes.estimation.gyro import attitudes_in_range
 from chr_notes.estimation.starts import first_tilt
@@ -43,7 +44,8 @@ class Averaged(NamedTuple):
         body may have turned meanwhile, so that what comes after them counts the more.
     tilt_bound
         Bound of the angle between true and estimated vertical, radians, shape (N,), for a body
-        whose speed stays below 1 m/s: `averaging_bound` has it for others.
+        whose speed stays below 1 m/s: `averaging_bound` has it for others. It takes gyro and
+        accelerometer to be calibrated.
     heading_averaged
         The same seconds for the heading, at most `heading_time_constant`: 0 until a magnetometer
         is heard. They fall while it is held out.
@@ -177,6 +179,10 @@ def averaged_attitude(  # noqa: PLR0913 (a recording, and how to run through it)
 ) -> Averaged:
     """Run `averaging_observer`, and say of each sample how far to trust it.
 
+    The bound takes what is read to be calibrated, as `calibrate_recording` does it: an error of
+    the accelerometer tilts the answer, and mostly nothing tells. Where the norm at rest shows one,
+    differing by more than 4 % from rest to rest, the bound is widened and a warning says so.
+
     Parameters
     ----------
     body_rates, accel, dt, mag, time_constant, heading_time_constant, bias, field, longest_step
@@ -192,8 +198,15 @@ def averaged_attitude(  # noqa: PLR0913 (a recording, and how to run through it)
     ValueError
         As `averaging_observer`.
 
+    Warns
+    -----
+    CalibrationWarning
+        If the accelerometer's norm at rest, or the strength of the field, differs by so much that
+        they cannot be calibrated.
+
     See Also
     --------
+    chr_notes.sensors.log_calibration.calibrate_recording
     chr_notes.estimation.averaging_stream.observe_averaging
     chr_notes.estimation.averaging_bound.averaging_bound
     chr_notes.estimation.fixed_gain.fixed_gain_observer
@@ -220,6 +233,7 @@ def averaged_attitude(  # noqa: PLR0913 (a recording, and how to run through it)
     averaged = np.nan_to_num(found[:, 3])
     heading = np.nan_to_num(found[:, 4]) if mag is not None else np.zeros(len(found))
     bound = averaging_bound(averaged, time_constant)
+    bound = np.minimum(bound + doubt_of_calibration(body_rates, accel, dt, mag), np.pi)
     return Averaged(np.ascontiguousarray(found[:, :3]), averaged, bound, heading)
 
 

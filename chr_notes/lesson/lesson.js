@@ -90,17 +90,27 @@
     return parts;
   };
 
+  /* Commas between three numbers or more that have none but white space between. */
+  const spaced = (text) => {
+    const numbers = /^[+-]?[\d.]+(\s+[+-]?[\d.]+){2,}(?=\s*([A-Za-zµ°%].*)?$)/.exec(text);
+    if (!numbers) return text;
+    return `${numbers[0].split(/\s+/).join(", ")} ${text.slice(numbers[0].length)}`;
+  };
+
   const parts = (text) => {
     for (const [signs, plain] of [["−", "-"], ["×", "*"], ["·", "*"], ["π", "pi"], ["²", "^2"], ["μ", "µ"]]) {
       text = text.replaceAll(signs, plain);
     }
     text = text.trim();
-    if (/^[(\[].*[)\]]$/.test(text)) {
-      const inner = split(text.slice(1, -1));
+    const vector = /^[(\[](.*)[)\]]\s*((?:[A-Za-zµ°%][^()\[\],]*)?)$/.exec(text);
+    if (vector) {
+      const inner = split(spaced(vector[1]));
       const count = (part, sign) => part.split(sign).length;
-      if (inner.length > 1 && inner.every((part) => count(part, "(") === count(part, ")"))) return inner;
+      if (inner.length > 1 && inner.every((part) => count(part, "(") === count(part, ")"))) {
+        return [...inner.slice(0, -1), `${inner.at(-1)} ${vector[2]}`];
+      }
     }
-    return split(text);
+    return split(spaced(text));
   };
 
   const read = (text, unit = "") => {

@@ -26,6 +26,8 @@ _NAMES: Final[Mapping[str, Callable[..., float]]] = MappingProxyType(
         "atan2": math.atan2,
     }
 )
+_VECTOR: Final = re.compile(r"[(\[](.*)[)\]]\s*((?:[A-Za-zµ°%][^()\[\],]*)?)")
+_SPACED: Final = re.compile(r"[+-]?[\d.]+(\s+[+-]?[\d.]+){2,}(?=\s*([A-Za-zµ°%].*)?$)", re.ASCII)
 _NUMBER: Final = re.compile(r"(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 
 
@@ -124,11 +126,20 @@ def _parts(text: str) -> list[str]:
     for signs, plain in (("−", "-"), ("×", "*"), ("·", "*"), ("π", "pi"), ("²", "^2"), ("μ", "µ")):
         text = text.replace(signs, plain)
     text = text.strip()
-    if text[:1] in ("(", "[") and text[-1:] in (")", "]"):
-        inner = _split(text[1:-1])
+    vector = _VECTOR.fullmatch(text)
+    if vector:
+        inner = _split(_spaced(vector[1]))
         if len(inner) > 1 and all(part.count("(") == part.count(")") for part in inner):
-            return inner
-    return _split(text)
+            return [*inner[:-1], f"{inner[-1]} {vector[2]}"]
+    return _split(_spaced(text))
+
+
+def _spaced(text: str) -> str:
+    """Put commas between three numbers or more that have none but white space between."""
+    numbers = _SPACED.match(text)
+    if not numbers:
+        return text
+    return ", ".join(numbers[0].split()) + " " + text[numbers.end() :]
 
 
 def _split(text: str) -> list[str]:
@@ -148,7 +159,7 @@ def read(text: str, unit: str = "") -> tuple[tuple[float, ...], str]:
     Parameters
     ----------
     text
-        What the reader wrote; several numbers with commas between.
+        What the reader wrote; several numbers with commas between, or three and more with spaces.
     unit
         The unit that is expected, named in messages.
 

@@ -82,7 +82,10 @@ class AxesRelation:
 
     def __str__(self) -> str:
         """Say it in a sentence."""
-        how = f"explained {self.explained:.0%}, {self.certainty:.1f} standard deviations"
+        how = (
+            f"explains {self.explained:.0%} of the changes, the next best {self.certainty:.1f} "
+            "standard deviations worse"
+        )
         if not self.known:
             return f"cannot tell ({how}): turn the sensor about all of its axes"
         axes = ", ".join(_named(row) for row in self.permutation)

@@ -7,6 +7,7 @@ from chr_notes._arrays import Floats
 _CELL = 0.03  # of the extent
 _FURTHEST = 1_000_000  # cells; three such numbers make one of 63 bits
 _ALIKE = 0.05  # of the root mean square distance from the mean, some 3° on a sphere
+_CELLS, _ROWS_OF_A_CELL = 500, 3  # at least; fewer do not tell well enough one by one
 _AXES = ("x", "y", "z")
 _BLOCK = 4096
 _ASLANT = 0.4  # part of a unit vector along an axis that is worth naming
@@ -31,6 +32,12 @@ def thinned(points: Floats) -> Floats:
     return kept
 
 
+def evened(points: Floats) -> Floats:
+    """Let a place where a sensor rested long count no more than others, where enough are left."""
+    cells = thinned(points)
+    return cells if len(cells) >= _CELLS and len(points) >= _ROWS_OF_A_CELL * len(cells) else points
+
+
 def count_directions(points: Floats, most: int) -> int:
     """Count points that are not near another, up to a number that is enough."""
     radius = _ALIKE * float(np.sqrt(np.mean(np.sum((points - points.mean(axis=0)) ** 2, axis=1))))
@@ -41,17 +48,24 @@ def count_directions(points: Floats, most: int) -> int:
     return count
 
 
-def widest_gap(outward: Floats) -> tuple[float, Floats]:
+def outward(points: Floats, centre: Floats, matrix: Floats) -> Floats:
+    """Directions of points on the sphere that an ellipsoid is brought to."""
+    corrected = (points - centre) @ matrix
+    length = np.linalg.norm(corrected, axis=1, keepdims=True)
+    return np.asarray(corrected / np.where(length > 0, length, 1.0))
+
+
+def widest_gap(directions: Floats) -> tuple[float, Floats]:
     """Find the direction that is furthest from all of these, and how far, radians."""
     sphere = evenly_spread(500)
     # In blocks, or a long log would need five hundred times its memory.
-    blocks = np.array_split(outward, len(outward) // _BLOCK + 1)
+    blocks = np.array_split(directions, len(directions) // _BLOCK + 1)
     nearest = np.max([np.max(sphere @ block.T, axis=1) for block in blocks], axis=0)
     return float(np.arccos(np.clip(nearest.min(), -1, 1))), sphere[int(nearest.argmin())]
 
 
 def named(direction: Floats) -> str:
-    """Say in words where a direction points, such as "-z" or "between +x and -z"."""
+    """Say in words where a direction points, such as "-z" or "the direction between +x and -z"."""
     order = np.argsort(-np.abs(direction))
     parts = [
         f"{'+' if direction[axis] > 0 else '-'}{_AXES[axis]}"
@@ -60,7 +74,7 @@ def named(direction: Floats) -> str:
     ]
     if len(parts) == 1:
         return parts[0]
-    return f"between {', '.join(parts[:-1])} and {parts[-1]}"
+    return f"the direction between {', '.join(parts[:-1])} and {parts[-1]}"
 
 
 def evenly_spread(count: int) -> Floats:

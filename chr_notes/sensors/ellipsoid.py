@@ -2,7 +2,8 @@
 
 First a direct fit of a quadric that is constrained to be an ellipsoid (Li and Griffiths, Least
 squares ellipsoid specific fitting, 2004), then a few Gauss-Newton steps on what counts in the
-end: that every point, brought to the sphere, has the same norm.
+end: that every point, brought to the sphere, has the same norm. Of a long recording each place
+on the sphere counts once, however long the sensor rested there.
 """
 
 from dataclasses import dataclass, field, replace
@@ -15,8 +16,10 @@ from chr_notes._samples import complete
 from chr_notes._samples import samples as recording
 from chr_notes.sensors.coverage import (
     count_directions,
+    evened,
     evenly_spread,
     named,
+    outward,
     sphere_centre,
     thinned,
     widest_gap,
@@ -131,7 +134,8 @@ def fit_ellipsoid(samples: ArrayLike) -> Ellipsoid:
     points = points[~off]
     middle = points.mean(axis=0)
     extent = _extent(points, middle)
-    scaled = (points - middle) / extent
+    every = (points - middle) / extent
+    scaled = evened(every)
     start = _direct_fit(scaled)
     fitted = None if start is None else refined(scaled, *start)
     if fitted is None:
@@ -142,7 +146,7 @@ def fit_ellipsoid(samples: ArrayLike) -> Ellipsoid:
                 f"{extent / np.linalg.norm(middle):.1%} of their size: was the sensor turned?"
             )
             raise ValueError(msg)
-        if widest_gap(_outward(scaled, centre, np.eye(3)))[0] < _ALL_AROUND:
+        if widest_gap(outward(scaled, centre, np.eye(3)))[0] < _ALL_AROUND:
             msg = (
                 "samples: expected readings on one ellipsoid, got readings from all around of "
                 "which more than a quarter lie off; is there iron that moves, or an other column?"
@@ -153,7 +157,7 @@ def fit_ellipsoid(samples: ArrayLike) -> Ellipsoid:
             f"{_what_is_missing(scaled, centre, np.eye(3))}"
         )
         raise ValueError(msg)
-    ellipsoid = _judge(scaled, *fitted)
+    ellipsoid = _judge(scaled, every, *fitted)
     if ellipsoid.gap > WIDEST_GAP or ellipsoid.standard_error > LARGEST_ERROR:
         msg = (
             "samples cover too little of the sphere: they leave a gap of "
@@ -198,7 +202,7 @@ def _extent(points: Floats, middle: Floats) -> float:
 
 def _what_is_missing(points: Floats, centre: Floats, matrix: Floats) -> str:
     """Say where the largest gap is, and what to do about it."""
-    gap, direction = widest_gap(_outward(points, centre, matrix))
+    gap, direction = widest_gap(outward(points, centre, matrix))
     return (
         f"no reading comes from within {np.degrees(gap):.0f}° of {named(direction)} of the sensor: "
         "turn that side along the field too, or fit_hard_iron where it cannot be turned over"
@@ -235,7 +239,7 @@ def _all_agree(thin: Floats, points: Floats, matrix: Floats, centre: Floats) -> 
     usual = _misfit(thin, matrix, centre)
     if deviation(usual) > _NOISY or far_off(_misfit(points, matrix, centre), usual).any():
         return False
-    return bool(widest_gap(_outward(thin, centre, matrix))[0] < _ALL_AROUND)
+    return bool(widest_gap(outward(thin, centre, matrix))[0] < _ALL_AROUND)
 
 
 def _misfit(points: Floats, matrix: Floats, centre: Floats) -> Floats:
@@ -275,15 +279,8 @@ def _direct_fit(points: Floats) -> tuple[Floats, Floats] | None:
     return vectors * np.sqrt(values) @ vectors.T, centre
 
 
-def _outward(points: Floats, centre: Floats, matrix: Floats) -> Floats:
-    """Directions of points on the sphere that an ellipsoid is brought to."""
-    corrected: Floats = (points - centre) @ matrix
-    length = np.linalg.norm(corrected, axis=1, keepdims=True)
-    corrected /= np.where(length > 0, length, 1.0)
-    return corrected
-
-
-def _judge(points: Floats, matrix: Floats, centre: Floats) -> Ellipsoid:
+def _judge(points: Floats, every: Floats, matrix: Floats, centre: Floats) -> Ellipsoid:
+    norms = _misfit(every, matrix, centre) + 1
     residual, slopes = norms_less_one(points, matrix, centre)
     around = centre + evenly_spread(500) @ np.linalg.inv(matrix)
     _, on_sphere = norms_less_one(around, matrix, centre)
@@ -296,7 +293,7 @@ def _judge(points: Floats, matrix: Floats, centre: Floats) -> Ellipsoid:
         centre=centre,
         to_sphere=radius * matrix,
         radius=radius,
-        spread=float(np.std(residual) / np.mean(residual + 1)),
-        gap=widest_gap(_outward(points, centre, matrix))[0],
+        spread=float(norms.std() / norms.mean()),
+        gap=widest_gap(outward(points, centre, matrix))[0],
         standard_error=float(np.sqrt(variance) * errors.max()),
     )

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from chr_notes._arrays import Floats
 from chr_notes.sensors.column_names import SENSORS
-from chr_notes.sensors.recording import Stretch
+from chr_notes.sensors.recording import Stretch, counted
 
 _LISTED = 1000
 _STUCK = 1.0  # seconds
@@ -144,19 +144,22 @@ def faults(
         readings = values[name]
         share = missing(readings)
         if share:
-            warnings.append(f"{name}: {share:.2%} of the rows have no whole reading")
+            warnings.append(f"{name}: {share:.2%} of the rows lack a number of x, y or z")
         if share == 1:
             continue
         at_end = saturated(name, readings, full_range.get(name), usual, place)
         same = stuck(name, readings, usual, place)
         for found, what in ((at_end, "at the end of its range"), (same, "of one reading")):
             if found:
-                warnings.append(f"{name}: {len(found)} stretches {what}, from {found[0].place} on")
+                many = counted(len(found), "stretch", "stretches")
+                warnings.append(f"{name}: {many} {what}, from {found[0].place} on")
         ends += at_end
         sticking += same
         limit = _WILD.get(name, np.inf)
         wild = np.logical_or.reduce([np.abs(column) > limit for column in readings.T])
         if wild.any():
             first = place(int(np.argmax(wild)))
-            warnings.append(f"{name}: {int(wild.sum())} readings of no sensor, from {first} on")
+            warnings.append(
+                f"{name}: {counted(int(wild.sum()), 'reading')} of no sensor, from {first} on"
+            )
     return tuple(ends), tuple(sticking), warnings

@@ -120,7 +120,10 @@ class Rests:
         residuals = self.residuals[factor]
         order = np.argsort(residuals, kind="stable")
         least = float(residuals[order[0]])
-        how = f"between {self.count} rests off by {np.degrees(least):.1f} degrees at best"
+        how = (
+            f"the gyro turns the vertical from rest to rest, {self.count} times, and ends "
+            f"{np.degrees(least):.1f}° off the accelerometer's with the axes that fit best"
+        )
         if self.count < _FEWEST or least >= FITS:
             return Pair(SIGNED, known=False, how=how)
         fitting = SIGNED[order[residuals[order] < _FAILS]]
@@ -220,7 +223,10 @@ def by_angle(accel: Floats, mag: Floats) -> Pair:
     best, next_best, order = min(
         map(_compared, (plain, less_iron)), key=lambda each: each[0] / each[1]
     )
-    how = f"the cosine between vertical and field varies by {best:.2g}, then by {next_best:.2g}"
+    how = (
+        "the cosine of the angle between vertical and field, which should stay the same, varies by "
+        f"{best:.2g} with the axes that fit best and by {next_best:.2g} with the next best"
+    )
     tells = best < _STEADY and next_best > _AHEAD * best
     return Pair(SIGNED[order[:2]] if tells else SIGNED, tells, how)
 

@@ -105,7 +105,7 @@ def _times(table: Table, settings: Settings, said: Said, count: int) -> Times:
         times = log_time.timed(table.values["time"][:, 0], name, table.place, said.contradiction)
         said.units["time"] = str(times.unit)
     else:
-        times = Times(warnings=["there are no times; pass rate=, in Hz"])
+        times = Times(warnings=["there are no times, and so no dt: pass rate= to read_log, in Hz"])
     said.assumed += times.assumed
     said.warnings += times.warnings
     return times

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chr_notes._arrays import Floats
-from chr_notes.sensors.recording import Stretch
+from chr_notes.sensors.recording import Stretch, counted
 
 SECONDS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}
 
@@ -85,8 +85,9 @@ def timed(
     values = _unwrapped(values, times, place)
     known = ~np.isnan(values)
     if not known.all():
-        count, first = int((~known).sum()), place(int(np.argmin(known)))
-        times.warnings.append(f"{count} rows have no time, the first at {first}: left out")
+        rows = counted(int((~known).sum()), "row has", "rows have")
+        first = place(int(np.argmin(known)))
+        times.warnings.append(f"{rows} no time, the first at {first}: left out")
     steps = np.diff(values[known])
     forward = steps[steps > 0]
     if len(forward) == 0:
@@ -121,7 +122,7 @@ def timed(
     if times.gaps:
         longest = max(times.gaps, key=lambda gap: gap.seconds)
         times.warnings.append(
-            f"{int(gaps.sum())} gaps in time, the longest of {longest.seconds:.3g} s at "
+            f"{counted(int(gaps.sum()), 'gap')} in time, the longest of {longest.seconds:.3g} s at "
             f"{longest.place}"
         )
     return times
@@ -192,8 +193,8 @@ def _without_jumps(
         times.clock_jumps.append(Stretch("time", each, each + 2, length, where))
     first = times.clock_jumps[0]
     times.warnings.append(
-        f"the clock was set {len(jumps)} times, first by {first.seconds:.4g} s at {first.place}: "
-        "counted as a usual step"
+        f"the clock was set {counted(len(jumps), 'time')}, first by {first.seconds:.4g} s at "
+        f"{first.place}: counted as a usual step"
     )
     steps[jumps] = usual
     return np.concatenate([[0.0], np.cumsum(steps)])
@@ -223,9 +224,10 @@ def _later(
         raise ValueError(msg)
     for count, what in ((times.repeated, same), (times.backward, before)):
         if count:
+            come = "row comes" if count == 1 else "rows come"
             how = "at the same time as" if what is same else "at a time before"
             times.warnings.append(
-                f"{count} rows come {how} an earlier one, the first at "
+                f"{count} {come} {how} an earlier one, the first at "
                 f"{place(int(rows[int(np.argmax(what))]))}: left out"
             )
     return np.asarray(seconds > latest)

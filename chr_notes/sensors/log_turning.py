@@ -184,15 +184,29 @@ def _right_axes(up: Floats) -> str:
     return f"axes='{'flu' if above else 'frd'}', for its z points {'up' if above else 'down'}, or "
 
 
+def _upward(up: Floats) -> str:
+    """Name the axis of a log that points up."""
+    place = int(np.abs(up).argmax())
+    return f"{'+' if up[place] > 0 else '-'}{'xyz'[place]}"
+
+
+def _candidates(up: Floats) -> str:
+    """Name the four right-handed readings of the axes that have this one up, by their downs."""
+    down = _upward(up).translate(str.maketrans("+-", "-+")).removeprefix("+")
+    fitting = [named for named in map(log_axes.named, log_pairs.SIGNED) if named.split()[2] == down]
+    proper = [each for each in fitting if np.linalg.det(log_axes.matrix_of("axes", each)) > 0]
+    return ", ".join(f"'{each}'" for each in proper)
+
+
 def _level(up: Floats, where: str, said: Said) -> Floats:
     """Tell z up from z down by where a level sensor's specific force points."""
     matrix, _ = log_axes.levelled(up)
     if matrix is None:
-        said.cannot_tell.append(
-            f"the axes of the log, for z is not near the vertical {where}: they are taken for "
-            "forward, right, down; pass axes="
+        said.cannot_tell.append("the axes of the log: they are taken for forward, right, down")
+        said.warnings.append(
+            f"z is not near the vertical {where}, but {_upward(up)} points up: if the sensor lay "
+            f"level there, pass axes= with forward, right, down, one of {_candidates(up)}"
         )
-        said.warnings.append(said.cannot_tell[-1])
         said.cannot_tell.append(_NEGATED)
         return np.eye(3)
     name = "flu: z points up" if matrix[2, 2] < 0 else "frd: z points down"

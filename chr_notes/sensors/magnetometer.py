@@ -21,6 +21,7 @@ from chr_notes.sensors.norms import ONE_SCALE, far_off, norms_less_one, refined
 _FEWEST = 6  # rows, for three unknowns
 _TOLD_APART = 1.5  # a misfit over that of the other side, from which the sides are told apart
 _LEAST_ARC = np.radians(180.0)  # of headings
+_APART = 0.5  # a step between sorted misfits that ends what goes on evenly, over the largest kept
 _BOX = 3.0  # in widths that hold four fifths of the cells, outside of which nothing is near
 
 
@@ -54,7 +55,8 @@ def fit_magnetometer(samples: ArrayLike, field: float | None = None) -> Magnetom
     Warns
     -----
     CalibrationWarning
-        If rows lie far off and were left out; it names them.
+        If rows lie far off and were left out. It names those that stand apart as faults, and says
+        of the others how far off they are: a field that is not the same everywhere has such.
 
     See Also
     --------
@@ -75,7 +77,8 @@ def fit_magnetometer(samples: ArrayLike, field: float | None = None) -> Magnetom
     """
     strength = None if field is None else positive("field", field)
     ellipsoid = fit_ellipsoid(samples)
-    _name_rows(np.asarray(samples), ellipsoid.outliers)
+    array = recording("samples", samples)
+    _name_rows(array, ellipsoid.outliers, (array - ellipsoid.centre) @ ellipsoid.to_sphere)
     scale = 1.0 if strength is None else strength / ellipsoid.radius
     soft_iron = scale * ellipsoid.to_sphere
     return MagnetometerCalibration(soft_iron=soft_iron, hard_iron=soft_iron @ ellipsoid.centre)
@@ -161,7 +164,7 @@ def fit_hard_iron(
             "drive a whole circle"
         )
         raise ValueError(msg)
-    _name_rows(array, rows[off])
+    _name_rows(array, rows[off], (array - centre) * ([1, 1, 0] if field is None else [1, 1, 1]))
     return MagnetometerCalibration(soft_iron=np.eye(3), hard_iron=centre)
 
 
@@ -240,15 +243,36 @@ def _parts(field: ArrayLike | float) -> tuple[float, float | None]:
     return float(known[0]), float(known[1])
 
 
-def _name_rows(samples: Floats, outliers: NDArray[np.intp]) -> None:
-    """Warn of the rows that were left out."""
+def _name_rows(samples: Floats, outliers: NDArray[np.intp], corrected: Floats) -> None:
+    """Warn of the rows that were left out, and say what they look like."""
     if not len(outliers):
         return
-    named = ", ".join(f"{row} {np.round(samples[row], 6).tolist()}" for row in outliers[:3])
-    more = f" and {len(outliers) - 3} more" if len(outliers) > 3 else ""  # noqa: PLR2004 (named)
+    with np.errstate(all="ignore"):  # a spike is as large as it likes
+        strengths = np.linalg.norm(corrected, axis=1)
+    kept = np.delete(strengths, outliers)
+    kept = kept[np.isfinite(kept)]
+    usual = float(np.median(kept))
+    off = np.abs(strengths[outliers] / usual - 1)
+    within = float(np.abs(kept / usual - 1).max())
+    order = np.argsort(off)
+    # Faults of single readings lie apart; a field that varies from place to place does so evenly.
+    apart = np.flatnonzero(np.diff(np.r_[within, off[order]]) > _APART * within)
+    faults = np.sort(outliers[order[apart[0] :]]) if len(apart) else outliers[:0]
+    others = len(outliers) - len(faults)
+    shown = faults if len(faults) else outliers
+    named = ", ".join(f"{row} {np.round(samples[row], 6).tolist()}" for row in shown[:3])
+    more = f" and {len(shown) - 3} more" if len(shown) > 3 else ""  # noqa: PLR2004 (named)
+    why = [f"{named}{more}: spikes, dropped reads or overflow codes"] if len(faults) else []
+    if others:
+        least, most = off[order[0]], off[order[others - 1]]
+        which = f"{others} of them" if len(faults) else f"{named}{more}:"
+        why.append(
+            f"{which} of a strength {least:.1%} to {most:.1%} off, where the rest is within "
+            f"{within:.1%}: not faults, but a field that differs from place to place, as near iron"
+        )
     warnings.warn(
         f"samples: left out {len(outliers)} of {len(samples)} rows that lie far off, "
-        f"{named}{more}: spikes, dropped reads or overflow codes",
+        + "; and ".join(why),
         CalibrationWarning,
         stacklevel=3,
     )

@@ -128,8 +128,8 @@ def _centre(poses: Floats) -> Floats:
     advice = "lay the sensor down still, a second or more, on each of its six sides"
     if len(poses) < _FEWEST:
         msg = (
-            f"expected at least {_FEWEST} still poses, got {len(poses)}: {advice} "
-            "(body_rates in rad/s)"
+            f"expected at least {_FEWEST} still poses, got {len(poses)}: {advice}; rates in °/s, "
+            "too, leave no pose still"
         )
         raise ValueError(msg)
     centre = sphere_centre(poses)
@@ -139,8 +139,8 @@ def _centre(poses: Floats) -> Floats:
     if count < _FEWEST or gap > _WIDEST_GAP:
         msg = (
             f"accel: expected at least {_FEWEST} different poses all around, got {count} in "
-            f"{len(poses)} still stretches, none within {np.degrees(gap):.0f}° of {named(missing)}"
-            f" up: {advice}"
+            f"{len(poses)} still stretches, and in none of them pointed {named(missing)}, or what "
+            f"is within {np.degrees(gap):.0f}° of it, up: {advice}"
         )
         raise ValueError(msg)
     return centre

@@ -7,6 +7,13 @@ import numpy as np
 
 from chr_notes._arrays import Floats
 
+_EVEN = 1e-6  # of a step: what is left of times that are printed in decimals
+
+
+def counted(count: int, one: str, several: str = "") -> str:
+    """Say how many: "1 gap in time", "3 gaps in time"; `several` where not "s" alone is added."""
+    return f"{count} {one if count == 1 else several or one + 's'}"
+
 
 @dataclass(frozen=True)
 class Stretch:
@@ -109,7 +116,9 @@ class Report:
         """Say it in lines."""
         lines = [f"samples: {self.samples}" + (f", {self.left_out} left out" * bool(self.left_out))]
         if self.rate is not None:
-            lines.append(f"rate: {self.rate:.4g} Hz, jitter {self.jitter:.2g} of a step")
+            uneven = self.jitter is not None and self.jitter > _EVEN
+            steps = f"steps vary by {self.jitter:.2g} of one" if uneven else "even steps"
+            lines.append(f"rate: {self.rate:.4g} Hz, {steps}")
         for quantity, names in self.columns.items():
             unit = self.units.get(quantity, "of unknown unit")
             lines.append(f"{quantity}: {', '.join(names)} ({unit})")

@@ -123,7 +123,7 @@ def test_damaged_rows_gaps_and_a_magnet_that_passes_do_no_harm() -> None:
     found = relate_axes(np.degrees(rates[:, [1, 2, 0]]), field, steps)
     assert found.known
     assert_array_equal(found.permutation @ [2, 3, 1], [1, 2, 3])
-    assert str(found).startswith("x, y, z are the gyro's z, x, y, in deg/s (explained ")
+    assert str(found).startswith("x, y, z are the gyro's z, x, y, in deg/s (explains ")
     assert found.explained > 0.8
 
 

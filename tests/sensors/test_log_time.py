@@ -53,7 +53,7 @@ def test_gaps_and_jitter() -> None:
     assert [(gap.start, gap.stop, gap.place) for gap in times.gaps] == [(399, 401, "row 400")]
     assert times.gaps[0].seconds == pytest.approx(0.51, abs=0.003)
     assert times.jitter == pytest.approx(0.0707, rel=0.1)
-    assert times.warnings == ["1 gaps in time, the longest of 0.51 s at row 400"]
+    assert times.warnings == ["1 gap in time, the longest of 0.51 s at row 400"]
     assert times.dt is not None
     assert times.time is not None
     assert_allclose(times.dt[1:], np.diff(times.time))
@@ -95,7 +95,7 @@ def test_a_clock_that_was_set_counts_as_a_usual_step(jump: float) -> None:
     ]
     assert times.time is not None
     assert_allclose(times.time, STEADY, atol=1e-6)
-    assert "the clock was set 1 times" in times.warnings[0]
+    assert "the clock was set 1 time," in times.warnings[0]
 
 
 def test_a_counter_of_32_bits_goes_on() -> None:

@@ -139,6 +139,29 @@ def test_a_sensor_that_rests_most_of_the_time_is_calibrated_all_the_same() -> No
     assert largest_angle(fit_magnetometer(samples), actual + HARD_IRON, actual) < 0.3
 
 
+def test_a_long_rest_in_a_disturbed_place_does_not_bend_the_sphere() -> None:
+    generator = np.random.default_rng(13)
+    about, rest = turned_about(generator, 3000), np.tile([[30.3, 0.0, 40.4]], (9000, 1))
+    samples = np.concatenate([about, rest]) + generator.normal(0, 0.3, (12000, 3))
+    assert largest_angle(fit_magnetometer(samples), about, about) < 0.3
+
+
+def test_a_field_that_varies_from_place_to_place_is_not_called_faulty() -> None:
+    generator = np.random.default_rng(14)
+    field = turned_about(generator, 4000) * (1 + generator.normal(0, 0.003, (4000, 1)))
+    field[:400] *= np.linspace(1.0, 1.1, 400)[:, np.newaxis]
+    with pytest.warns(
+        CalibrationWarning, match=r"left out \d+ of 4000 .* differs from place"
+    ) as said:
+        fit_magnetometer(field)
+    assert "spikes" not in str(said[0].message)
+    field[7] = 4096
+    with pytest.warns(
+        CalibrationWarning, match=r"off, 7 \[4096.* codes; and \d+ of them .* place to"
+    ):
+        fit_magnetometer(field)
+
+
 @given(seeds, st.floats(1e-3, 1e3))
 @few(25)
 def test_the_strength_of_the_field_may_be_given(seed: int, field: float) -> None:
