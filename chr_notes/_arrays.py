@@ -42,6 +42,10 @@ def floats(name: str, value: ArrayLike | float, *last: int) -> Floats:
             return value
     if isinstance(value, float) and not last:
         return np.array(value, dtype=np.float64)
+    if value is None:
+        advice = f"; {_LEFT_OUT[name]}" if name in _LEFT_OUT else ""  # type: ignore[unreachable]
+        msg = f"{name}: expected real numbers, got None{advice}"
+        raise TypeError(msg)
     try:
         array = np.asarray(value)
     except ValueError:
@@ -67,10 +71,6 @@ def _numbers(name: str, array: NDArray[Any]) -> Floats:
     """
     if array.dtype.kind != "O":
         msg = f"{name}: expected real numbers, got {array.dtype}"
-        raise TypeError(msg)
-    if array.shape == () and array[()] is None:
-        advice = f"; {_LEFT_OUT[name]}" if name in _LEFT_OUT else ""
-        msg = f"{name}: expected real numbers, got None{advice}"
         raise TypeError(msg)
     numbers = np.empty(array.shape)
     for place, value in np.ndenumerate(array):

@@ -52,7 +52,7 @@ MODELS = (
 # What goes in are no rows of numbers alone, but poses, turns, streams.
 OTHERS = {"coasting_time", "convert", "drift_budget", "find_conventions", "fit_accelerometer",
           "fit_gyro_scale", "kernels_in_use", "observe", "observe_averaging",
-          "read_log"}  # fmt: skip
+          "read_log", "calibrate_recording"}  # fmt: skip
 
 
 def found() -> Iterator[tuple[str, Call]]:

@@ -114,31 +114,31 @@ def calibrate_recording(
     NOT: magnetometer: there is none in the log, and yaw comes from the gyro alone
     """
     steps = _Steps(recording)
-    for name in _SPIKES:
-        _spikes(steps, name)
-    gyro = recording.body_rates is not None
-    if recording.dt is None and gyro:
+    if recording.body_rates is not None:
+        kept = _spikes(steps, "body_rates", recording.body_rates)
+        steps.log = replace(steps.log, body_rates=kept)
+    if recording.accel is not None:
+        steps.log = replace(steps.log, accel=_spikes(steps, "accel", recording.accel))
+    rates, accel, dt = steps.log.body_rates, steps.log.accel, steps.log.dt
+    if rates is not None and dt is None:
         steps.left.append("all that needs time: the log has none; pass rate= to read_log, in Hz")
-    elif gyro and recording.accel is not None:
-        steps.rests = static_intervals(steps.log.body_rates, steps.log.accel, recording.dt)
+    elif rates is not None and accel is not None and dt is not None:
+        steps.rests = static_intervals(rates, accel, dt)
     steps.take("gyro at rest", lambda: _gyro(steps))
     steps.take("accelerometer", lambda: _accelerometer(steps, gravity))
     steps.take("magnetometer", lambda: _magnetometer(steps))
     return CalibratedRecording(steps.log, tuple(steps.done), tuple(steps.left))
 
 
-def _spikes(steps: _Steps, name: str) -> None:
+def _spikes(steps: _Steps, name: str, values: Floats) -> Floats:
     """Make readings NaN that no body can have had."""
-    values = getattr(steps.log, name)
-    if values is None:
-        return
     steady, glitches = without_glitches(values)
     with np.errstate(all="ignore"):
         spikes = glitches & (np.abs(values - steady).max(axis=1) > _SPIKES[name])
-    if spikes.any():
-        kept = np.where(spikes[:, np.newaxis], np.nan, values)
-        steps.log = replace(steps.log, **{name: kept})
-        steps.done.append(f"{name}: {counted(int(spikes.sum()), 'spike')} left out")
+    if not spikes.any():
+        return values
+    steps.done.append(f"{name}: {counted(int(spikes.sum()), 'spike')} left out")
+    return np.where(spikes[:, np.newaxis], np.nan, values)
 
 
 def _gyro(steps: _Steps) -> str:

@@ -85,9 +85,9 @@ def timed(
     values = _unwrapped(values, times, place)
     known = ~np.isnan(values)
     if not known.all():
-        rows = counted(int((~known).sum()), "row has", "rows have")
+        timeless = counted(int((~known).sum()), "row has", "rows have")
         first = place(int(np.argmin(known)))
-        times.warnings.append(f"{rows} no time, the first at {first}: left out")
+        times.warnings.append(f"{timeless} no time, the first at {first}: left out")
     steps = np.diff(values[known])
     forward = steps[steps > 0]
     if len(forward) == 0:

@@ -254,6 +254,9 @@ def _name_rows(samples: Floats, outliers: NDArray[np.intp], corrected: Floats) -
     usual = float(np.median(kept))
     off = np.abs(strengths[outliers] / usual - 1)
     within = float(np.abs(kept / usual - 1).max())
+    outliers, off = outliers[off > within], off[off > within]  # what agrees after all is no news
+    if not len(outliers):
+        return
     order = np.argsort(off)
     # Faults of single readings lie apart; a field that varies from place to place does so evenly.
     apart = np.flatnonzero(np.diff(np.r_[within, off[order]]) > _APART * within)
