@@ -110,6 +110,14 @@ def test_the_bound_is_reached() -> None:
     assert abs(output) == pytest.approx(float(derived.motion_error().subs(unit)), rel=0.01)
 
 
+def test_a_body_that_turns_back_reaches_the_bound_of_a_plain_mean() -> None:
+    time = np.linspace(0, 4, 4001)
+    velocity = -1.5 * np.cos(np.pi * time / 4)  # from one way at full speed to the other
+    leaning = np.gradient(velocity, time).mean() / 9.8
+    unit = {derived.speed: 1.5, derived.t: 4, g: 9.8}
+    assert leaning == pytest.approx(float(derived.mean_motion_error().subs(unit)), rel=1e-3)
+
+
 def test_what_a_turn_unseen_leaves_of_a_mean() -> None:
     turn = symbols("turn", positive=True)
     left = derived.averaged_after(turn)
