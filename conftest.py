@@ -20,6 +20,8 @@ ROOT = Path(__file__).resolve().parent
 RECORDINGS = "../shared/data"
 # Folders whose tests share what is made once a run.
 ONCE = ("tests/book/", "tests/codegen/", "tests/ledger/")
+# Files that take long though their tests are few: first, so that no worker is left with them alone.
+DEAR = ("tests/book/", "notebooks/", "tests/demos/", "tests/ledger/", "tests/codegen/")
 
 # What a test waits for: a program, or a folder beside the project. Then the tests that do.
 PERMITTED = {
@@ -163,8 +165,14 @@ class Together(LoadScopeScheduling):
 
 @pytest.hookimpl(optionalhook=True)
 def pytest_xdist_make_scheduler(config: pytest.Config, log: Producer) -> Together | None:
-    """Give each worker whole files, whatever distribution is asked for."""
+    """Give each worker whole files, in the order of the collection, as asked for or not."""
+    config.option.loadscopereorder = False
     return None if config.getoption("dist") == "each" else Together(config, log)
+
+
+def _place(item: pytest.Item) -> int:
+    own = (place for place, folder in enumerate(DEAR) if item.nodeid.startswith(folder))
+    return next(own, len(DEAR))
 
 
 @pytest.hookimpl(tryfirst=True)
@@ -179,5 +187,5 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     # A run without the kernels says so beforehand: with CHR_NOTES_KERNELS=require there is none.
     unasked += [] if kernels_in_use() else ["kernels"]
     out = [item for item in items if any(map(item.get_closest_marker, unasked))]
-    items[:] = [item for item in items if item not in out]
+    items[:] = sorted((item for item in items if item not in out), key=_place)
     config.hook.pytest_deselected(items=out)

@@ -13,6 +13,7 @@ MISSING = frozenset(["", "nan", "na", "n/a", "null", "none", "nil", "-", "<na>",
 DATE = re.compile(
     r"(\d{4}-\d\d-\d\d)[T ](\d\d:\d\d(?::\d\d(?:\.\d{1,9})?)?)(Z|[+-]\d\d:?\d\d)?", re.ASCII
 )
+_CLOCK = re.compile(r"\d{1,2}:\d\d(:\d\d([.,]\d+)?)?", re.ASCII)
 _DIGITS = 15  # a double holds every number of so many
 
 Origin = Decimal | np.datetime64
@@ -39,6 +40,8 @@ def number(text: str) -> float:
         return np.nan
     if not NUMBER.fullmatch(text):
         msg = f"expected a number, got {text!r:.40}"
+        if _CLOCK.fullmatch(text):
+            msg += ", a time of day: put its date before it, as in 2024-05-01 12:30:00.25"
         raise ValueError(msg)
     value = float(text)
     if not np.isfinite(value):

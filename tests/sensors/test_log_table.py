@@ -100,6 +100,7 @@ def test_missing_numbers_are_nan(missing: str) -> None:
         (HEAD + "0,1,2,3\n1,4,x,6\n", r"line 3, column 3 \(ay\): expected a number, got 'x'"),
         (HEAD + "0,1,2,3\n1,4,5\n2,1,2,3\n", r"line 3, column 3: expected 4 fields, got 3"),
         (HEAD + "0,1,2,3\n1,4,5,6,7\n", r"line 3, column 5: expected 4 fields, got 5"),
+        (HEAD + "12:00:00.5,1,2,3\n", "got '12:00:00.5', a time of day: put its date before it"),
         (HEAD + "0,1,inf,3\n", r"line 2, column 3 \(ay\): expected a number, got 'inf'"),
         (HEAD + "0,1,1e999,3\n", r"line 2, column 3 \(ay\): .*'1e999'"),
         (HEAD + "0,1,1e300,3\n", r"line 2, column 3 \(ay\): expected a reading, got 1e\+300"),
