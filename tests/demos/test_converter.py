@@ -72,24 +72,31 @@ def written(state: dict[str, Any], side: str) -> chr_notes.Convention:
     return convention(*(state[f"{side}{end}"] for end in ("", "_sequence", "_unit")))
 
 
-def are_those_of_python(state: dict[str, Any], there: dict[str, np.ndarray]) -> np.ndarray:
-    """Compare what the page says with Python's; returns the angles of both."""
+def are_those_of_python(
+    state: dict[str, Any], there: dict[str, np.ndarray], rounded: float = 0.0
+) -> np.ndarray:
+    """Compare numbers, rounded to so many times their size, with Python's; returns both angles."""
     own = written(state, "target")
     expected = ConverterDemo(**state).readouts()
-    np.testing.assert_allclose(there["matrix"], expected["matrix"], atol=ULPS, err_msg=state)
+    np.testing.assert_allclose(
+        there["matrix"], expected["matrix"], rounded, ULPS, err_msg=str(state)
+    )
     q, theirs = there["quaternion"], np.array(expected["quaternion"])
     half_turn = abs(q[0 if own.scalar_first else 3]) < ULPS  # either sign will do
     sign = np.sign(q @ theirs) if half_turn else 1.0
-    np.testing.assert_allclose(q, sign * theirs, atol=ULPS, err_msg=state)
+    np.testing.assert_allclose(q, sign * theirs, rounded, ULPS, err_msg=str(state))
     one, other = there["axis angle"], np.array(expected["axis angle"])
     turn = np.radians(one[3]) if own.degrees else one[3]
     sign = np.sign(one[:3] @ other[:3]) if half_turn else 1.0
     if turn > NEAR:
-        np.testing.assert_allclose(one[:3], sign * other[:3], atol=ULPS / min(1, turn))
-    assert one[3] == pytest.approx(other[3], abs=2e-13 if own.degrees else ULPS)
+        np.testing.assert_allclose(one[:3], sign * other[:3], rounded, ULPS / min(1, turn))
+    np.testing.assert_allclose(one[3], other[3], rounded, 2e-13 if own.degrees else ULPS)
     angles = np.array([there["angles"], expected["angles"]])
+    turns = np.abs(np.radians(angles[1]) if own.degrees else angles[1]).sum()
     matrices = chr_notes.convert(angles, own, own, kind="angles", to="matrix")
-    np.testing.assert_allclose(matrices[0], matrices[1], atol=ULPS, err_msg=state)
+    np.testing.assert_allclose(
+        matrices[0], matrices[1], 0, ULPS + rounded * turns, err_msg=str(state)
+    )
     return angles
 
 

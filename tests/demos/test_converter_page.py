@@ -164,7 +164,7 @@ def test_all_states_and_texts_on_a_page_from_a_file(visit: Visit, page_of: PageO
     said = typed(page, [{**choice, "texts": text} for choice, text in pairs])
     for state, each in zip(given, said, strict=True):
         there = {kind: np.array(each[kind], dtype=float) for kind in KINDS}
-        are_those_of_python(state, there)
+        are_those_of_python(state, there, rounded=5e-15)  # half a unit of the 15th digit
     # Pasted texts: an attitude in the notation of its kind, or none at all.
     for kind, text in TEXTS.values():
         (said_,) = typed(page, [{"kind": kind, "source": "PX4", "target": "PX4", "texts": text}])
