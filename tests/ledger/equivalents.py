@@ -87,8 +87,8 @@ EQUIVALENT: dict[tuple[str, str], str] = {
         for n in (9, 12)
     },
     **{
-        ("validation.16", f"swapped symbols, {kind}"): "the paper calls yaw by both names"
-        for kind in (*(f"in one place {n}" for n in range(1, 4)), "throughout 1")
+        ("validation.16", f"swapped symbols, in one place {n}"): "the paper calls yaw by both names"
+        for n in range(1, 4)
     },
     **{("validation.l", f"transposed {n}"): AXIS_STAYS for n in range(1, 4)},
     ("validation.k", "swapped symbols, throughout 1"): BOTH_WAYS,
