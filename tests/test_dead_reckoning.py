@@ -7,7 +7,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose, assert_array_equal
-from numpy.typing import NDArray
 
 import chr_notes
 from chr_notes import (
@@ -23,7 +22,6 @@ from chr_notes.symbols import T
 
 from .sampling import few
 
-Floats = NDArray[np.float64]
 seeds = st.integers(0, 2**32 - 1)
 G = chr_notes.STANDARD_GRAVITY
 

@@ -5,7 +5,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose
-from numpy.typing import NDArray
 
 import chr_notes
 from chr_notes import (
@@ -20,8 +19,6 @@ from chr_notes.sensors.simulated import SensorErrors, add_errors
 
 from .sampling import few
 
-Floats = NDArray[np.float64]
-seeds = st.integers(0, 2**32 - 1)
 G = chr_notes.STANDARD_GRAVITY
 
 

@@ -4,7 +4,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import strategies as st
 from numpy.testing import assert_allclose, assert_array_equal
 from numpy.typing import NDArray
 
@@ -21,7 +20,6 @@ from chr_notes.derivations import dead_reckoning as derived
 from chr_notes.simulation import ideal_readings, minimum_jerk, swing, trajectory
 
 Floats = NDArray[np.float64]
-seeds = st.integers(0, 2**32 - 1)
 G = chr_notes.STANDARD_GRAVITY
 
 
