@@ -12,6 +12,7 @@ from chr_notes._arrays import DOUBLE, Floats, floats
 WILD_RATE = 1e12
 """No gyro reads as much, rad/s: such rates come from damaged logs, and leave angles no digits."""
 _THREE = (3,)
+_FLOATS = [float] * 3
 
 
 def samples(name: str, value: ArrayLike) -> Floats:
@@ -70,6 +71,8 @@ def one_sample(name: str, value: ArrayLike) -> list[float]:
     """
     if type(value) is ndarray and value.dtype is DOUBLE and value.shape == _THREE:
         return value.tolist()  # type: ignore[no-any-return] # as is the rule, and quick to see
+    if isinstance(value, (list, tuple)) and [*map(type, value)] == _FLOATS:
+        return [*value]
     array = floats(name, value, 3)
     if array.ndim != 1:
         msg = f"{name}: expected shape (3,), got {array.shape}"

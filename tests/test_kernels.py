@@ -159,10 +159,11 @@ def test_a_state_is_moved_on_by_a_sample() -> None:
     assert_allclose(take(state, np.array([0.0, 0.0, 0.5]), force, 0.2, 0.0), [0, 0, 0.1])
     assert_allclose(state, [cos(0.05), 0, 0, sin(0.05)])
     # Where nobody has to look an array comes, and where nothing can be done nothing is done.
-    for wrong in ([0.0] * 3, np.zeros(4), np.zeros((1, 3)), np.zeros(3, dtype=int), None):
+    for wrong in ([0.0] * 4, np.zeros(4), np.zeros((1, 3)), np.zeros(3, dtype=int), None):
         state = level.copy()
         assert take(state, wrong, force, 0.2, 0.0) is None
         assert_array_equal(state, level)
+    assert take(level.tolist(), still, force, 0.2, 0.0) is None  # nowhere to go on from
     for rates, dt in ((np.full(3, nan), 0.2), (np.full(3, 2.0), 0.6), (still, -0.1), (still, nan)):
         assert take(level.copy(), rates, force, dt, 0.0) is False
     assert take(level.copy(), still, still, 0.2, 0.0) is False
@@ -174,6 +175,25 @@ def test_a_state_is_moved_on_by_a_sample() -> None:
     assert take(state, still, force, 0.2, 0.0) is None
     with pytest.raises(TypeError, match="expected 5 arguments, got 4"):
         take(state, still, force, 0.2)
+
+
+@pytest.mark.kernels
+def test_a_few_plain_numbers_are_a_row() -> None:
+    take = _kernels.kernel("rotate_to_inertial")
+    assert take is not None
+    q, vector = np.array([0.6, 0.0, 0.8, 0.0]), np.array([1.0, 2.0, -3.0])
+    expected = take(q, vector, None)
+    for row in ([1, 2, -3], (1.0, 2.0, -3), [np.float64(1), 2.0, -3]):
+        assert_array_equal(take(q.tolist(), row, None), expected)
+    assert_array_equal(take(q.tolist(), np.tile(vector, (5, 1)), None), [expected] * 5)
+    # What else may stand in a list is not for a kernel to judge, and no error comes of it.
+    for other in (None, "2", True, np.float32(2), [2.0], np.array([2.0]), 10**400):
+        assert take(q, [1.0, other, -3.0], None) is None
+    for row in ([1.0, 2.0], [[1.0, 2.0, -3.0]], {1.0, 2.0, -3.0}):
+        assert take(q, row, None) is None
+    matrix = _kernels.kernel("euler_from_matrix")
+    assert matrix is not None
+    assert matrix(np.eye(3).ravel().tolist(), None) is None
 
 
 @pytest.mark.kernels

@@ -45,6 +45,10 @@ STREAMS: dict[str, Filter] = {
     "observe_sample": lambda w, dt: [
         chr_notes.observe_sample([0, 0, 0], *sample, 0.02) for sample in stream(w, dt)
     ],
+    "observe_sample by the notes": lambda w, dt: [
+        chr_notes.observe_sample([0, 0, 0], *sample, 0.02, method="euler")
+        for sample in stream(w, dt)
+    ],
 }
 EVERY = RECORDINGS | STREAMS
 

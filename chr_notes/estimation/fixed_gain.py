@@ -56,7 +56,7 @@ class _Way:
     step: Callable[..., tuple[float, ...]]
     sample: Callable[..., tuple[float, ...]]
     quick_advance: Callable[..., Any] | None
-    quick_sample: Callable[..., Floats | None] | None
+    quick_sample: Callable[..., Any] | None
     begin: Callable[..., Sequence[float]]
     end: Callable[[Floats], Floats]
     angles: Callable[[Sequence[float] | Floats], Floats]

@@ -79,20 +79,20 @@ def observe_sample(  # noqa: PLR0913 (a state and a sample)
     array([0.0561, 0.    , 0.    ])
     """
     way, share, step = way_of(method), check_gain("gain", gain), period(dt)
-    rates = one_sample("body_rates", body_rates)
-    if not hypot(*rates) * step < pi:
-        warn_of_turn(rates, step)
     take = way.quick_sample
     if take is not None:
         found = take(euler, body_rates, accel, step, share, None)
-        # Of several samples, or a start that is no attitude, the rest has to say.
-        if found is not None and found.ndim == 1 and is_in_range(*found.tolist()):
+        # Of what is not usual, of several samples, or a start that is no attitude, the rest says.
+        if type(found) is np.ndarray and found.ndim == 1 and is_in_range(*found.tolist()):
             return found
-    before, force = start("euler", euler), one_sample("accel", accel)
+    before, rates = start("euler", euler), one_sample("body_rates", body_rates)
+    force = one_sample("accel", accel)
+    if not hypot(*rates) * step < pi:
+        warn_of_turn(rates, step)
     if take is None:
         return angles_in_range(way.sample(*before, *rates, *force, step, share))
-    given = map(np.array, (before, rates, force))
-    return angles_in_range(np.asarray(take(*given, step, share, None)))
+    found = take(before, rates, force, step, share, None)
+    return angles_in_range(found[0] if isinstance(found, tuple) else found)
 
 
 Sample = tuple[ArrayLike, ArrayLike, float] | tuple[ArrayLike, ArrayLike, float, ArrayLike]
@@ -211,7 +211,7 @@ def observe(  # noqa: PLR0913 (as for a recording)
             elif quick is None:
                 state = advance(*state, *rates, *force, *mag, step, *constants)
             elif euler is None:
-                given = [np.array(each) for each in (rates, force, mag) if each]
+                given = [each for each in (rates, force, mag) if each]
                 euler = quick(state, *given, step, *constants)
             euler = euler if isinstance(euler, np.ndarray) else angles(state)
         yield Estimate(euler, incomplete)

@@ -4,8 +4,8 @@
  * A function of arrays takes them, and None or an array for the result. It returns
  * - the result,
  * - or the result and the rows that are left to the general way, a byte each,
- * - or None where an argument is neither a NumPy array of float64 in C order, or rows of one, nor a
- *   float in place of numbers, or its shape does not fit without a copy; then nothing is done.
+ * - or None where an argument is neither a NumPy array of float64 in C order, or rows of one, nor
+ *   plain numbers, or its shape does not fit without a copy; then nothing is done.
  *
  * completed(function of arrays, rest) is a function that returns the result alone: rest(what the
  * first one returned, a tuple of its arguments) gives it where that was anything else.
@@ -27,7 +27,7 @@
 #include "../generated/c/kernels.c"
 #include "../generated/c/stamp.h"
 
-enum { LONG = 10000, MOST_AXES = 32, FEW = 256 };
+enum { LONG = 10000, MOST_AXES = 32, FEW = 256, LISTED = 4 };
 /* Numbers that fill 32 MB, and rows that leave a cache room. */
 enum { NEW_MEMORY = 1 << 22, FEW_ROWS = 1 << 14 };
 
@@ -149,11 +149,35 @@ static PyObject *compute(const Kernel *kernel, npy_intp rows, const double *cons
     return result;
 }
 
+/* Take a float, or a few floats and integers in a list or tuple, as a row; 0 for all else. */
+static int plain_numbers(PyObject *value, int elements, double *numbers, Rows *row)
+{
+    *row = (Rows){.first = numbers, .end = numbers + (elements ? elements : 1), .rows = 1};
+    if (elements == 0 && PyFloat_Check(value)) {
+        numbers[0] = PyFloat_AsDouble(value);
+        return 1;
+    }
+    if (!(PyList_CheckExact(value) || PyTuple_CheckExact(value)) || elements > LISTED
+        || PySequence_Size(value) != elements)
+        return 0;
+    for (int element = 0; element < elements; element++) {
+        PyObject *const each = PySequence_GetItem(value, element);
+        const int is_number = each && (PyFloat_Check(each) || PyLong_CheckExact(each));
+        numbers[element] = is_number ? PyFloat_AsDouble(each) : 0.0;
+        Py_XDECREF(each);
+        if (!is_number || PyErr_Occurred()) {
+            PyErr_Clear(); /* an integer that is too large */
+            return 0;
+        }
+    }
+    return elements > 0;
+}
+
 /* The arguments of a kernel; of several rows, those with the most are the model of the result. */
 typedef struct {
     const double *in[MOST_ARRAYS];
     ptrdiff_t step[MOST_ARRAYS];
-    double numbers[MOST_ARRAYS];
+    double numbers[MOST_ARRAYS][LISTED];
     Rows arrays[MOST_ARRAYS];
     const Rows *model;
 } Arguments;
@@ -166,13 +190,9 @@ static int find(const Kernel *kernel, PyObject *const *given, Arguments *all)
         const int elements = kernel->shape[array];
         const Rows *const model = all->model;
         Rows *const own = all->arrays + array;
-        if (elements == 0 && PyFloat_Check(given[array])) {
-            double *const number = all->numbers + array;
-            *number = PyFloat_AsDouble(given[array]);
-            *own = (Rows){.first = number, .end = number + 1, .rows = 1};
-        } else if (!look(given[array], elements, own)) {
+        if (!look(given[array], elements, own)
+            && !plain_numbers(given[array], elements, all->numbers[array], own))
             return 0;
-        }
         all->in[array] = own->first;
         all->step[array] = own->rows == 1 ? 0 : own->step;
         /* The result has the axes of the array with the most rows, and a row for all has fewer. */
@@ -254,7 +274,7 @@ static PyObject *call_sampled(PyObject *self, PyObject *const *given, Py_ssize_t
     PyObject *result;
     double *out;
     if (!step || !finish || !has_count(step, count, 0)) return NULL;
-    if (!find(step, given, &all) || all.model->axes
+    if (!find(step, given, &all) || all.model->axes || !PyArray_CheckExact(given[0])
         || !PyArray_ISWRITEABLE((PyArrayObject *)given[0]))
         Py_RETURN_NONE;
     result = new_result(finish, all.model);

@@ -124,7 +124,7 @@ def observer_step() -> Computation:
         dict(zip(QUATERNION, end, strict=True)), "end_"
     )
     steps = (*before, *turn.steps, *map(Let, end, turn.results), *after.steps)
-    return Computation(steps, after.results)
+    return Computation(steps, after.results, valid=USUAL)
 
 
 @cache
@@ -183,6 +183,7 @@ def euler_observer_step() -> Computation:
                 (seen - guess for guess, seen in zip(predicted, tilt.results, strict=True)),
             ),
             Choice(shortest, ((known, tuple(off)), otherwise(*(0 * turn for turn in turns)))),
+            is_usual(known),
         ),
         ImmutableMatrix(
             [
@@ -190,4 +191,5 @@ def euler_observer_step() -> Computation:
                 step.results[2],
             ]
         ),
+        valid=USUAL,
     )

@@ -2630,7 +2630,7 @@ static int64_t observer_step
     double roll = in[0][0];
     double pitch = in[0][1];
     double yaw = in[0][2];
-    (void)odd;
+    int64_t any = 0;
     for (ptrdiff_t row = 0; row < rows; row++) {
         const double p = in[1][row * step[1] + 0];
         const double q = in[1][row * step[1] + 1];
@@ -2702,6 +2702,8 @@ static int64_t observer_step
         const double common_16 = e_x*reading_x + e_y*reading_y + e_z*reading_z;
         const double turn_back_a = step_cos_of_share(0.5*gain, common_15, common_16);
         const double factor = step_sin_of_share(0.5*gain, common_15, common_16);
+        const int usual = (has_direction) & (moves) & (3.141592653589793 > whole_turn) & (dt >=
+            0.0);
         const double end_a = factor*moved_a + predicted_a*turn_back_a;
         const double end_b = factor*moved_b + predicted_b*turn_back_a;
         const double end_c = factor*moved_c + predicted_c*turn_back_a;
@@ -2730,8 +2732,10 @@ static int64_t observer_step
         out[row * 3 + 0] = roll = next_roll;
         out[row * 3 + 1] = pitch = next_pitch;
         out[row * 3 + 2] = yaw = next_yaw;
+        odd[row] = !usual;
+        any |= odd[row];
     }
-    return 0;
+    return any;
 }
 
 static int64_t euler_observer_step
@@ -2741,7 +2745,7 @@ static int64_t euler_observer_step
     double roll = in[0][0];
     double pitch = in[0][1];
     double yaw = in[0][2];
-    (void)odd;
+    int64_t any = 0;
     for (ptrdiff_t row = 0; row < rows; row++) {
         const double p = in[1][row * step[1] + 0];
         const double q = in[1][row * step[1] + 1];
@@ -2782,14 +2786,18 @@ static int64_t euler_observer_step
             6.283185307179586*floor(0.15915494309189535*roll_to_measured + 0.5)) : 0.0;
         const double pitch_off = seen_has_direction ? gain*(pitch_to_measured -
             6.283185307179586*floor(0.15915494309189535*pitch_to_measured + 0.5)) : 0.0;
+        const int usual = (moves) & (seen_has_direction) & (3.141592653589793 > whole_turn) & (dt >=
+            0.0);
         const double next_roll = predicted_roll + roll_off;
         const double next_pitch = pitch_off + predicted_pitch;
         const double next_yaw = dt*rate_across*sec_pitch + yaw;
         out[row * 3 + 0] = roll = next_roll;
         out[row * 3 + 1] = pitch = next_pitch;
         out[row * 3 + 2] = yaw = next_yaw;
+        odd[row] = !usual;
+        any |= odd[row];
     }
-    return 0;
+    return any;
 }
 
 static int64_t monitored_turn
