@@ -58,6 +58,7 @@ STILLS = (
     FramesDemo(frame=1.0, axis=1.0, yaw=40.0, pitch=30.0, roll=25.0),
     DriftDemo(angle_error=1.0, time=60.0),
     GimbalLockDemo(yaw=30.0, pitch=60.0, roll=20.0),
+    MagnetometerDemo(tilt=0.0),
     GimbalLockDemo(view=1.0, roll=12.0, flown=75.0),
     GimbalLockDemo(view=2.0, pitch=60.0, roll=55.0),
     TiltDemo(forward_acceleration=2.0),

@@ -149,7 +149,7 @@ const FIELD = { short: " µT", long: "microtesla" };
 const definition = {
   title: "Calibrating a magnetometer",
   python: "MagnetometerDemo",
-  hint: "Take the small aircraft with the sensor and turn it: which way must it be turned before the fit answers? Then take the tilt to 0°, a turn about one axis.",
+  hint: "Raise the tilt until the fit answers. Then take the small aircraft with the sensor, and turn it by hand.",
   aspect: 1.12,
   viewpoint: () => ({ heading: 35, elevation: -20 }),
   start,

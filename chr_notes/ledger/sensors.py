@@ -57,7 +57,7 @@ SETTLED = (
         definition=True,
         replaces="sensors.2.1",
         remark="From here on the symbol of the reading stands for what the sensor puts out, in "
-        "its own unit. The bias has no index here, and the index a in the correction.",
+        "its own unit. T is the temperature.",
     ),
     Case(
         "sensors.2.4",
@@ -92,7 +92,6 @@ SETTLED = (
                 equation(MatAdd(REALIGNED, printed.BETA_A), SCALED),
             ),
         ),
-        remark="The bias is added, not taken away, because the model takes it away.",
     ),
     Case("sensors.2.a", READ_FORCE),
     Case(

@@ -18,10 +18,13 @@ class Card:
         What is shown.
     derived
         Whether the steps of its derivation stand before it, instead of folded in.
+    folded
+        Whether it is a line that a click opens, whatever its weight.
     """
 
     entry: Entry
     derived: bool = False
+    folded: bool = False
 
     def __repr__(self) -> str:
         """Give id and verdict, where no Markdown can be shown."""
@@ -33,12 +36,13 @@ class Card:
 
     def _repr_markdown_(self) -> str:
         if not self.derived:
-            return "\n".join(chip(self.entry)) if is_small(self.entry) else self.markdown()
+            small = self.folded or is_small(self.entry)
+            return "\n".join(chip(self.entry)) if small else self.markdown()
         lines = (*steps(self.entry.derivation), *card(self.entry, derived=True))
         return "\n".join(lines)
 
 
-def show(name: str, *, derived: bool = False) -> Card:
+def show(name: str, *, derived: bool = False, folded: bool = False) -> Card:
     """Show one entry of the ledger with its verdict; small print on a line that a click opens.
 
     Parameters
@@ -47,6 +51,8 @@ def show(name: str, *, derived: bool = False) -> Card:
         Its id, for example `"euler.5.5"`.
     derived
         Whether to go through its derivation first, step by step on the page. Else it is folded in.
+    folded
+        Whether to fold it to a line, where it says once more what stands on another card.
 
     Raises
     ------
@@ -59,7 +65,7 @@ def show(name: str, *, derived: bool = False) -> Card:
     if derived and not entry.derivation:
         msg = f"expected an entry with a derivation, {name} has none"
         raise ValueError(msg)
-    return Card(entry, derived=derived)
+    return Card(entry, derived=derived, folded=folded)
 
 
 @dataclass(frozen=True)

@@ -202,7 +202,16 @@ def _extent(points: Floats, middle: Floats) -> float:
 
 def _what_is_missing(points: Floats, centre: Floats, matrix: Floats) -> str:
     """Say where the largest gap is, and what to do about it."""
-    gap, direction = widest_gap(outward(points, centre, matrix))
+    directions = outward(points, centre, matrix)
+    gap, direction = widest_gap(directions)
+    opposite = np.arccos(np.clip(np.max(directions @ -direction), -1, 1))
+    if opposite > _ALL_AROUND:
+        # On a ring the middle is not known, and so not on which side of it the readings lie.
+        return (
+            f"the readings lie near one plane: turn the sensor so that the field comes from "
+            f"{named(direction)} and from {named(-direction)} too, or fit_hard_iron where it "
+            "cannot be turned over"
+        )
     return (
         f"no reading comes from within {np.degrees(gap):.0f}° of {named(direction)} of the sensor: "
         "turn that side along the field too, or fit_hard_iron where it cannot be turned over"

@@ -4,6 +4,7 @@ import re
 
 import pytest
 
+from chr_notes.derivations.told.estimation import TILT
 from chr_notes.ledger import entries
 from chr_notes.ledger.card import AND, LONG, display
 from chr_notes.ledger.cases import CASES
@@ -11,6 +12,7 @@ from chr_notes.ledger.difference import boxed_alike, unboxed
 from chr_notes.ledger.harm import HARM
 from chr_notes.ledger.proof import proves
 from chr_notes.ledger.show import show, show_additions, show_together
+from chr_notes.ledger.told import show_steps
 from chr_notes.printed import ADDITIONS
 
 
@@ -66,6 +68,16 @@ def test_a_derivation_is_gone_through_once() -> None:
     assert "<summary>Derivation</summary>" not in shown
     with pytest.raises(ValueError, match=r"euler\.2\.a has none"):
         show("euler.2.a", derived=True)
+
+
+def test_what_the_text_gets_on_without_is_folded() -> None:
+    assert show("sensors.2.4")._repr_markdown_().startswith('<div class="entry"')
+    folded = show("sensors.2.4", folded=True)._repr_markdown_()
+    assert folded.startswith('<details class="entry chip" id="entry-sensors.2.4">')
+    assert show_steps(TILT)._repr_markdown_().startswith('<div class="chr-steps"')
+    steps = show_steps(TILT, folded="Derivation")._repr_markdown_()
+    assert steps.startswith("<details>\n<summary>Derivation</summary>\n\n<div")
+    assert repr(show_steps(TILT, folded="Derivation")) == repr(show_steps(TILT))
 
 
 def test_what_misleads_has_its_difference_marked_and_says_what_it_does() -> None:

@@ -2,16 +2,17 @@
 
 from types import MappingProxyType
 
-from sympy import ImmutableMatrix, MatMul, MatrixSymbol, Symbol, Transpose, sqrt, symbols
+from sympy import ImmutableMatrix, Inverse, MatMul, MatrixSymbol, Symbol, Transpose, sqrt, symbols
 
 from chr_notes.derivations import calibration as derived
 from chr_notes.derivations.euler import rotation
 from chr_notes.derivations.steps import Step, equation
 from chr_notes.derivations.telling import Told
 
-READING, CENTRE, HARD = (MatrixSymbol(rf"\mathbf{{{name}}}", 3, 1) for name in ("m", "c", "h"))
-FIELD, INSIDE = MatrixSymbol(r"\mathbf{b}_c", 3, 1), MatrixSymbol(r"\mathbf{u}", 3, 1)
-SOFT, TURN, ROOT = (MatrixSymbol(name, 3, 3) for name in ("D", "R", "A"))
+READING, CENTRE = (MatrixSymbol(rf"\mathbf{{{name}}}", 3, 1) for name in "bc")
+HARD, FIELD = (MatrixSymbol(name, 3, 1) for name in (r"\beta_h", r"\mathbf{b}_c"))
+INSIDE = MatrixSymbol(r"\mathbf{u}", 3, 1)
+SOFT, TURN, ROOT = (MatrixSymbol(name, 3, 3) for name in ("D_s", "R", "A"))
 MISFIT = Symbol(r"\text{misfit}")
 _PARTS = symbols("u_1:4", real=True)
 _xx, _xy, _xz, _yy, _yz, _zz = derived.TO_SPHERE
@@ -21,8 +22,17 @@ _INSIDE = _SYMMETRIC * (derived.INPUT - ImmutableMatrix(derived.CENTRE))
 ELLIPSOID = Told(
     (
         Step(
-            "The correction takes the hard iron off after the soft iron. Take the matrix in front "
-            "of both: what is taken off the reading is the centre, which is not h itself.",
+            "In the correction the matrix acts on the reading alone. Take it in front of both "
+            "terms, which asks for its inverse in the second.",
+            equation(FIELD, MatMul(SOFT, READING - MatMul(Inverse(SOFT), HARD))),
+        ),
+        Step(
+            "What is taken off the reading now is the centre of the cloud, where the corrected "
+            "field is zero. It is not the hard-iron term itself, unless there is no soft iron.",
+            equation(CENTRE, MatMul(Inverse(SOFT), HARD)),
+        ),
+        Step(
+            "With it the correction is a shift first, and a matrix then.",
             equation(FIELD, MatMul(SOFT, READING - CENTRE)),
         ),
         Step(
@@ -50,6 +60,7 @@ ELLIPSOID = Told(
             ),
             FIELD: derived.without_iron(),
             SOFT: derived.SOFT_IRON,
+            HARD: ImmutableMatrix(derived.HARD_IRON),
             TURN: rotation("I", "B"),
         }
     ),
@@ -59,8 +70,8 @@ ELLIPSOID = Told(
 FIT = Told(
     (
         Step(
-            "So look for a symmetric matrix A and a centre c that bring each reading to the sphere "
-            "of radius one.",
+            "Look for a symmetric matrix A and a centre c that bring each reading to the sphere of "
+            "radius one.",
             equation(INSIDE, MatMul(ROOT, READING - CENTRE)),
         ),
         Step(
