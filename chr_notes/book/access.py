@@ -14,6 +14,9 @@ _OTHER_NAMES: Final = (
 _PARTS: Final = re.compile(r"(<a [^>]*>([^<]*)</a><details[^>]*><summary)(>)")
 _SIDEBAR: Final = '<div id="pst-primary-sidebar" class="bd-sidebar-primary bd-sidebar"'
 _NAMED: Final = f'{_SIDEBAR} role="region" aria-label="All pages">'
+# Links to a page's demos stand beside the one to its text, outside of every region.
+_SKIPS: Final = '<div id="pst-skip-link" class="skip-link d-print-none"'
+_SKIPS_NAMED: Final = f'{_SKIPS} role="navigation" aria-label="Skip">'
 
 
 def mended(page: str) -> str:
@@ -27,9 +30,9 @@ def mended(page: str) -> str:
     Returns
     -------
     str
-        The same with names of buttons, of the sidebar, and of what opens in it.
+        The same with names of buttons, of the sidebar and what opens in it, and of the first links.
     """
     for pattern in _OTHER_NAMES:
         page = pattern.sub(r"\1", page)
     page = _PARTS.sub(r'\1 aria-label="Pages of \2"\3', page)
-    return page.replace(f"{_SIDEBAR}>", _NAMED)
+    return page.replace(f"{_SIDEBAR}>", _NAMED).replace(f"{_SKIPS}>", _SKIPS_NAMED)

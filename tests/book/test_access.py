@@ -41,6 +41,8 @@ def test_all_that_is_seen_is_in_a_region(texts: dict[str, str]) -> None:
     for page, text in texts.items():
         (sidebar,) = re.findall(r'<div id="pst-primary-sidebar"[^>]*>', text)
         assert 'role="region" aria-label="All pages"' in sidebar, page
+        (skips,) = re.findall(r'<div id="pst-skip-link"[^>]*>', text)
+        assert 'role="navigation" aria-label=' in skips, page
 
 
 def test_pages_have_one_first_heading_and_leave_no_level_out(texts: dict[str, str]) -> None:
