@@ -1,10 +1,13 @@
-"""What pyproject.toml cannot say: kernels for arrays, and the sources of the book in the package.
+"""What pyproject.toml cannot say: kernels for arrays, and what a wheel has and has not.
 
 The kernels are left out, without an error, where there is no compiler.
 """
 
+import io
 import json
+import lzma
 import shutil
+import tarfile
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +15,16 @@ from setuptools import Extension, setup
 from setuptools.command.build_py import build_py
 
 HERE = Path(__file__).resolve().parent
+# Whoever installs the package has what is made by these, and can change nothing of it.
+MAKERS = (
+    "codegen",
+    "demos/build.py",
+    "derivations/forms",
+    "generated/c/kernels.c",
+    "generated/c/stamp.h",
+)
+# What no Python imports is read from one archive (chr_notes/_texts.py).
+TEXTS = ("demos/built", "generated/c", "generated/javascript", "generated/pages", "ledger/verdicts")
 
 
 class WithBook(build_py):
@@ -22,18 +35,51 @@ class WithBook(build_py):
         super().run()
         if self.editable_mode:
             return
-        packed = Path(self.build_lib) / "chr_notes" / "book" / "packed"
-        shutil.rmtree(packed, ignore_errors=True)
-        left_out = shutil.ignore_patterns("_build", "_generated", "images")
-        shutil.copytree(HERE / "book", packed / "book", ignore=left_out)
-        (packed / "notebooks").mkdir()
-        for path in sorted((HERE / "notebooks").glob("*.ipynb")):
-            notebook = json.loads(path.read_text(encoding="utf-8"))
-            for cell in notebook["cells"]:
-                if cell["cell_type"] == "code":
-                    cell.update(outputs=[], execution_count=None)
-            text = json.dumps(notebook, indent=1, ensure_ascii=False) + "\n"
-            (packed / "notebooks" / path.name).write_text(text, encoding="utf-8")
+        package = Path(self.build_lib) / "chr_notes"
+        for name in MAKERS:
+            remove(package / name)
+        texts = sources_of_the_book()
+        for folder in TEXTS:
+            for path in (package / folder).iterdir():
+                texts[f"{folder}/{path.name}"] = path.read_bytes()
+            remove(package / folder)
+        write_archive(package / "texts.tar.xz", texts)
+
+
+def remove(path: Path) -> None:
+    """Remove a file or a folder, where it is there."""
+    if path.is_dir():
+        shutil.rmtree(path)
+    else:
+        path.unlink(missing_ok=True)
+
+
+def write_archive(path: Path, texts: dict[str, bytes]) -> None:
+    """Write texts into an archive, which is the same for the same texts."""
+    with tarfile.open(path, "w:xz", preset=9 | lzma.PRESET_EXTREME) as archive:
+        # Like after like: it takes less.
+        for name in sorted(texts, key=lambda name: (Path(name).suffix, name)):
+            member = tarfile.TarInfo(name)
+            member.size = len(texts[name])
+            archive.addfile(member, io.BytesIO(texts[name]))
+
+
+def sources_of_the_book() -> dict[str, bytes]:
+    """Read what a book is built of, by the place in the archive."""
+    left_out = {"_build", "_generated", "images"}
+    texts = {
+        f"packed/{path.relative_to(HERE).as_posix()}": path.read_bytes()
+        for path in (HERE / "book").rglob("*")
+        if path.is_file() and not left_out & {*path.relative_to(HERE).parts}
+    }
+    for path in (HERE / "notebooks").glob("*.ipynb"):
+        notebook = json.loads(path.read_text(encoding="utf-8"))
+        for cell in notebook["cells"]:
+            if cell["cell_type"] == "code":
+                cell.update(outputs=[], execution_count=None)
+        text = json.dumps(notebook, indent=1, ensure_ascii=False) + "\n"
+        texts[f"packed/notebooks/{path.name}"] = text.encode()
+    return texts
 
 
 setup(

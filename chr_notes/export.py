@@ -4,8 +4,9 @@ from pathlib import Path
 from typing import Literal
 
 from chr_notes import __version__
+from chr_notes._texts import PACKAGE, read
 
-GENERATED = Path(__file__).resolve().parent / "generated"
+GENERATED = PACKAGE / "generated"
 
 _NAMES = {"c": "C", "js": "JavaScript"}
 _FILES = {
@@ -132,7 +133,7 @@ def export(language: Literal["c", "js"], folder: Path) -> list[Path]:
         If the folder cannot be made or written to.
     """
     text = _README.format(language=_NAMES[language], use=_USE[language])
-    made = {Path(name).name: (GENERATED / name).read_bytes() for name in _FILES[language]}
+    made = {Path(name).name: read(GENERATED / name).encode() for name in _FILES[language]}
     made |= {name: text.encode() for name, text in _BESIDE[language].items()}
     made["README.md"] = text.encode()
     readme = folder / "README.md"

@@ -5,14 +5,14 @@ the book from it runs them first.
 """
 
 import json
-import shutil
 import sys
 from pathlib import Path
 
+from chr_notes._texts import PACKAGE, archived, is_there, read
 from chr_notes.book.handout import without_solutions
 
-CLONE = Path(__file__).resolve().parents[2]
-PACKED = Path(__file__).with_name("packed")
+CLONE = PACKAGE.parent
+PACKED = PACKAGE / "packed"  # in the archive of an installed package
 ORIGIN = CLONE if (CLONE / "book" / "_config.yml").is_file() else PACKED
 
 _WIDGET_VIEW = "application/vnd.jupyter.widget-view+json"
@@ -44,11 +44,12 @@ def find(folder: Path) -> Path:
     _require_sources()
     if ORIGIN == CLONE:
         return CLONE
-    for path in sorted(PACKED.rglob("*")):
-        target = folder / path.relative_to(PACKED)
-        if path.is_file() and not target.exists():
+    for name, content in archived().items():
+        _, packed, place = name.rpartition(f"{PACKED.name}/")
+        target = folder / place
+        if packed and not target.exists():
             target.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copyfile(path, target)
+            target.write_bytes(content)
     for path in sorted((folder / "notebooks").glob("*.ipynb")):
         _run_once(path)
     return folder
@@ -77,21 +78,27 @@ def copy_notebooks(folder: Path, *, solutions: bool = True) -> list[Path]:
         If an installed package has none.
     """
     _require_sources()
-    origin = sorted((ORIGIN / "notebooks").glob("*.ipynb"))
-    pairs = [(path, folder / path.name) for path in origin]
-    for _, target in pairs:
+    texts = {folder / path.name: read(path) for path in _notebooks()}
+    for target in texts:
         if target.exists():
             msg = f"{target} is there already, and may be your work; choose another folder"
             raise FileExistsError(msg)
     folder.mkdir(parents=True, exist_ok=True)
-    for path, target in pairs:
-        shutil.copyfile(path, target)
-        if not solutions:
-            notebook = json.loads(target.read_text(encoding="utf-8"))
+    for target, text in texts.items():
+        if solutions:
+            target.write_text(text, encoding="utf-8")
+        else:
+            notebook = json.loads(text)
             without_solutions(notebook)
-            text = json.dumps(notebook, indent=1, ensure_ascii=False)
-            target.write_text(f"{text}\n", encoding="utf-8")
-    return [target for _, target in pairs]
+            text_without = json.dumps(notebook, indent=1, ensure_ascii=False)
+            target.write_text(f"{text_without}\n", encoding="utf-8")
+    return [*texts]
+
+
+def _notebooks() -> list[Path]:
+    if ORIGIN == CLONE:
+        return sorted((CLONE / "notebooks").glob("*.ipynb"))
+    return [PACKAGE / name for name in sorted(archived()) if name.endswith(".ipynb")]
 
 
 def run(path: Path) -> None:
@@ -135,7 +142,7 @@ def _run_once(path: Path) -> None:
 
 
 def _require_sources() -> None:
-    if not (ORIGIN / "book" / "_config.yml").is_file():
+    if not is_there(ORIGIN / "book" / "_config.yml"):
         msg = (
             f"expected the sources of the book in {CLONE} or in {PACKED}, found none in either: "
             "install chr-notes again, or clone the project"

@@ -11,6 +11,7 @@ from typing import Any, Final
 from matplotlib import pyplot as plt
 from matplotlib.ticker import LogLocator, NullLocator
 
+from chr_notes._texts import read
 from chr_notes.book import sources
 from chr_notes.palette import PALETTE
 from chr_notes.plots.figure import line_style, show
@@ -39,7 +40,7 @@ Times = dict[str, dict[int, float]]
 
 def generated() -> dict[str, str]:
     """Return the text of each part of the page by its file name."""
-    run = json.loads(SPEED.read_text(encoding="utf-8"))
+    run = json.loads(read(SPEED))
     return {
         "speed_choice.md": "\n".join(choice(run)),
         "speed_factors.md": "\n".join(factors(run)),

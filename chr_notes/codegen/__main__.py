@@ -6,7 +6,7 @@ from dataclasses import replace
 from hashlib import sha256
 from pathlib import Path
 
-from chr_notes.codegen import arrays, c, javascript, kernels, python
+from chr_notes.codegen import arrays, c, javascript, kernels, page_parts, python
 from chr_notes.codegen.header import COMMAND, made_how
 from chr_notes.codegen.lowering import Program, lower
 from chr_notes.codegen.rewriting import by_library, for_columns, without_roots
@@ -54,6 +54,7 @@ def files() -> dict[str, str]:
         "c/kernels.c": compiled,
         **_stamps(compiled),
     }
+    made |= {f"pages/{name}": text for name, text in page_parts.parts(programs, compiled).items()}
     for topic in dict.fromkeys(target.topic for target in TARGETS):
         made[f"scalar/{topic}.py"] = python.module(_of_topic(programs, topic))
         made[f"arrays/{topic}.py"] = arrays.module(_of_topic(columns, topic))

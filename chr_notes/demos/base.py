@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 from chr_notes import palette
+from chr_notes._texts import is_there, read
 
 try:
     import anywidget
@@ -47,7 +48,7 @@ def styles() -> str:
 
 
 def _script(ending: str, bundle: str) -> str:
-    return (BUILT / f"{bundle}.js").read_text(encoding="utf-8") + ending + "\n"
+    return read(BUILT / f"{bundle}.js") + ending + "\n"
 
 
 def page_script(bundle: str = "demos") -> str:
@@ -143,9 +144,9 @@ class Demo(anywidget.AnyWidget):
     def _picture(self) -> str:
         """Return the still picture with its words, where the state has one."""
         path = BUILT / self.still_name()
-        if not self.pictured or not path.is_file():
+        if not self.pictured or not is_there(path):
             return ""
-        drawn = path.read_text(encoding="utf-8")
+        drawn = read(path)
         words = drawn.partition("<title>")[2].partition("</title>")[0]
         source = urllib.parse.quote(drawn.strip(), safe=" =:/,;()'-.")
         return f'<img alt="{words}" width="420" src="data:image/svg+xml,{source}">'

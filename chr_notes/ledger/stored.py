@@ -15,6 +15,8 @@ from importlib import metadata
 from pathlib import Path
 from typing import Any, Final
 
+from chr_notes._texts import PACKAGE, is_there
+from chr_notes._texts import read as read_text
 from chr_notes.ledger.entry import Entry, Witness
 
 DOCUMENTS: Final = (
@@ -25,8 +27,7 @@ DOCUMENTS: Final = (
     "dead_reckoning",
     "validation",
 )
-PACKAGE = Path(__file__).resolve().parents[1]
-FOLDER = Path(__file__).resolve().parent / "verdicts"
+FOLDER = PACKAGE / "ledger" / "verdicts"
 REFRESH = "python -m chr_notes ledger --write"
 
 
@@ -84,7 +85,7 @@ def write(document: str, entries: Iterable[Entry], sources: str) -> None:
 def is_stale(document: str) -> bool:
     """Whether the verdicts on a document were not stored, or for other sources."""
     file = FOLDER / f"{document}.json"
-    return not file.is_file() or _content(document)["sources"] != stamp(document)
+    return not is_there(file) or _content(document)["sources"] != stamp(document)
 
 
 def judged_with(document: str) -> str:
@@ -108,7 +109,7 @@ def read(document: str) -> tuple[Entry, ...]:
 
 
 def _content(document: str) -> dict[str, Any]:
-    content: dict[str, Any] = json.loads((FOLDER / f"{document}.json").read_text(encoding="utf-8"))
+    content: dict[str, Any] = json.loads(read_text(FOLDER / f"{document}.json"))
     return content
 
 

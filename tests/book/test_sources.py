@@ -1,30 +1,45 @@
 """The sources of the book where there is no clone: copied, run, and nobody's work overwritten."""
 
+import tarfile
+from collections.abc import Iterator
 from pathlib import Path
 
 import nbformat
 import pytest
 from nbformat.v4 import new_code_cell, new_notebook
 
+from chr_notes import _texts
 from chr_notes.__main__ import main
 from chr_notes.book import sources
 
 CHAPTERS = sorted(path.name for path in (sources.CLONE / "notebooks").glob("*.ipynb"))
 
 
-@pytest.fixture
-def packed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A package with one page and two notebooks, of which one has run."""
-    folder = tmp_path / "packed"
-    (folder / "book").mkdir(parents=True)
-    (folder / "book" / "_config.yml").write_text("title: none\n", encoding="utf-8")
-    (folder / "notebooks").mkdir()
-    cells = {"fresh": new_code_cell("print(6 * 7)"), "run": new_code_cell("1", execution_count=1)}
+def write(folder: Path, **cells: nbformat.NotebookNode) -> None:
+    """Write what an installed package has: the archive of one page and of notebooks."""
+    (folder / "packed" / "book").mkdir(parents=True, exist_ok=True)
+    (folder / "packed" / "book" / "_config.yml").write_text("title: none\n", encoding="utf-8")
+    (folder / "packed" / "notebooks").mkdir(exist_ok=True)
     for name, cell in cells.items():
-        nbformat.write(new_notebook(cells=[cell]), folder / "notebooks" / f"{name}.ipynb")
-    monkeypatch.setattr(sources, "PACKED", folder)
-    monkeypatch.setattr(sources, "ORIGIN", folder)
-    return folder
+        path = folder / "packed" / "notebooks" / f"{name}.ipynb"
+        nbformat.write(new_notebook(cells=[cell]), path)
+    with tarfile.open(_texts.ARCHIVE, "w:xz") as archive:
+        for path in sorted(folder.rglob("*.*")):
+            archive.add(path, str(path.relative_to(folder)))
+    _texts.archived.cache_clear()
+
+
+@pytest.fixture
+def packed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
+    """An installed package with one page and two notebooks, of which one has run."""
+    folder = tmp_path / "package"
+    folder.mkdir()
+    monkeypatch.setattr(_texts, "ARCHIVE", tmp_path / "texts.tar.xz")
+    monkeypatch.setattr(sources, "ORIGIN", sources.PACKED)
+    run = new_code_cell("1", execution_count=1)
+    write(folder, fresh=new_code_cell("print(6 * 7)"), run=run)
+    yield folder
+    _texts.archived.cache_clear()
 
 
 def test_a_clone_has_its_own(tmp_path: Path) -> None:
@@ -49,8 +64,7 @@ def test_a_folder_gets_what_is_packed_and_notebooks_are_run_once(
 
 
 def test_a_notebook_that_fails_is_named(packed: Path, tmp_path: Path) -> None:
-    failing = new_notebook(cells=[new_code_cell("1 / 0")])
-    nbformat.write(failing, packed / "notebooks" / "fresh.ipynb")
+    write(packed, fresh=new_code_cell("1 / 0"))
     with pytest.raises(RuntimeError, match=r"fresh\.ipynb does not run to its end: ZeroDivision"):
         sources.find(tmp_path / "mine")
 
@@ -68,3 +82,23 @@ def test_notebooks_are_copied_and_never_over_others(
     assert "may be your work; choose another folder" in capsys.readouterr().err
     assert changed.read_text(encoding="utf-8") == "my work"
     assert not (folder / CHAPTERS[0]).exists()
+
+
+@pytest.mark.usefixtures("packed")
+def test_an_installed_package_has_notebooks_to_copy(tmp_path: Path) -> None:
+    folder = tmp_path / "mine"
+    assert sources.copy_notebooks(folder) == [folder / "fresh.ipynb", folder / "run.ipynb"]
+    (cell,) = nbformat.read(folder / "fresh.ipynb", as_version=4).cells
+    assert cell.source == "print(6 * 7)"
+
+
+def test_a_text_is_read_from_the_file_or_from_the_archive(packed: Path) -> None:
+    kept = _texts.PACKAGE / "packed" / "book" / "_config.yml"
+    assert _texts.is_there(kept)
+    assert _texts.read(kept) == "title: none\n"
+    file = packed / "packed" / "book" / "_config.yml"
+    file.write_text("title: file\n", encoding="utf-8")
+    assert _texts.read(file) == "title: file\n"
+    assert not _texts.is_there(kept.with_name("none.yml"))
+    with pytest.raises(FileNotFoundError, match=r"none\.yml"):
+        _texts.read(kept.with_name("none.yml"))
