@@ -67,7 +67,8 @@ TIME_CONSTANT = Told(
             equation(MEAN_AGE, tau),
         ),
         Step(
-            "A bias b turns gravity in the frame evenly, and the mean lags behind by its age.",
+            "A bias b turns gravity in the frame evenly, while the body does not turn, and the "
+            "mean lags behind by its age.",
             equation(BIAS_LEAN, bias * tau),
         ),
         Step(

@@ -26,8 +26,8 @@ TILT = Told(
             ),
         ),
         Step(
-            "Minus y and minus z are sine and cosine of roll with one factor, which is not "
-            "negative: atan2 needs no more, and the factor drops out.",
+            "Minus y and minus z are sine and cosine of roll with one factor, which is positive, "
+            "unless the nose points straight up or down: atan2 needs no more, and it drops out.",
             equation(
                 ImmutableMatrix([-_Y, -_Z]), g * cos(theta) * ImmutableMatrix([sin(phi), cos(phi)])
             ),
@@ -72,7 +72,7 @@ ERROR = Told(
             equation(AFTER, (1 - L) * PREDICTED + L * ACCEL),
         ),
         Step(
-            "That is all. The truth has dropped out: however the body moves, its errors obey one "
+            "That is all. The truth has dropped out: whatever the angle does, its errors obey one "
             "line.",
             equation(AFTER, (1 - L) * (BEFORE + T * GYRO) + L * ACCEL),
         ),
@@ -135,8 +135,8 @@ _K = derived.kalman_gain()
 KALMAN = Told(
     (
         Step(
-            "Kalman's filter carries the variance of its prediction along, and weighs prediction "
-            "and measurement by the inverse of their variances.",
+            "Kalman's filter carries along the variance P⁺ of its prediction, and weighs both by "
+            "the inverse of their variances.",
             equation(K, P_PLUS / (P_PLUS + accel_noise**2)),
         ),
         Step(
@@ -145,8 +145,15 @@ KALMAN = Told(
             equation((1 - K) * P_PLUS + T**2 * gyro_noise**2, P_PLUS),
         ),
         Step(
-            "The second line says what the variance is, the first one then says this. It is the "
-            "line from above, reached without a variance of ours and without a slope.",
+            "So what the update takes away is what the gyro step adds.",
+            equation(K * P_PLUS, T**2 * gyro_noise**2),
+        ),
+        Step(
+            "And the first line, multiplied by its denominator, says what the update leaves.",
+            equation((1 - K) * P_PLUS, K * accel_noise**2),
+        ),
+        Step(
+            "Divide one by the other, and the variance drops out. This is the line from above.",
             equation(K**2 * accel_noise**2, (1 - K) * T**2 * gyro_noise**2),
         ),
     ),
