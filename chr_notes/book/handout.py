@@ -1,6 +1,8 @@
 """Notebooks for a class: the exercises without their worked solutions and known mistakes."""
 
 import ast
+import html
+import re
 from collections.abc import Iterable
 from typing import Any
 
@@ -22,7 +24,7 @@ def without_solutions(notebook: dict[str, Any]) -> None:
         if cell["cell_type"] != "code" or not _source(cell).rstrip().endswith(")"):
             continue
         others = [other for other in notebook["cells"] if other is not cell]
-        asked = _asked(_source(cell), others)
+        asked = _asked(cell, others)
         if asked is not None:
             cell["source"] = asked
             cell["outputs"] = [_question(output) for output in cell["outputs"]]
@@ -34,24 +36,28 @@ def _source(cell: Cell) -> str:
     return "".join(cell["source"])
 
 
-def _asked(source: str, others: Iterable[Cell]) -> str | None:
+def _asked(cell: Cell, others: Iterable[Cell]) -> str | None:
     """Rewrite an exercise so that it only asks; nothing for any other cell."""
-    *before, last = ast.parse(source).body
+    *before, last = ast.parse(_source(cell)).body
     if not (isinstance(last, ast.Expr) and isinstance(last.value, ast.Call)):
         return None
     call = last.value
     if not (isinstance(call.func, ast.Name) and call.func.id == "exercise"):
         return None
-    number, question = call.args[:2]
-    needed = _names(question).union(*(_used(_source(cell)) for cell in others if _is_code(cell)))
+    # An arrow's plane and pictures belong to the question, a unit does not.
+    by_hand = [each for each in call.args[3:4] if not isinstance(each, ast.Constant)]
+    for each in by_hand:
+        if isinstance(each, ast.Call):
+            each.keywords = [ast.keyword("drawn", ast.parse(_drawn(cell), mode="eval").body)]
+    asking = ast.Call(call.func, call.args[:2], [ast.keyword("asked", each) for each in by_hand])
+    needed = _names(asking).union(*(_used(_source(other)) for other in others if _is_code(other)))
     kept: list[ast.stmt] = []
     for statement in reversed(before):
         if isinstance(statement, ast.FunctionDef) and statement.name == "worked":
             continue
-        if needed & _names(statement, ast.Store):
+        if needed & _defined(statement):
             needed |= _names(statement)
             kept.insert(0, statement)
-    asking = ast.Call(call.func, [number, question], [])
     return ast.unparse(ast.Module([*kept, ast.Expr(asking)], []))
 
 
@@ -66,6 +72,19 @@ def _used(source: str) -> set[str]:
 def _names(node: ast.AST, context: type[ast.expr_context] = ast.Load) -> set[str]:
     found = (part for part in ast.walk(node) if isinstance(part, ast.Name))
     return {name.id for name in found if isinstance(name.ctx, context)}
+
+
+def _defined(statement: ast.stmt) -> set[str]:
+    if isinstance(statement, ast.FunctionDef):
+        return {statement.name}
+    return _names(statement, ast.Store)
+
+
+def _drawn(cell: Cell) -> str:
+    """Read what the pictures of an exercise show, in their order, from its stored output."""
+    shown = "".join("".join(each["data"]["text/markdown"]) for each in cell["outputs"])
+    found = re.search('data-drawn="([^"]*)"', shown)
+    return html.unescape(found[1]) if found else ""
 
 
 def _question(output: Cell) -> Cell:

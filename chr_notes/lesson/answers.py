@@ -31,18 +31,25 @@ class Expected:
         Largest error that still counts as right, as a share of the largest of the values.
     wrong
         Numbers that a usual mistake leads to, in `unit`, each with what to say of it.
+    turn
+        For directions in degrees the largest error that still counts as right, and whole turns
+        count for nothing; 0 for other numbers.
     """
 
     values: tuple[float, ...]
     unit: str = ""
     within: float = 0.01
     wrong: tuple[tuple[tuple[float, ...], str], ...] = ()
+    turn: float = 0.0
 
 
-def _near(values: Sequence[float], others: Sequence[float], within: float) -> bool:
+def _near(values: Sequence[float], others: Sequence[float], expected: Expected) -> bool:
     if len(values) != len(others):
         return False
-    margin = within * (max(map(abs, others)) or 1.0) + 1e-12
+    if expected.turn:
+        pairs = zip(values, others, strict=True)
+        return all(abs((a - b + 180) % 360 - 180) <= expected.turn for a, b in pairs)
+    margin = expected.within * (max(map(abs, others)) or 1.0) + 1e-12
     return all(abs(a - b) <= margin for a, b in zip(values, others, strict=True))
 
 
@@ -68,19 +75,20 @@ def judge(text: str, expected: Expected) -> str:
         return WORDS[word].format(len(expected.values), len(values))
     answer = [value * share / factor for value in values]
     known = [(expected.values, WORDS["right"]), *expected.wrong]
+    replies = [words for numbers, words in known if _near(answer, numbers, expected)]
     if not unit:
-        known += list(_in_other_units(expected))
-    known.append((tuple(-value for value in expected.values), WORDS["sign"]))
-    near = (words for numbers, words in known if _near(answer, numbers, expected.within))
-    return next(near, WORDS["not yet"])
+        replies += _in_other_units(values, expected)
+    if _near([-value for value in answer], expected.values, expected):
+        replies.append(WORDS["sign"])
+    return next(iter(replies), WORDS["not yet"])
 
 
-def _in_other_units(expected: Expected) -> Iterator[tuple[tuple[float, ...], str]]:
+def _in_other_units(values: Sequence[float], expected: Expected) -> Iterator[str]:
     kind, factor = UNITS[expected.unit]
     for name, (other, size) in UNITS.items():
-        if other == kind:
-            words = WORDS["other unit"].format(name or "plain numbers", expected.unit or "them")
-            yield tuple(value * factor / size for value in expected.values), words
+        scaled = [value * size / factor for value in values]
+        if other == kind and _near(scaled, expected.values, expected):
+            yield WORDS["other unit"].format(name or "plain numbers", expected.unit or "them")
 
 
 def compare(text: str, value: float, unit: str, shown: str) -> str:

@@ -11,14 +11,16 @@ import json
 import textwrap
 import zlib
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import replace
 from typing import cast
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from chr_notes.lesson.answers import Expected, judge
-from chr_notes.lesson.words import MISCONCEPTIONS
+from chr_notes.lesson.hand import Pictures, Plane, letters, mixed
+from chr_notes.lesson.task import Task, choose
+from chr_notes.lesson.words import MISCONCEPTIONS, WORDS
 
 __all__ = ["Task", "exercise", "guess", "guess_number"]
 
@@ -26,44 +28,11 @@ _DIGITS, _KEPT = 4, 8  # shown, and kept to compare with
 Wrong = Mapping[str, ArrayLike | tuple[ArrayLike, str]]
 
 
-@dataclass(frozen=True)
-class Task:
-    """A guess or an exercise, as a cell shows it.
-
-    Attributes
-    ----------
-    question
-        What is asked, in Markdown.
-    body
-        The whole, in Markdown with HTML.
-    expected
-        What counts as right, None where one chooses.
-    """
-
-    question: str
-    body: str
-    expected: Expected | None = None
-
-    def check(self, answer: str) -> str:
-        """Say what is right or wrong with an answer, where the box on the page is dead."""
-        if self.expected is None:
-            msg = f"expected a task with a number for its answer, got a choice: {self.question}"
-            raise TypeError(msg)
-        return judge(answer, self.expected)
-
-    def __repr__(self) -> str:
-        """Give the question, where no Markdown can be shown."""
-        return self.question
-
-    def _repr_markdown_(self) -> str:
-        return self.body
-
-
 def exercise(
     number: int,
     question: str,
     worked: Callable[[], ArrayLike] | None = None,
-    unit: str = "",
+    asked: str | Plane | Pictures = "",
     wrong: Wrong | None = None,
 ) -> Task:
     """Ask for a number, recognise usual mistakes, and fold the worked solution in below.
@@ -78,8 +47,9 @@ def exercise(
         The worked solution: a function of nothing that returns the number, or the numbers of a
         vector. Its docstring is shown as words, its body as code, what it returns as the result.
         Without one there is only the question, as in notebooks for a class.
-    unit
-        Of the answer, one of `words.UNITS`.
+    asked
+        What is asked for: a number in one of `words.UNITS`; the angle, in degrees, of an arrow that
+        is dragged in a `Plane`; or one of `Pictures` of what the solution and each mistake lead to.
     wrong
         What usual mistakes lead to, computed as they come about: by the name of the mistake in
         `words.MISCONCEPTIONS`, the number, or the number and a sentence of its own.
@@ -97,26 +67,65 @@ def exercise(
         If a mistake or a unit has an unknown name.
     """
     head = f'<div class="chr-lesson chr-exercise" id="exercise-{number}">\n'
-    asked = f"**Exercise {number}.** {question}\n"
+    question = f"{question} {asked.told()}" if isinstance(asked, Plane) else question
+    task = Task(f"Exercise {number}. {question}", "")
+    question = f"**Exercise {number}.** {question}\n"
     if worked is None:
-        return Task(f"Exercise {number}. {question}", f"{head}\n{asked}\n</div>\n")
-    values = _numbers(worked())
-    mistakes = tuple(_mistake(name, found) for name, found in (wrong or {}).items())
-    expected = Expected(values, unit, wrong=mistakes)
-    _told_apart(question, expected)
+        shown = asked.html(number, asked.drawn) if isinstance(asked, Pictures) else ""
+        return replace(task, body=f"{head}\n{question}\n{shown}\n</div>\n")
+    found = worked(), [_mistake(name, found) for name, found in (wrong or {}).items()]
+    if isinstance(asked, Pictures):
+        task, answer, result = _chosen(task, number, found, asked)
+    else:
+        task, answer, result = _typed(task, number, found, asked)
     words, code = _source(worked)
-    task = {"values": values, "unit": unit, "within": expected.within, "wrong": mistakes}
     lines = [
         head,
-        asked,
-        _box(f"Your answer to exercise {number}", _asked(values, unit), task),
+        question,
+        answer,
         "<details>\n<summary>Worked solution</summary>\n",
         f"{words}\n" if words else "",
         f"```python\n{code}\n```\n",
-        f"**{_shown(values, unit)}**\n",
+        f"{result}\n",
         "</details>\n</div>\n",
     ]
-    return Task(f"Exercise {number}. {question}", "\n".join(filter(None, lines)), expected)
+    return replace(task, body="\n".join(filter(None, lines)))
+
+
+Found = tuple[ArrayLike, Sequence[tuple[ArrayLike, str]]]
+
+
+def _typed(task: Task, number: int, found: Found, asked: str | Plane) -> tuple[Task, str, str]:
+    """Ask for numbers in a box, with an arrow above it if there is a plane."""
+    plane = asked if isinstance(asked, Plane) else None
+    unit = "°" if isinstance(asked, Plane) else asked
+    values = _numbers(found[0])
+    mistakes = tuple((_numbers(each), words) for each, words in found[1])
+    expected = Expected(values, unit, wrong=mistakes, turn=plane.within if plane else 0.0)
+    _told_apart(task.question, expected)
+    data = {"values": values, "unit": unit, "within": expected.within, "wrong": mistakes}
+    data |= {"turn": expected.turn} if plane else {}
+    box = _box(f"Your answer to exercise {number}", _asked(values, unit), data, plane=plane)
+    return replace(task, expected=expected), box, f"**{_shown(values, unit)}**"
+
+
+def _chosen(task: Task, number: int, found: Found, by: Pictures) -> tuple[Task, str, str]:
+    """Ask for the right one among pictures of what solution and mistakes lead to."""
+    options = [(found[0], WORDS["right"]), *found[1]]
+    order = mixed([words for _, words in options], task.question)
+    replies = {
+        letter: options[place][1] for letter, place in zip(letters(len(order)), order, strict=True)
+    }
+    shown = by.html(number, [options[place][0] for place in order])
+    data = _data({**replies, "": choose(replies)})
+    box = (
+        f'<div class="chr-answer" role="group" hidden data-kind="picture" data-task="{data}">'
+        '<button type="button">Check</button> <output aria-live="polite"></output></div>\n'
+    )
+    right = next(letter for letter, words in replies.items() if words == WORDS["right"])
+    others = (f"- {letter}. {words}" for letter, words in replies.items() if letter != right)
+    result = "\n".join([f"**{right}**. The others:\n", *others])
+    return replace(task, replies=replies), f"{shown}\n{box}", result
 
 
 def guess(
@@ -192,16 +201,26 @@ def _choices(question: str, choices: Mapping[str, str], right: str) -> Iterator[
         yield f"{mark} {reply}\n\n</details>\n"
 
 
-def _box(label: str, asked: str, task: Mapping[str, object], kind: str = "exercise") -> str:
+def _box(
+    label: str,
+    asked: str,
+    task: Mapping[str, object],
+    kind: str = "exercise",
+    plane: Plane | None = None,
+) -> str:
     # Hidden until a script can answer. One line: a blank one would end the HTML.
-    data = html.escape(json.dumps(task, ensure_ascii=False, separators=(",", ":")))
+    drawn = f' data-plane="{_data(plane.data())}"' if plane else ""
     return (
-        f'<div class="chr-answer" role="group" hidden data-kind="{kind}" data-task="{data}">'
-        f'<input type="text" aria-label="{label}, {asked}" placeholder="{asked}" '
+        f'<div class="chr-answer" role="group" hidden data-kind="{kind}" data-task="{_data(task)}"'
+        f'{drawn}><input type="text" aria-label="{label}, {asked}" placeholder="{asked}" '
         'autocomplete="off" autocapitalize="off" spellcheck="false"> '
         f'<button type="button">{"Check" if kind == "exercise" else "Guess"}</button> '
         '<output aria-live="polite"></output></div>\n'
     )
+
+
+def _data(task: Mapping[str, object]) -> str:
+    return html.escape(json.dumps(task, ensure_ascii=False, separators=(",", ":")))
 
 
 def _asked(values: Sequence[float], unit: str) -> str:
@@ -215,12 +234,12 @@ def _numbers(found: ArrayLike) -> tuple[float, ...]:
     return tuple(float(f"{value:.{_KEPT}g}") + 0.0 for value in values)
 
 
-def _mistake(name: str, found: ArrayLike | tuple[ArrayLike, str]) -> tuple[tuple[float, ...], str]:
+def _mistake(name: str, found: ArrayLike | tuple[ArrayLike, str]) -> tuple[ArrayLike, str]:
     words = f"{name[0].upper()}{name[1:]}: {MISCONCEPTIONS[name]}"
     more = found[-1] if isinstance(found, tuple) else ""
     if isinstance(more, str) and more:
-        return _numbers(cast("tuple[ArrayLike, str]", found)[0]), f"{words} {more}"
-    return _numbers(cast("ArrayLike", found)), words
+        return cast("tuple[ArrayLike, str]", found)[0], f"{words} {more}"
+    return cast("ArrayLike", found), words
 
 
 def _told_apart(question: str, expected: Expected) -> None:

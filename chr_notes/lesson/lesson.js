@@ -131,13 +131,16 @@
     return [values, written];
   };
 
-  const near = (values, others, within) => {
+  const near = (values, others, { within, turn }) => {
     if (values.length !== others.length) return false;
+    const apart = (a, b) => Math.abs(((((a - b + 180) % 360) + 360) % 360) - 180);
+    if (turn) return values.every((value, i) => apart(value, others[i]) <= turn);
     const margin = within * (Math.max(...others.map(Math.abs)) || 1) + 1e-12;
     return values.every((value, i) => Math.abs(value - others[i]) <= margin);
   };
 
-  const judge = (text, { values: right, unit: asked, within, wrong }) => {
+  const judge = (text, task) => {
+    const { values: right, unit: asked, wrong } = task;
     try {
       const [values, unit] = read(text, asked);
       const [kind, factor] = UNITS[asked];
@@ -147,17 +150,17 @@
         return fill(right.length > 1 ? WORDS.several : WORDS.one, right.length, values.length);
       }
       const answer = values.map((value) => (value * share) / factor);
-      if (near(answer, right, within)) return WORDS.right;
-      for (const [numbers, words] of wrong) if (near(answer, numbers, within)) return words;
+      if (near(answer, right, task)) return WORDS.right;
+      for (const [numbers, words] of wrong) if (near(answer, numbers, task)) return words;
       if (!unit) {
         for (const [name, [other, size]] of Object.entries(UNITS)) {
           const scaled = values.map((value) => (value * size) / factor);
-          if (other === kind && near(scaled, right, within)) {
+          if (other === kind && near(scaled, right, task)) {
             return fill(WORDS["other unit"], name || "plain numbers", asked || "them");
           }
         }
       }
-      return near(answer.map((value) => -value), right, within) ? WORDS.sign : WORDS["not yet"];
+      return near(answer.map((value) => -value), right, task) ? WORDS.sign : WORDS["not yet"];
     } catch (error) {
       if (error instanceof RangeError) return error.message;
       throw error;
@@ -182,17 +185,30 @@
     }
   };
 
+  const degrees = (text) => {
+    try {
+      const [[value], unit] = read(text, "°");
+      const [kind, share] = UNITS[unit || "°"];
+      return kind === UNITS["°"][0] ? (value * share) / DEGREE : NaN;
+    } catch { return NaN; }
+  };
+
   if (typeof document === "undefined") {
     Object.assign(globalThis, { judge, compare });
     return;
   }
 
+  const REPLIES = {
+    exercise: judge,
+    guess: (text, task) => compare(text, task.value, task.unit, task.shown),
+    picture: (letter, task) => task[letter],
+  };
+
   const answer = (box) => {
-    const text = box.querySelector("input").value;
+    const chosen = box.closest(".chr-lesson").querySelector("input:checked");
+    const text = (box.querySelector("input") ?? chosen)?.value ?? "";
     const task = JSON.parse(box.dataset.task);
-    const reply = box.dataset.kind === "guess"
-      ? compare(text, task.value, task.unit, task.shown)
-      : judge(text, task);
+    const reply = REPLIES[box.dataset.kind](text, task);
     const said = box.querySelector("output");
     said.textContent = reply;
     said.className = reply === WORDS.right ? "chr-right" : "";
@@ -205,7 +221,10 @@
 
     // A notebook shows an output anew with each run, so listen where outputs come and go.
     const reveal = (root) => {
-      for (const box of root.querySelectorAll(".chr-answer[hidden]")) box.hidden = false;
+      for (const box of root.querySelectorAll(".chr-answer[hidden]")) {
+        box.hidden = false;
+        if (box.dataset.plane) arrowIn(box, degrees);
+      }
     };
     reveal(document);
     new MutationObserver((changes) => {
@@ -216,7 +235,7 @@
       if (box && event.target.closest("button")) answer(box);
     });
     document.addEventListener("keydown", (event) => {
-      const box = event.target.closest?.(".chr-answer");
+      const box = event.target.closest?.(".chr-answer") ?? event.target.closest?.(".chr-pictures")?.nextElementSibling;
       if (box && event.key === "Enter") answer(box);
     });
 

@@ -20,7 +20,8 @@ def styles() -> str:
 def script() -> str:
     """Return the script of answer boxes, with the tables that Python has, too."""
     tables = json.dumps({"UNITS": dict(UNITS), "WORDS": dict(WORDS)}, ensure_ascii=False)
-    return f"const TABLES = {tables};\n" + (_SOURCES / "lesson.js").read_text(encoding="utf-8")
+    sources = ((_SOURCES / name).read_text(encoding="utf-8") for name in ("arrow.js", "lesson.js"))
+    return "\n".join([f"const TABLES = {tables};", *sources])
 
 
 @dataclass(frozen=True)

@@ -1,14 +1,18 @@
 """Notebooks for a class ask all that the chapters ask, and give no answer away."""
 
 import json
+import re
 from pathlib import Path
 
 import nbformat
+import numpy as np
 import pytest
 
+import chr_notes
 from chr_notes.__main__ import main
 from chr_notes.book.handout import without_solutions
-from chr_notes.lesson import exercise
+from chr_notes.lesson import Pictures, Task, exercise
+from chr_notes.lesson.pictures import from_above
 
 FOLDER = Path(__file__).resolve().parents[2] / "notebooks"
 NOTEBOOKS = sorted(FOLDER.glob("*.ipynb"))
@@ -36,6 +40,7 @@ def test_questions_stay_and_solutions_go(path: Path) -> None:
         assert "Worked solution" not in shown
         assert "data-task" not in shown
         assert cell["outputs"][0]["data"]["text/plain"] == asked[cell["id"]]
+        assert ("asked=Pictures(" in cell["source"]) == ("chr-pictures" in shown)
     kept = [cell for cell in after["cells"] if cell in before["cells"]]
     assert len(kept) == len(before["cells"]) - 8
 
@@ -55,6 +60,41 @@ def test_what_a_question_or_another_cell_uses_stays() -> None:
     assert asking["source"] == "SIZE = 2\nSHARED = 3\nexercise(1, f'{SIZE} times 3?')"
     assert answer["source"] == ""
     assert other["source"] == "print(SHARED)"
+
+
+PICTURED = """
+def turned(degrees):
+    return chr_notes.matrix_from_euler(np.radians([0, 0, degrees]))
+
+
+def worked():
+    return 70.0
+
+
+exercise(
+    1, "Which one?", worked, Pictures(lambda each: from_above(turned(each))), wrong={"sign": -70.0}
+)"""
+
+
+def test_a_question_keeps_its_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
+    names = {"chr_notes": chr_notes, "np": np, "from_above": from_above, "Pictures": Pictures}
+    monkeypatch.setattr("inspect.getsource", lambda _: "def worked():\n    return 70.0")
+
+    def shown(source: str) -> str:
+        given = {**names, "exercise": lambda *args, **more: tasks.append(exercise(*args, **more))}
+        tasks: list[Task] = []
+        exec(source, given)  # noqa: S102 (as a notebook does)
+        return tasks[0].body
+
+    before = shown(PICTURED)
+    outputs = [{"data": {"text/markdown": before, "text/plain": "Which one?"}}]
+    cell = {"cell_type": "code", "id": "a", "source": PICTURED, "outputs": outputs, "metadata": {}}
+    without_solutions({"cells": [cell]})
+    assert "worked" not in cell["source"]
+    images = re.compile("<img [^>]*>")
+    assert len(images.findall(before)) == 2
+    assert images.findall(shown(cell["source"])) == images.findall(before)
+    assert "Sign: " not in shown(cell["source"])
 
 
 def test_an_exercise_without_a_solution_only_asks() -> None:

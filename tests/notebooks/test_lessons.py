@@ -49,6 +49,7 @@ def counts(notebook: Node) -> Counter[str]:
         found["figure"] += "chr-figure" in shown
         found["guess"] += "chr-lesson chr-guess" in shown
         found["exercise"] += "chr-lesson chr-exercise" in shown
+        found["by hand"] += 'class="chr-pictures"' in shown or "data-plane=" in shown
     return found
 
 
@@ -66,6 +67,7 @@ def test_each_chapter_has_guesses_and_exercises(path: Path, read: Callable[[Path
     found = counts(read(path))
     assert found["guess"] >= 3
     assert 6 <= found["exercise"] <= 8
+    assert found["by hand"] >= 1
     numbers = re.findall(r"\*\*Exercise (\d+)\.\*\*", text)
     assert numbers == [str(number + 1) for number in range(found["exercise"])]
     headings = re.findall(r"^## (.*)$", text, flags=re.MULTILINE)
