@@ -9,7 +9,7 @@ import numpy as np
 from chr_notes._arrays import Floats
 from chr_notes._kernels import all_of_it, completed, kernel
 
-_TOGETHER = 4096
+_TOGETHER = 8192
 """Samples at a time, few enough that what is between them and the result stays in cache."""
 
 

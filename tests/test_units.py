@@ -45,16 +45,19 @@ STREAMS: dict[str, Filter] = {
     "observe_sample": lambda w, dt: [
         chr_notes.observe_sample([0, 0, 0], *sample, 0.02) for sample in stream(w, dt)
     ],
-    "observe_sample by the notes": lambda w, dt: [
-        chr_notes.observe_sample([0, 0, 0], *sample, 0.02, method="euler")
-        for sample in stream(w, dt)
-    ],
 }
 EVERY = RECORDINGS | STREAMS
 
 
 def turning(rate: float, count: int = ENOUGH) -> Floats:
     return np.tile([0.0, 0.6 * rate, 0.8 * rate], (count, 1))
+
+
+@pytest.mark.parametrize("method", ["quaternion", "euler"])
+def test_a_turn_that_ends_in_the_range_of_angles_is_noticed_too(method: Any) -> None:  # noqa: ANN401
+    start, rates, force = [0, 0, -3.0], [0, 0, 3.3], [0, 0, -9.8]
+    with pytest.warns(UnitWarning, match=r"got 3\.3 rad"):
+        chr_notes.observe_sample(start, rates, force, 1.0, 0.02, method=method)
 
 
 @pytest.mark.parametrize("name", EVERY)

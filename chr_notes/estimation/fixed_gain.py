@@ -63,8 +63,8 @@ class _Way:
 
 
 def _angles(quaternion: Sequence[float] | Floats) -> Floats:
-    numbers = quaternion.tolist() if isinstance(quaternion, np.ndarray) else quaternion
-    roll, pitch, yaw, _ = euler_from_quaternion(*numbers)
+    a, b, c, d = quaternion.tolist() if isinstance(quaternion, np.ndarray) else quaternion
+    roll, pitch, yaw, _ = euler_from_quaternion(a, b, c, d)
     return np.array((roll if roll < pi else -pi, pitch, yaw if yaw < pi else -pi))
 
 
@@ -75,7 +75,8 @@ def is_in_range(roll: float, pitch: float, yaw: float) -> bool:
 
 def angles_in_range(euler: Sequence[float] | Floats) -> Floats:
     """Write three angles in these ranges."""
-    if is_in_range(*euler):
+    roll, pitch, yaw = euler
+    if is_in_range(roll, pitch, yaw):
         return np.array(euler)
     return np.asarray(in_range(np.array([euler]))[0])
 

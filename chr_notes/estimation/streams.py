@@ -85,12 +85,13 @@ def observe_sample(  # noqa: PLR0913 (a state and a sample)
         # Of what is not usual, of several samples, or a start that is no attitude, the rest says.
         if type(found) is np.ndarray and found.ndim == 1 and is_in_range(*found.tolist()):
             return found
-    before, rates = start("euler", euler), one_sample("body_rates", body_rates)
-    force = one_sample("accel", accel)
-    if not hypot(*rates) * step < pi:
+    roll, pitch, yaw = before = start("euler", euler)
+    p, q, r = rates = one_sample("body_rates", body_rates)
+    x, y, z = force = one_sample("accel", accel)
+    if not hypot(p, q, r) * step < pi:
         warn_of_turn(rates, step)
     if take is None:
-        return angles_in_range(way.sample(*before, *rates, *force, step, share))
+        return angles_in_range(way.sample(roll, pitch, yaw, p, q, r, x, y, z, step, share))
     found = take(before, rates, force, step, share, None)
     return angles_in_range(found[0] if isinstance(found, tuple) else found)
 
