@@ -58,11 +58,6 @@ def tilt_leaves(residue: MatrixSymbol) -> Step:
     )
 
 
-HELD = (
-    "An estimate by Euler integration, as in the note on attitude estimation: the rate of change "
-    "is held through the period. It is the better the shorter the period."
-)
-
 SETTLED = (
     Case(
         "dead_reckoning.2.1",
@@ -120,8 +115,8 @@ SETTLED = (
             ),
         ),
         remark="An integral without limits has its constant: here the velocity at the start. An "
-        "accelerometer cannot know it; at a steady 10 m/s it reads what it reads at rest. To "
-        "start from zero there is a mistake that stays.",
+        "accelerometer cannot know it; at a steady 10 m/s it reads what it reads at rest. A sum "
+        "that starts from zero there stays as far off.",
     ),
     Case(
         "dead_reckoning.3.2",
@@ -150,7 +145,8 @@ SETTLED = (
                 Eq(MatAdd(EXACT_VELOCITY, -printed.V_NEXT), T**2 / 2 * derived.JERK),
             ),
         ),
-        remark=HELD,
+        remark="An estimate by Euler integration, as in the note on attitude estimation: the rate "
+        "of change is held through the period. It is the better the shorter the period.",
     ),
     Case(
         "dead_reckoning.3.4",
@@ -181,8 +177,8 @@ SETTLED = (
                 ),
             ),
         ),
-        remark=f"{HELD} The remainder, ½ a T times the time, shrinks with the period T; adding "
-        "½ T² a[k] to the step removes it.",
+        remark="The remainder, ½ a T times the time, shrinks with the period T; adding ½ T² a[k] "
+        "to the step removes it.",
     ),
     Case(
         "dead_reckoning.4.f",

@@ -35,7 +35,8 @@ HARM: Final[Mapping[str, str]] = MappingProxyType(
         "steel beam, and blames angles that are right.",
         "no-information": "A program that computes it divides rounding errors by rounding errors: "
         "yaw jumps from sample to sample, or is no number at all.",
-        "kilometre": "Told so, one gives up at once what for a minute may be good enough.",
+        "kilometre": "One plans for three times the error that there is, and gives up a task for "
+        "which 308 m would do.",
     }
 )
 """By the name of the error, as in `roots.ROOTS`: all of those that mislead somewhere.

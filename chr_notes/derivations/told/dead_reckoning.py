@@ -1,16 +1,17 @@
-"""How a tilt error becomes a distance, and where a half gets lost."""
+"""How an error of tilt becomes a distance, where a half gets lost, and what a gyro adds."""
 
 from types import MappingProxyType
 
 from sympy import Symbol, sin
 
 from chr_notes.derivations import dead_reckoning as derived
-from chr_notes.derivations.dead_reckoning import t, tilt_error
+from chr_notes.derivations.dead_reckoning import gyro_bias, t, tilt_error
 from chr_notes.derivations.steps import Step, equation
 from chr_notes.derivations.telling import Told
 from chr_notes.symbols import g
 
 ACCELERATION, VELOCITY, POSITION = (Symbol(rf"\Delta {name}") for name in "avr")
+
 AT_LAST = Symbol(r"\Delta r_{\text{at the last velocity}}")
 
 DRIFT = Told(
@@ -29,16 +30,57 @@ DRIFT = Told(
             "was half of what it is in the end: here is the half.",
             equation(POSITION, ACCELERATION * t**2 / 2),
         ),
+    ),
+    MappingProxyType(dict(zip((ACCELERATION, VELOCITY, POSITION), derived.drift(), strict=True))),
+)
+
+LOST_HALF = Told(
+    (
         Step(
             "Whoever multiplies the last velocity by the time believes that it was there all "
             "along. That is twice the distance.",
+            equation(AT_LAST, VELOCITY * t),
+        ),
+        Step(
+            "On average it was half of that.",
             equation(AT_LAST, 2 * POSITION),
         ),
     ),
     MappingProxyType(
         {
-            **dict(zip((ACCELERATION, VELOCITY, POSITION), derived.drift(), strict=True)),
+            VELOCITY: derived.drift()[1],
+            POSITION: derived.drift()[2],
             AT_LAST: derived.position_at_last_velocity(),
+        }
+    ),
+)
+
+GYRO = Told(
+    (
+        Step(
+            "A gyro that reads too much about a level axis makes a tilt that grows evenly.",
+            equation(tilt_error, gyro_bias * t),
+        ),
+        Step(
+            "While it is small, the phantom acceleration grows with it.",
+            equation(ACCELERATION, g * tilt_error),
+        ),
+        Step(
+            "What grows evenly adds up to half its last value times the time, as before.",
+            equation(VELOCITY, g * gyro_bias * t**2 / 2),
+        ),
+        Step(
+            "Add up once more. The velocity grows with the square of the time, and was on average "
+            "a third of what it is in the end.",
+            equation(POSITION, g * gyro_bias * t**3 / 6),
+        ),
+    ),
+    MappingProxyType(
+        {
+            tilt_error: gyro_bias * t,
+            POSITION: derived.position_errors()[2],
+            VELOCITY: derived.position_errors()[2].diff(t),
+            ACCELERATION: derived.position_errors()[2].diff(t, 2),
         }
     ),
 )
