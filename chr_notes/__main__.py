@@ -9,7 +9,7 @@ import sys
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 
-from chr_notes import __version__
+from chr_notes import __version__, kernels_in_use
 
 # As shells tell of a program that was interrupted, and of one whose output nobody reads.
 INTERRUPTED, UNREAD = 130, 141
@@ -123,7 +123,13 @@ def _parser() -> argparse.ArgumentParser:
         description="The CH Robotics notes on attitude, checked, taught and made into code.",
         epilog="`chr-notes COMMAND --help` says more of each.",
     )
-    parser.add_argument("--version", action="version", version=f"chr-notes {__version__}")
+    at_work = "with" if kernels_in_use() else "without"
+    parser.add_argument(
+        "--version",
+        action="version",
+        version=f"chr-notes {__version__}, {at_work} compiled kernels",
+        help="show the version, and whether there are compiled kernels or NumPy computes, and exit",
+    )
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
 
     book = command(

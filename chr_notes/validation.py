@@ -9,12 +9,14 @@ from chr_notes.generated.arrays import validation as generated
 
 _heading_from_magnetometer = Rows(generated.heading_from_magnetometer, scaled="nothing")
 _validation_factor = Rows(generated.validation_factor, scaled="nothing")
+_NORTH = (1.0, 0.0)
+_ALONG_NORTH = np.array(_NORTH)
 
 
 def heading_from_magnetometer(
     mag: ArrayLike,
     tilt: ArrayLike,
-    reference: ArrayLike = (1.0, 0.0),
+    reference: ArrayLike = _NORTH,
     *,
     out: Floats | None = None,
 ) -> Floats:
@@ -60,7 +62,7 @@ def heading_from_magnetometer(
     >>> float(np.degrees(heading_from_magnetometer(field, [0, 0])).round(6))
     45.0
     """
-    level = floats("reference", reference, 2)
+    level = _ALONG_NORTH if reference is _NORTH else floats("reference", reference, 2)
     if level.ndim > 1 or not any(level.tolist()):
         zero = np.asarray(~level.any(axis=-1))
         if zero.any():

@@ -13,11 +13,18 @@ from chr_notes import __version__
 from chr_notes.ledger import entries, stored
 
 
-def test_it_says_its_version(capsys: pytest.CaptureFixture[str]) -> None:
+@pytest.mark.parametrize(("there", "told"), [(True, "with"), (False, "without")])
+def test_it_says_its_version(
+    there: bool,  # noqa: FBT001 (one of two cases)
+    told: str,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(command, "kernels_in_use", lambda: there)
     with pytest.raises(SystemExit) as ended:
         command.main(["--version"])
     assert ended.value.code == 0
-    assert capsys.readouterr().out == f"chr-notes {__version__}\n"
+    assert capsys.readouterr().out == f"chr-notes {__version__}, {told} compiled kernels\n"
 
 
 @pytest.mark.parametrize("name", sorted(command.COMMANDS))
