@@ -34,6 +34,8 @@ class Expected:
     turn
         For directions in degrees the largest error that still counts as right, and whole turns
         count for nothing; 0 for other numbers.
+    either
+        Whether the opposite is as right: of a size, or of a quaternion.
     """
 
     values: tuple[float, ...]
@@ -41,6 +43,7 @@ class Expected:
     within: float = 0.01
     wrong: tuple[tuple[tuple[float, ...], str], ...] = ()
     turn: float = 0.0
+    either: bool = False
 
 
 def _near(values: Sequence[float], others: Sequence[float], expected: Expected) -> bool:
@@ -74,11 +77,14 @@ def judge(text: str, expected: Expected) -> str:
         word = "several" if len(expected.values) > 1 else "one"
         return WORDS[word].format(len(expected.values), len(values))
     answer = [value * share / factor for value in values]
+    opposite = [-value for value in answer]
+    if expected.either and _near(opposite, expected.values, expected):
+        return WORDS["right"]
     known = [(expected.values, WORDS["right"]), *expected.wrong]
     replies = [words for numbers, words in known if _near(answer, numbers, expected)]
     if not unit:
         replies += _in_other_units(values, expected)
-    if _near([-value for value in answer], expected.values, expected):
+    if _near(opposite, expected.values, expected):
         replies.append(WORDS["sign"])
     return next(iter(replies), WORDS["not yet"])
 
@@ -108,8 +114,10 @@ def compare(text: str, value: float, unit: str, shown: str) -> str:
     if found != kind:
         return WORDS["kind"].format(found, kind)
     guess = values[0] * share / factor
-    if guess * value <= 0:
+    if guess == 0 or value == 0:
         return WORDS["far"].format(shown)
+    if guess * value < 0:
+        return WORDS["other way"].format(shown)
     times = value / guess
     if 1 / _CLOSE <= times <= _CLOSE:
         return WORDS["close"].format(shown)

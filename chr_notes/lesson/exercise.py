@@ -8,6 +8,7 @@ import ast
 import html
 import inspect
 import json
+import re
 import textwrap
 import zlib
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -48,11 +49,13 @@ def exercise(
         vector. Its docstring is shown as words, its body as code, what it returns as the result.
         Without one there is only the question, as in notebooks for a class.
     asked
-        What is asked for: a number in one of `words.UNITS`; the angle, in degrees, of an arrow that
+        What is asked for: a number in one of `words.UNITS`, with ± before it where the opposite is
+        as right, as of a quaternion or of a mere size; the angle, in degrees, of an arrow that
         is dragged in a `Plane`; or one of `Pictures` of what the solution and each mistake lead to.
     wrong
         What usual mistakes lead to, computed as they come about: by the name of the mistake in
-        `words.MISCONCEPTIONS`, the number, or the number and a sentence of its own.
+        `words.MISCONCEPTIONS`, the number, or the number and a sentence that stands in place of the
+        general one.
 
     Returns
     -------
@@ -98,13 +101,16 @@ Found = tuple[ArrayLike, Sequence[tuple[ArrayLike, str]]]
 def _typed(task: Task, number: int, found: Found, asked: str | Plane) -> tuple[Task, str, str]:
     """Ask for numbers in a box, with an arrow above it if there is a plane."""
     plane = asked if isinstance(asked, Plane) else None
-    unit = "°" if isinstance(asked, Plane) else asked
+    either = not plane and str(asked).startswith("±")
+    unit = "°" if isinstance(asked, Plane) else asked.removeprefix("±")
     values = _numbers(found[0])
     mistakes = tuple((_numbers(each), words) for each, words in found[1])
-    expected = Expected(values, unit, wrong=mistakes, turn=plane.within if plane else 0.0)
+    turn = plane.within if plane else 0.0
+    expected = Expected(values, unit, wrong=mistakes, turn=turn, either=either)
     _told_apart(task.question, expected)
     data = {"values": values, "unit": unit, "within": expected.within, "wrong": mistakes}
     data |= {"turn": expected.turn} if plane else {}
+    data |= {"either": True} if either else {}
     box = _box(f"Your answer to exercise {number}", _asked(values, unit), data, plane=plane)
     return replace(task, expected=expected), box, f"**{_shown(values, unit)}**"
 
@@ -235,11 +241,12 @@ def _numbers(found: ArrayLike) -> tuple[float, ...]:
 
 
 def _mistake(name: str, found: ArrayLike | tuple[ArrayLike, str]) -> tuple[ArrayLike, str]:
-    words = f"{name[0].upper()}{name[1:]}: {MISCONCEPTIONS[name]}"
-    more = found[-1] if isinstance(found, tuple) else ""
-    if isinstance(more, str) and more:
-        return cast("tuple[ArrayLike, str]", found)[0], f"{words} {more}"
-    return cast("ArrayLike", found), words
+    general, head = MISCONCEPTIONS[name], f"{name[0].upper()}{name[1:]}"
+    own = found[-1] if isinstance(found, tuple) else ""
+    if isinstance(own, str) and own:
+        # A box shows text as it is, and no Markdown.
+        return cast("tuple[ArrayLike, str]", found)[0], f"{head}: {re.sub('[$*]', '', own)}"
+    return cast("ArrayLike", found), f"{head}: {general}"
 
 
 def _told_apart(question: str, expected: Expected) -> None:

@@ -150,7 +150,8 @@
         return fill(right.length > 1 ? WORDS.several : WORDS.one, right.length, values.length);
       }
       const answer = values.map((value) => (value * share) / factor);
-      if (near(answer, right, task)) return WORDS.right;
+      const opposite = answer.map((value) => -value);
+      if (near(answer, right, task) || (task.either && near(opposite, right, task))) return WORDS.right;
       for (const [numbers, words] of wrong) if (near(answer, numbers, task)) return words;
       if (!unit) {
         for (const [name, [other, size]] of Object.entries(UNITS)) {
@@ -160,7 +161,7 @@
           }
         }
       }
-      return near(answer.map((value) => -value), right, task) ? WORDS.sign : WORDS["not yet"];
+      return near(opposite, right, task) ? WORDS.sign : WORDS["not yet"];
     } catch (error) {
       if (error instanceof RangeError) return error.message;
       throw error;
@@ -174,7 +175,8 @@
       const [found, share] = UNITS[unit || asked];
       if (found !== kind) return fill(WORDS.kind, found, kind);
       const guess = (values[0] * share) / factor;
-      if (guess * value <= 0) return fill(WORDS.far, shown);
+      if (guess === 0 || value === 0) return fill(WORDS.far, shown);
+      if (guess * value < 0) return fill(WORDS["other way"], shown);
       const times = value / guess;
       if (1 / 1.5 <= times && times <= 1.5) return fill(WORDS.close, shown);
       const off = Math.max(times, 1 / times);

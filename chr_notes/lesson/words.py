@@ -59,6 +59,7 @@ WORDS: Final[Mapping[str, str]] = MappingProxyType(
         "under": "It is {0}: {1} times your guess.",
         "over": "It is {0}: your guess is {1} times that.",
         "far": "It is {0}.",
+        "other way": "It is {0}: the sign is the other one.",
     }
 )
 """All replies; what stands in braces is filled in."""
@@ -70,18 +71,21 @@ MISCONCEPTIONS: Final[Mapping[str, str]] = MappingProxyType(
         "radians for degrees": "That is in radians; degrees are asked for.",
         "wrong quadrant": "Arctangents of quotients take opposite quadrants for one: use atan2.",
         "sign of gravity": "Gravity has the other sign here: what is felt at rest points up.",
-        "sign": "The size is right, the sign is not.",
+        "sign": "A sign is the other way round on the way.",
         "order of turns": "That is what the turns give in the other order.",
         "half angle": "A quaternion has half the angle in it.",
         "scalar last": "That takes the scalar for the last of the four; here it is the first.",
         "conjugate": "That is the other reading of the quaternion: its conjugate.",
         "lost factor": "A factor was lost on the way.",
-        "as printed": "That is what the note has, and it is wrong there: its card says why.",
+        "as printed": "That is what the note has: its card says when it holds.",
         "small angle": "The formula for small angles is not good enough here.",
-        "per sample": "A gain belongs to one rate of samples, and this is the one for another.",
+        "per sample": "That is for another time between samples.",
         "wrong axis": "The right idea about another axis.",
         "half done": "One of the steps is still missing.",
-        "squares": "Errors that have nothing to do with one another add as squares.",
+        "upside down": "That is the quotient upside down.",
+        "nearly": "That is an approximation, and not a good one here.",
+        "arcsine": "The arcsine takes the length for known; an arctangent does without.",
+        "squares": "A square or a root is not in its place.",
     }
 )
 """Usual mistakes by name, and what to say to someone who made one."""

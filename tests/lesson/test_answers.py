@@ -21,8 +21,8 @@ GUESSES = [(case["task"], *reply) for case in CASES["guess"] for reply in case["
 
 def expected(task: dict) -> Expected:
     wrong = tuple((tuple(values), words) for values, words in task["wrong"])
-    turn = task.get("turn", 0.0)
-    return Expected(tuple(task["values"]), task["unit"], task["within"], wrong, turn)
+    turn, either = task.get("turn", 0.0), task.get("either", False)
+    return Expected(tuple(task["values"]), task["unit"], task["within"], wrong, turn, either)
 
 
 @pytest.mark.parametrize(("task", "text", "reply"), EXERCISES)

@@ -36,10 +36,23 @@ def test_a_page_gets_the_same_numbers_and_words_as_python() -> None:
     assert found["values"] == [pytest.approx(106.2602, abs=1e-4)]
     ((values, words),) = found["wrong"]
     assert values == [53.13]
-    assert words.startswith("Half angle: ")
-    assert words.endswith(" Double it.")
+    assert words == "Half angle: Double it."
     assert shown.check("53.13°") == words
     assert shown.check("2*acos(0.6) rad") == "Right."
+
+
+def test_a_mistake_without_a_sentence_of_its_own_has_the_general_one() -> None:
+    assert task(wrong={"half angle": 53.13}).check("53.13°").startswith("Half angle: A quaternion")
+    marked = task(wrong={"half angle": (53.13, "Not $q$, but *twice* it.")})
+    assert marked.check("53.13°") == "Half angle: Not q, but twice it."
+
+
+def test_a_size_is_right_with_either_sign() -> None:
+    assert task().check("-106.26") == "The size is right, the sign is not."
+    shown = exercise(3, "By how much?", worked, "±°")
+    assert shown.check("-106.26") == shown.check("106.26") == "Right."
+    assert '"either":true' in html.unescape(shown.body)
+    assert '"either"' not in task().body
 
 
 def test_html_ends_where_markdown_begins() -> None:
