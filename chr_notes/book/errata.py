@@ -113,7 +113,8 @@ def errata(ledger: Iterable[Entry]) -> Iterator[str]:
 
 
 def _entry(entry: Entry) -> Iterator[str]:
-    yield f"**[{entry.id}](#{entry.id})** {badge(entry.verdict)} {entry.says}\n"
+    yield "::::{div} erratum"
+    yield (f"**[{entry.id}](#{entry.id})** {badge(entry.verdict)} {entry.place}: {entry.says}\n")
     yield display(entry.printed_latex)
     if entry.correction_latex is not None:
         yield f"should read\n\n{display(entry.correction_latex)}"
@@ -121,4 +122,5 @@ def _entry(entry: Entry) -> Iterator[str]:
         holds = "holds exactly when" if entry.exact else "holds if"
         yield f"{holds}\n\n{display(entry.condition)}"
     if entry.remark is not None:
-        yield f"{entry.remark}\n"
+        yield f":::{{div}} erratum-remark\n{entry.remark}\n:::\n"
+    yield "::::\n"

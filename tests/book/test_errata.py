@@ -1,7 +1,10 @@
 """The errata name each error once, the heaviest first, and leave none out."""
 
 import re
+from collections.abc import Callable
 from dataclasses import replace
+
+from playwright.sync_api import Page, expect
 
 from chr_notes.book.errata import HEADINGS, by_root, errata, heaviest, summary
 from chr_notes.ledger import entries
@@ -27,6 +30,15 @@ def test_each_entry_that_is_not_right_stands_there_once_or_in_the_table() -> Non
     }
     for entry in wrong:
         assert TEXT.count(f"**[{entry.id}](#{entry.id})**") == (entry.kind != "table cell")
+        assert f"{entry.place}: {entry.says}" in TEXT or entry.kind == "table cell"
+
+
+def test_printed_it_is_a_few_pages(visit: Callable[..., Page], served: str) -> None:
+    page = visit(f"{served}book/errata.html")
+    assert page.pdf(format="A4").count(b"/MediaBox") <= 7
+    page.emulate_media(media="print")
+    expect(page.locator(".erratum").first).to_be_visible()
+    assert not page.locator(".erratum-remark").first.is_visible()
 
 
 def test_what_misleads_comes_in_the_order_of_its_harm() -> None:
