@@ -75,13 +75,15 @@ export function words(context, text, [x, y], { colour, size = 12, align = "left"
   context.fillText(text, x, y);
 }
 
-/** Where north is, and below it, with its corner at a point, a rule of the largest power of ten up to `most`. */
-export function mapKey(context, [x, y], scale, most, named, { colour, size }) {
-  const unit = 10 ** Math.floor(Math.log10(most));
-  const end = x + scale(unit);
-  words(context, "N ↑", [x, 16], { colour, size, weight: 600 });
-  line(context, [[x, y - 6], [x, y], [end, y], [end, y - 6]], { colour, width: 1.5 });
-  words(context, named(unit), [x + 4, y - 11], { colour, size });
+/** Names of curves, [{ text, y, colour }], in a column at x, each as near to its y as they stay apart. */
+export function named(context, x, [top, bottom], names, colours) {
+  const apart = 14; // pixels
+  const sorted = names.toSorted((a, b) => a.y - b.y).map((each) => ({ ...each, y: Math.min(bottom, Math.max(top, each.y)) }));
+  let next = top;
+  for (const each of sorted) next = (each.y = Math.max(each.y, next)) + apart;
+  next = bottom;
+  for (const each of sorted.toReversed()) next = (each.y = Math.min(each.y, next)) - apart;
+  for (const { text, y, colour } of sorted) words(context, text, [x, y], { colour: colours(colour), weight: 600 });
 }
 
 /** Draw in a part of the picture, as if it were all of it. */

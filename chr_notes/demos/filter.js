@@ -1,7 +1,7 @@
 /**
  * The fixed-gain observer: gyro alone, accelerometer alone, both together, and the gain between.
  */
-import { line, linear, logarithmic, mark, words } from "./chart.js";
+import { line, linear, logarithmic, mark, named, words } from "./chart.js";
 import { mountOf } from "./controls.js";
 import { label } from "./draw.js";
 import { DURATION, GAINS, SPACING, errors, rms } from "./filter_run.js";
@@ -15,9 +15,9 @@ const NEARLY = 1.1; // times the lowest error
 
 /** RMS errors in degrees, and the best gain of those tried. */
 function found(state) {
-  const { best, rest, valley, ...series } = errors(state);
+  const { best, rest, of, ...series } = errors(state);
   const [gyro, accelerometer, observer, averaging] = LINES.map(({ filter }) => rms(series[filter]));
-  return { gyro, accelerometer, observer, averaging, best, atRest: rest.best, thenAtRest: rest.valley[GAINS.indexOf(best.gain)] , here: valley[GAINS.indexOf(rest.best.gain)] };
+  return { gyro, accelerometer, observer, averaging, best, atRest: rest.best, thenAtRest: rest.of(best.gain), here: of(rest.best.gain) };
 }
 
 function readouts(state) {
@@ -34,13 +34,13 @@ function readouts(state) {
 }
 
 function meaning({ gain, push, bank }, { gyro, accelerometer, observer, averaging, best, atRest, here, thenAtRest }) {
-  const both = `Both together are off by ${rounded(observer)}°, the gyro alone by ${rounded(gyro)}°, the accelerometer alone by ${rounded(accelerometer)}°.`;
+  const both = `Both together are off by ${rounded(observer)}°`;
   if (push === 0 && bank === 0) {
-    if (observer <= NEARLY * best.error) return `${both} No other gain does much better.`;
-    return `${both} A ${best.gain > gain ? "larger" : "smaller"} gain does better: ${formatted(best.gain)} reaches ${rounded(best.error)}°.`;
+    const all = `${both}, the gyro alone by ${rounded(gyro)}°, the accelerometer alone by ${rounded(accelerometer)}°.${gain === 1 ? " A gain of 1 is the accelerometer alone." : ""}`;
+    if (observer <= NEARLY * best.error) return `${all} No other gain does much better.`;
+    return `${all} A ${best.gain > gain ? "larger" : "smaller"} gain does better: ${formatted(best.gain)} reaches ${rounded(best.error)}°.`;
   }
-  const two = `The gain that is best at rest, ${formatted(atRest.gain)}, is off by ${rounded(here)}° here; the best one here, ${formatted(best.gain)}, by ${rounded(best.error)}°, and at rest by ${rounded(thenAtRest)}°.`;
-  return `${both} ${two} The average in a frame that does not turn has no gain: ${rounded(averaging)}°.`;
+  return `${both}. The gain that is best at rest, ${formatted(atRest.gain)}, is off by ${rounded(here)}° here. The best one here, ${formatted(best.gain)}, is off by ${rounded(best.error)}°, and at rest by ${rounded(thenAtRest)}°. The average in a frame that does not turn has no gain: ${rounded(averaging)}°.`;
 }
 
 const summary = (state) => readouts(state).meaning;
@@ -55,20 +55,21 @@ function describe(state) {
 
 // ── the picture ─────────────────────────────────────────────────────────────────────────────
 
-const LIMITS = [1, 2, 5, 10, 20, 45, 90, 180]; // degrees
+const LIMITS = [1, 2, 4, 10, 20, 40, 60, 90, 180]; // degrees
 const LINES = [
-  { filter: "gyro", text: "gyro alone", colour: "z", width: 2.5, dash: [2, 3] },
-  { filter: "accelerometer", text: "accelerometer alone", colour: "shade", width: 1, dash: [] },
-  { filter: "observer", text: "both together, by the gain L", colour: "x", width: 2.5, dash: [] },
-  { filter: "averaging", text: "average in a frame that does not turn", colour: "y", width: 2.5, dash: [8, 4] },
+  { filter: "gyro", text: "gyro alone", name: "gyro", colour: "z", width: 2.5, dash: [2, 3] },
+  { filter: "accelerometer", text: "accelerometer alone", name: "accel.", colour: "muted", width: 0.7, dash: [] },
+  { filter: "observer", text: "both together, by the gain L", name: "both", colour: "x", width: 2.5, dash: [] },
+  { filter: "averaging", text: "average in a frame that does not turn", name: "average", colour: "y", width: 2.5, dash: [8, 4] },
 ];
 const DRAWN = [LINES[1], LINES[0], LINES[3], LINES[2]]; // from behind
+const [LEFT, NAMES, SPLIT] = [44, 64, 0.5]; // beside the charts, in pixels; of the height, for the upper one
 
 function draw(context, { width, height }, state, colours) {
   const all = errors(state);
-  const middle = 0.56 * height;
-  overTime(context, [44, width - 14, 30, middle - 26], state, all, colours);
-  overGain(context, [44, width - 14, middle + 26, height - 28], state, all, colours);
+  const right = width - NAMES;
+  overTime(context, [LEFT, right, 30, SPLIT * height - 26], state, all, colours);
+  overGain(context, { width, height }, state, all, colours);
 }
 
 function overTime(context, [left, right, top, bottom], { push, bank }, all, colours) {
@@ -81,14 +82,13 @@ function overTime(context, [left, right, top, bottom], { push, bank }, all, colo
     context.fillStyle = colours("surface");
     context.fillRect(x(BEGINS), top, x(ENDS) - x(BEGINS), bottom - top);
     const names = [push > 0 && "push", bank > 0 && "turn"].filter(Boolean).join(" and ");
-    words(context, names, [x((BEGINS + ENDS) / 2), top - 10], { ...small, align: "center", weight: 600 });
+    words(context, names, [x(ENDS), 14], { ...small, align: "right", weight: 600 });
   }
   for (const tick of [0, limit / 2, limit]) {
     line(context, [[left, y(tick)], [right, y(tick)]], { colour: colours("line"), width: 1 });
     words(context, `${tick}°`, [left - 6, y(tick)], { ...small, align: "right" });
   }
-  for (const time of [0, 10, 20, 30, 40])
-    words(context, `${time} s`, [x(time), bottom + 13], { ...small, align: time === 0 ? "left" : time === 40 ? "right" : "center" });
+  for (const time of [0, 10, 20, 30, 40]) words(context, `${time} s`, [x(time), bottom + 13], { ...small, align: "center" });
   context.save();
   context.beginPath();
   context.rect(left, top, right - left, bottom - top);
@@ -98,29 +98,50 @@ function overTime(context, [left, right, top, bottom], { push, bank }, all, colo
     line(context, points, { colour: colours(colour), width, dash });
   }
   context.restore();
+  named(context, right + 5, [top + 6, bottom], LINES.map(({ filter, name, colour }) => ({ text: name, colour, y: y(rms(all[filter].slice(-10))) })), colours);
+  const most = Math.max(...all.accelerometer);
+  if (most > limit) words(context, `↑ ${Math.round(most)}°`, [right + 5, top - 8], { ...small, weight: 600 });
 }
 
-function overGain(context, [left, right, top, bottom], { gain, push, bank }, all, colours) {
+const TICKS = [0.01, 0.03, 0.1, 0.3, 1, 3, 10, 30, 100]; // degrees
+
+/** Where the lower chart stands, and its scales: as much of the axis of errors as the curves need. */
+function scalesOf({ width, height }, { push, bank }, { valley, rest, averaging }) {
+  const [left, right, top, bottom] = [LEFT, width - NAMES, SPLIT * height + 28, height - 42];
+  const drawn = [...valley, ...(push > 0 || bank > 0 ? rest.valley : [])].map(([, error]) => error).concat(rms(averaging));
+  const low = TICKS.findLast((tick) => tick <= Math.min(...drawn)) ?? TICKS[0];
+  const high = TICKS.find((tick) => tick >= Math.max(...drawn, 3 * low)) ?? TICKS.at(-1);
+  const y = logarithmic(low, high, bottom, top);
+  const ticks = TICKS.filter((tick) => tick >= low && tick <= high);
+  return { left, right, top, bottom, ticks, x: logarithmic(LEAST, MOST, left, right), y: (error) => y(Math.min(high, Math.max(low, error))) };
+}
+
+function overGain(context, size, state, all, colours) {
+  const { left, right, top, bottom, ticks, x, y } = scalesOf(size, state, all);
+  const { gain, push, bank } = state;
   const small = { colour: colours("muted"), size: 12 };
-  const [x, y] = [logarithmic(LEAST, MOST, left, right), logarithmic(0.05, 100, bottom, top)];
-  const height = (error) => y(Math.min(100, Math.max(0.05, error)));
-  words(context, "RMS error over the gain L", [8, top - 14], { ...small, weight: 600 });
-  for (const tick of [0.1, 1, 10, 100]) {
+  words(context, "RMS error by the gain L", [8, top - 16], { ...small, weight: 600 });
+  for (const tick of ticks) {
     line(context, [[left, y(tick)], [right, y(tick)]], { colour: colours("line"), width: 1 });
     words(context, `${tick}°`, [left - 6, y(tick)], { ...small, align: "right" });
   }
-  for (const tick of [1e-4, 1e-3, 0.01, 0.1, 1])
-    words(context, String(tick), [x(tick), bottom + 13], { ...small, align: tick === LEAST ? "left" : tick === MOST ? "right" : "center" });
-  const level = height(rms(all.averaging));
+  for (const tick of [1e-4, 1e-3, 0.01, 0.1, 1]) words(context, String(tick), [x(tick), bottom + 13], { ...small, align: "center" });
+  words(context, "← gyro alone", [left - 22, bottom + 31], { colour: colours("z"), weight: 600 });
+  words(context, "accelerometer alone →", [right + 14, bottom + 31], { ...small, align: "right", weight: 600 });
+  const curve = (points) => points.map(([each, error]) => [x(each), y(error)]);
+  const level = y(rms(all.averaging));
   line(context, [[left, level], [right, level]], { colour: colours("y"), width: 2.5, dash: [8, 4] });
-  if (push > 0 || bank > 0)
-    line(context, GAINS.map((each, i) => [x(each), height(all.rest.valley[i])]), { colour: colours("muted"), width: 1.5, dash: [3, 3] });
-  line(context, GAINS.map((each, i) => [x(each), height(all.valley[i])]), { colour: colours("ink"), width: 2.5 });
-  const bottomOf = [x(all.best.gain), height(all.best.error)];
-  mark(context, "triangle", [bottomOf[0], Math.min(bottomOf[1] + 9, bottom - 6)], { colour: colours("ink"), rim: colours("page"), radius: 6 });
+  const names = [{ text: "average", colour: "y", y: level }, { text: push > 0 || bank > 0 ? "here" : "both", colour: "ink", y: y(all.valley.at(-1)[1]) }];
+  if (push > 0 || bank > 0) {
+    line(context, curve(all.rest.valley), { colour: colours("muted"), width: 1.5, dash: [3, 3] });
+    names.push({ text: "at rest", colour: "muted", y: y(all.rest.valley.at(-1)[1]) });
+  }
+  line(context, curve(all.valley), { colour: colours("ink"), width: 2.5 });
+  mark(context, "triangle", [x(all.best.gain), y(all.best.error) + 7], { colour: colours("ink"), rim: colours("page"), radius: 6 });
   line(context, [[x(gain), top], [x(gain), bottom]], { colour: colours("x"), width: 1.5 });
-  mark(context, "circle", [x(gain), height(rms(all.observer))], { colour: colours("x"), rim: colours("page"), radius: 6 });
-  label(context, ["L"], [x(gain), top + 4], { colour: colours("x"), rim: colours("page"), width: right + 14, offset: [8, 0] });
+  mark(context, "circle", [x(gain), y(rms(all.observer))], { colour: colours("x"), rim: colours("page"), radius: 6 });
+  label(context, ["L"], [x(gain), top + 4], { colour: colours("x"), rim: colours("page"), width: size.width, offset: [gain > 0.3 ? -8 : 8, 0] });
+  named(context, right + 5, [top, bottom], names, colours);
 }
 
 const STEPS = 80; // of the slider, twenty for a factor of ten
@@ -128,11 +149,13 @@ const toPosition = (gain) => (STEPS * Math.log(gain / LEAST)) / Math.log(MOST / 
 const toValue = (position) => Number((LEAST * (MOST / LEAST) ** (position / STEPS)).toPrecision(2));
 
 /** The line of the gain, in the lower chart. */
-const handles = ({ gain }, { width, height }) => {
-  const [left, right] = [44, width - 14];
-  const place = ([x]) => Math.round(linear(left, right, 0, STEPS)(Math.min(right, Math.max(left, x))));
-  const at = [linear(0, STEPS, left, right)(toPosition(gain)), 0.78 * height];
-  return [{ at, tall: 0.44 * height, hold: () => (pointer) => ({ gain: toValue(place(pointer)) }) }];
+const handles = (state, size) => {
+  const all = errors(state);
+  const { left, right, top, bottom, x, y } = scalesOf(size, state, all);
+  const place = ([at]) => Math.round(linear(left, right, 0, STEPS)(Math.min(right, Math.max(left, at))));
+  const at = [x(state.gain), y(rms(all.observer))];
+  const tall = 2 * Math.max(at[1] - top, bottom - at[1]);
+  return [{ at, tall, hold: () => (pointer) => ({ gain: toValue(place(pointer)) }) }];
 };
 
 const DEGREES = { short: "°", long: "degrees" };
@@ -144,9 +167,9 @@ const definition = {
   title: "The fixed-gain observer",
   python: "FilterDemo",
   hint: "Find the gain with the smallest error: drag the line of L. Then let the body turn. Is it still the best?",
-  aspect: 1.08,
+  aspect: 1.15,
   start,
-  legend: [...LINES, { text: "RMS error over the gain; ▲ its lowest", colour: "ink", width: 2.5 }, { text: "the same at rest", colour: "muted", width: 1.5, dash: [3, 3] }],
+  legend: [...LINES, { text: "their error over the gain; ▲ the lowest", colour: "ink", width: 2.5 }, { text: "the same at rest", colour: "muted", width: 1.5, dash: [3, 3] }],
   controls: [
     {
       name: "gain", label: "Gain", symbol: ["L"], axis: "x", min: 0, max: STEPS, step: 1,

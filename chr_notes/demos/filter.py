@@ -25,7 +25,7 @@ from chr_notes.generated.scalar.quaternions import (
 __all__ = ["RUN", "FilterDemo", "Reading", "Run"]
 
 
-_GAINS = tuple(float(f"{10 ** (i / 3 - 4):.2g}") for i in range(13))
+_GAINS = tuple(float(f"{10 ** (i / 20 - 4):.2g}") for i in range(81))
 
 
 class Run(NamedTuple):
@@ -33,7 +33,7 @@ class Run(NamedTuple):
 
     `step` seconds a step and so many `steps`, of which each fourth counts for an error; from
     when to when, in seconds, a push or a turn lasts, and the speed before it in m/s; the constants
-    of the averaging filter in seconds; the gains of the valley; and the seed of the noise.
+    of the averaging filter in seconds; the gains of the slider; and the seed of the noise.
     """
 
     step: float = 0.04

@@ -104,11 +104,25 @@ function averaging(readings) {
 
 export const rms = (values) => Math.sqrt(values.reduce((total, value) => total + value * value, 0) / values.length);
 
-/** The RMS error over the gains, with its lowest. */
+const COARSE = 5; // gains from one that is tried everywhere to the next
+
+/**
+ * The RMS error over the gains, [gain, error]: everywhere in large steps, and in small ones round the
+ * lowest, which is `best`; and `of(gain)`.
+ */
 function valleyOf(readings) {
-  const valley = GAINS.map((gain) => rms(observed(readings, gain)));
-  const lowest = valley.indexOf(Math.min(...valley));
-  return { valley, best: { gain: GAINS[lowest], error: valley[lowest] } };
+  const kept = new Map();
+  const of = (gain) => {
+    if (!kept.has(gain)) kept.set(gain, rms(observed(readings, gain)));
+    return kept.get(gain);
+  };
+  const lowest = (places) => places.reduce((low, i) => (of(GAINS[i]) < of(GAINS[low]) ? i : low), places[0]);
+  const places = GAINS.map((_, i) => i);
+  const about = lowest(places.filter((i) => i % COARSE === 0));
+  const near = places.filter((i) => Math.abs(i - about) < COARSE);
+  const best = GAINS[lowest(near)];
+  const valley = [...kept].sort(([one], [other]) => one - other);
+  return { valley, best: { gain: best, error: of(best) }, of };
 }
 
 const ofBody = keeping(READ, (state) => {

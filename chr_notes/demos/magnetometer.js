@@ -5,7 +5,7 @@
 import { ironAdded, ironRemoved, matrixFromEuler, matrixFromQuaternion } from "../generated/javascript/attitude.mjs";
 import { inPart, line, linear, mark, words } from "./chart.js";
 import { mountOf } from "./controls.js";
-import { label, scaled } from "./draw.js";
+import { scaled } from "./draw.js";
 import { arcOf, direction, flown, globe, looking, path, pointer } from "./globe.js";
 import { keeping } from "./keeping.js";
 import { FEWEST, FIELD_DIP, STRENGTH, cloud, fit, gap, headingErrors, ironOf, path as walked } from "./magnetometer_cloud.js";
@@ -35,7 +35,9 @@ function readouts(state) {
 
 function meaning(state, fitted, errors) {
   const count = state.turned.length / 4;
-  const before = `${count > 0 ? `${count} readings by hand. ` : ""}Uncalibrated, the heading is off by up to ${rounded(largest(errors, "before"))}°.`;
+  const worst = rounded(largest(errors, "before"));
+  const byHand = count > 0 ? `${count} readings by hand; the sliders of readings and tilt bring the walk back. ` : "";
+  const before = `${byHand}${worst === "0" ? "Without iron the heading is right." : `Uncalibrated, the heading is off by up to ${worst}°.`}`;
   if (fitted.refused && count > 0 && count < FEWEST)
     return `${before} A fit needs ${FEWEST} at least: turn the sensor further.`;
   if (fitted.refused)
@@ -56,57 +58,76 @@ function describe(state) {
 
 const AXES = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 const CIRCLES = [[0, 1], [0, 2], [1, 2]].map(([i, j]) => arcOf(AXES[i], AXES[j]));
-const SHOWN = 2.2;
-const SCALE = 0.72 / STRENGTH; // so that what iron shifts stays in the picture
+const SHOWN = 2.15;
+const BALL = 0.72; // radius of the sphere without iron: so that what iron shifts stays in the picture
+const SCALE = BALL / STRENGTH;
 
-const [SPLIT, HELD] = [0.68, 0.3]; // of the height, for the cloud; of the width, for the sensor
+const [SPLIT, HELD] = [0.68, 0.4]; // of the height, for the clouds; of the width, for the sensor and for what is calibrated
 
 function draw(context, { width, height }, state, colours, viewpoint) {
   const { points, fitted, errors, now } = found(state);
-  const split = SPLIT * height;
-  inPart(context, [0, 0, width, split], (size) => scene(context, size, state, points, fitted, colours, viewpoint));
-  inPart(context, [0, 0, HELD * width, HELD * width], (size) => sensor(context, size, now, colours, viewpoint));
-  words(context, "drag the sensor", [6, 10], { colour: colours("muted"), weight: 600 });
-  chart(context, [40, width - 14, split + 22, height - 22], fitted, errors, colours);
+  const [beside, split] = [HELD * width, SPLIT * height];
+  const small = { colour: colours("muted"), weight: 600 };
+  inPart(context, [beside, 20, width - beside, split - 20], (size) => scene(context, size, state, points, colours, viewpoint));
+  words(context, `▲ ${points.length} readings`, [beside + 12, 14], { ...small, colour: colours("x") });
+  context.fillStyle = colours("surface");
+  context.fillRect(6, 6, beside - 6, split / 2 - 8);
+  inPart(context, [6, 16, beside - 6, split / 2 - 18], (size) => sensor(context, size, now, colours, viewpoint));
+  words(context, "turn the sensor here", [12, 16], small);
+  inPart(context, [6, split / 2 + 14, beside - 6, split / 2 - 14], (size) => calibrated(context, size, points, fitted, colours, viewpoint));
+  words(context, fitted.refused ? "the fit refuses" : "● calibrated", [12, split / 2 + 14], { ...small, colour: colours(fitted.refused ? "alert" : "y") });
+  chart(context, [46, width - 14, split + 28, height - 22], fitted, errors, colours);
 }
 
-function scene(context, size, state, points, fitted, colours, viewpoint) {
+/** Points of a cloud as marks of a shape, the nearer ones larger and in front. */
+function marks(context, view, points, shape, colour) {
+  const far = ([x, y, z]) => x * view.eye[0] + y * view.eye[1] + z * view.eye[2] < 0;
+  for (const behind of [true, false])
+    for (const point of points)
+      if (far(point) === behind) mark(context, shape, view.project(point), { colour, radius: behind ? 1.5 : 2.8 });
+}
+
+const NAMES = ["x", "y", "z"].map((name, i) => [name, scaled(AXES[i], 1.3)]); // outside the cloud
+
+/** The readings, on the ellipsoid that iron makes of the sphere. */
+function scene(context, size, state, points, colours, viewpoint) {
   const view = looking(viewpoint, size, SHOWN);
-  globe(context, view, colours, size, { radius: 0.72, names: [["x", AXES[0]], ["y", AXES[1]], ["z", AXES[2]]] });
+  globe(context, view, colours, size, { radius: BALL, names: NAMES });
   const iron = ironOf(state);
   for (const circle of CIRCLES)
     path(context, view, circle.map((point) => scaled(ironAdded(...iron, ...scaled(point, STRENGTH)), SCALE)), { colour: colours("x"), width: 1.2 });
-  const far = ([x, y, z]) => x * view.eye[0] + y * view.eye[1] + z * view.eye[2] < 0;
-  const drawn = [
-    ...points.map((point) => ({ point: scaled(point, SCALE), shape: "triangle", colour: "x" })),
-    ...(fitted.refused ? [] : corrected(points, fitted).map((point) => ({ point, shape: "circle", colour: "y" }))),
-  ].map((each) => ({ ...each, behind: far(each.point) }));
-  for (const { point, shape, colour } of [...drawn.filter((each) => each.behind), ...drawn.filter((each) => !each.behind)])
-    mark(context, shape, view.project(point), { colour: colours(colour), radius: far(point) ? 1.5 : 3 });
+  marks(context, view, points.map((point) => scaled(point, SCALE)), "triangle", colours("x"));
   pointer(context, view, scaled(points.at(-1), SCALE), { colours, colour: "ink", width: 1.5 });
   const centre = view.project(scaled(ironAdded(...iron, 0, 0, 0), SCALE));
   const zero = view.project([0, 0, 0]);
   cross(context, zero, colours("ink"));
   cross(context, centre, colours("x"));
   line(context, [zero, centre], { colour: colours("x"), width: 1.5, dash: [3, 3] });
-  if (fitted.refused)
-    label(context, ["the fit refuses"], [size.width / 2, size.height - 14], { colour: colours("alert"), rim: colours("page"), width: size.width });
+}
+
+/** The same readings without the iron that the fit has found, if it has. */
+function calibrated(context, size, points, fitted, colours, viewpoint) {
+  const view = looking(viewpoint, size, 1.8);
+  globe(context, view, colours, size, { radius: BALL, names: [] });
+  if (!fitted.refused) marks(context, view, corrected(points, fitted), "circle", colours("y"));
+  cross(context, view.project([0, 0, 0]), colours("ink"));
 }
 
 /** The sensor as it is held, its axes, and the field, which stays where it is. */
 function sensor(context, size, now, colours, viewpoint) {
-  const view = looking(viewpoint, size, 2.9);
+  const view = looking(viewpoint, size, 2.5);
   const matrix = matrixFromQuaternion(...now);
   const style = { colours, room: size.width };
-  flown(context, view, matrix, colours, 0.9);
+  flown(context, view, matrix, colours, 1.5);
   AXES.forEach((_, k) => pointer(context, view, matrix.slice(3 * k, 3 * k + 3), { ...style, name: ["xyz"[k]], colour: "muted", width: 1.5 }));
   pointer(context, view, scaled(direction(0, -FIELD_DIP), 1.1), { ...style, name: ["field"], colour: "z", dash: [6, 3], width: 3 });
 }
 
 /** The sensor is turned where it is drawn; what it has read before, on a walk, is forgotten. */
-const handles = (state, { width }, { heading, elevation }) => [{
-  at: [(HELD * width) / 2, (HELD * width) / 2],
+const handles = (state, { width, height }, { heading, elevation }) => [{
+  at: [(HELD * width) / 2, (SPLIT * height) / 4],
   reach: (HELD * width) / 2,
+  tall: (SPLIT * height) / 2,
   hold() {
     const axes = matrixFromEuler(0, (elevation * Math.PI) / 180, (heading * Math.PI) / 180);
     return turning(state, found(state).now, [0, 3, 6].map((i) => axes.slice(i, i + 3)));
@@ -117,7 +138,7 @@ const handles = (state, { width }, { heading, elevation }) => [{
 function corrected(points, { iron }) {
   const back = points.map((point) => ironRemoved(...iron, ...point));
   const mean = back.reduce((total, point) => total + Math.hypot(...point), 0) / back.length;
-  return back.map((point) => scaled(point, 0.72 / mean));
+  return back.map((point) => scaled(point, BALL / mean));
 }
 
 function cross(context, [x, y], colour) {
@@ -138,9 +159,15 @@ function chart(context, [left, right, top, bottom], fitted, errors, colours) {
     words(context, `${tick}°`.replace("-", "−"), [left - 5, y(tick)], { ...small, align: "right" });
   }
   [["N", 0], ["E", 90], ["S", 180], ["W", 270], ["N", 360]].forEach(([name, heading]) => words(context, name, [x(heading), bottom + 12], { ...small, align: "center" }));
-  const curve = (when) => [...errors, { ...errors[0], heading: 360 }].map((each) => [x(each.heading), y(each[when])]);
-  line(context, curve("before"), { colour: colours("x"), width: 2.5, dash: [6, 3] });
-  if (!fitted.refused) line(context, curve("after"), { colour: colours("y"), width: 2.5 });
+  // From −180° to 180° it is no way at all: there the line begins anew.
+  const curves = (when) =>
+    [...errors, { ...errors[0], heading: 360 }].reduce((all, each, i) => {
+      if (i === 0 || Math.abs(each[when] - errors[i - 1][when]) > 180) all.push([]);
+      all.at(-1).push([x(each.heading), y(each[when])]);
+      return all;
+    }, []);
+  for (const part of curves("before")) line(context, part, { colour: colours("x"), width: 2.5, dash: [6, 3] });
+  if (!fitted.refused) line(context, curves("after")[0], { colour: colours("y"), width: 2.5 });
 }
 
 const DEGREES = { short: "°", long: "degrees" };
@@ -150,12 +177,13 @@ const definition = {
   title: "Calibrating a magnetometer",
   python: "MagnetometerDemo",
   hint: "Raise the tilt until the fit answers. Then take the small aircraft with the sensor, and turn it by hand.",
-  aspect: 1.12,
+  aspect: 1.2,
   viewpoint: () => ({ heading: 35, elevation: -20 }),
   start,
   legend: [
-    { colour: "x", width: 2.5, dash: [6, 3], text: "▲ readings, and the heading from them" },
-    { colour: "y", width: 2.5, text: "● calibrated" },
+    { colour: "x", width: 2.5, dash: [6, 3], text: "heading from the readings" },
+    { colour: "y", width: 2.5, text: "calibrated" },
+    { colour: "x", width: 1.2, text: "the ellipsoid that iron makes; + its centre" },
     { colour: "muted", width: 1.2, text: "the sphere without iron" },
     { colour: "ink", width: 1.5, text: "the reading now" },
   ],
@@ -168,7 +196,7 @@ const definition = {
   ],
   outputs: [
     { name: "meaning", label: "What it means", wide: true, longestAt: [{ ...start, turned: "gICA".repeat(100) }, start] },
-    { name: "gap", label: "Largest gap", unit: DEGREES },
+    { name: "gap", label: "Largest gap in direction", unit: DEGREES },
     { name: "error_before", label: "Heading error before", unit: DEGREES },
     { name: "error_after", label: "Heading error after", unit: DEGREES },
   ],

@@ -79,7 +79,7 @@ export function reserved(element, texts) {
 
 /**
  * A readout of the output { name, label, unit: { short, long }, wide, grid, table, longestAt }: a
- * number and its unit, a sentence (`wide`), numbers in rows and columns (`grid`), or a table, whose
+ * number and its unit, a sentence (`wide`), numbers in rows and columns (`grid`), or a table (`folded`, under these words), whose
  * text is an array of rows with the headings first; a row that begins with ▸ is lit. A text may be
  * { text, note }: the note stands beside it and says what is to be thought of the number. A sentence
  * is as long as anywhere at one of the states `longestAt`.
@@ -117,14 +117,14 @@ function textOf({ name, label, unit, wide, grid, longestAt }, readouts) {
   };
 }
 
-function tableOf({ name }) {
+function tableOf({ name, folded }) {
   const table = node("table", { class: "chr-table chr-wide" });
   const cell = (head) => (text, column) =>
     head || column === 0
       ? node("th", { scope: head ? "col" : "row" }, text)
       : node("td", {}, text);
   return {
-    element: table,
+    element: folded ? node("details", { class: "chr-wide" }, node("summary", {}, folded), table) : table,
     show(texts) {
       const [head, ...rows] = texts[name];
       table.replaceChildren(

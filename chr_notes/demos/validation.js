@@ -2,13 +2,14 @@
  * The factor E: which errors of the attitude it sees, to which it is blind, and what a threshold
  * costs.
  */
+import { matrixFromEuler } from "../generated/javascript/attitude.mjs";
 import { inPart, line, linear, mark, words } from "./chart.js";
 import { mountOf } from "./controls.js";
-import { label, mixed, paint, parsed, scaled } from "./draw.js";
-import { directed, direction, globe, looking, pointer } from "./globe.js";
+import { scaled } from "./draw.js";
+import { directed, direction, flown, globe, looking, pointer } from "./globe.js";
 import { keeping } from "./keeping.js";
 import { rounded } from "./parts.js";
-import { axisOf, belowOf, factor, factorAbout, fieldOf, samples, tiltError } from "./validation_factor.js";
+import { axisOf, belowOf, factor, fieldOf, samples, signedFactor, tiltError } from "./validation_factor.js";
 
 const three = (value) => String(Number(value.toFixed(3)));
 
@@ -50,82 +51,128 @@ const summary = (state) => readouts(state).meaning;
 
 /** The picture in words. */
 const describe = (state) =>
-  `A globe of the axes, north, east and down, about which the attitude can be off by ${rounded(state.error)}°: dark where E sees it, plain where it is blind, for a robot that heads to ${rounded(state.heading)}° in a field ${rounded(state.inclination)}° below the horizon. The axis chosen is at yaw ${rounded(state.axis_yaw)}°, pitch ${rounded(state.axis_pitch)}° from the nose. Below, what a threshold misses and its false alarms. ${meaning(state, found(state))}`;
+  `A globe of the axes, north, east and down, about which the attitude can be off by ${rounded(state.error)}°: dark where E sees it, plain where it is blind, for an aircraft that heads to ${rounded(state.heading)}° in a field ${rounded(state.inclination)}° below the horizon. The axis chosen is at yaw ${rounded(state.axis_yaw)}°, pitch ${rounded(state.axis_pitch)}° from the nose. Below, what a threshold misses and its false alarms. ${meaning(state, found(state))}`;
 
 // ── the picture ─────────────────────────────────────────────────────────────────────────────
 
-const [BELTS, SECTORS] = [12, 24];
-const BRIGHTEST = 0.5; // of E: what it can reach with an error of 30°
+const [BELTS, SECTORS] = [24, 48];
 
-/** The globe in patches, each with E for an error about its axis. */
-const patches = (state) =>
-  Array.from({ length: BELTS * SECTORS }, (_, i) => {
+/** The globe in patches, each corner with E for an error about its axis. */
+const patches = keeping(["heading", "error", "iron", "inclination"], (state) => {
+  const at = (belt, sector) => direction((360 * sector) / SECTORS, 90 - (180 * belt) / BELTS);
+  const grid = Array.from({ length: BELTS + 1 }, (_, belt) =>
+    Array.from({ length: SECTORS + 1 }, (__, sector) => ({ point: at(belt, sector), seen: signedFactor(state, at(belt, sector)) })),
+  );
+  return Array.from({ length: BELTS * SECTORS }, (_, i) => {
     const [belt, sector] = [Math.floor(i / SECTORS), i % SECTORS];
-    const at = (b, s) => direction((360 * s) / SECTORS, 90 - (180 * b) / BELTS);
-    const corners = [at(belt, sector), at(belt, sector + 1), at(belt + 1, sector + 1), at(belt + 1, sector)];
-    const distinct = corners.filter((corner, k) => !(belt === 0 && k === 1) && !(belt === BELTS - 1 && k === 2));
-    return { points: distinct, seen: factorAbout(state, at(belt + 0.5, sector + 0.5)) };
+    return [grid[belt][sector], grid[belt][sector + 1], grid[belt + 1][sector + 1], grid[belt + 1][sector]];
+  });
+});
+
+/** The part of a polygon where `of(corner)` is positive; in between it is taken to change evenly. */
+const cut = (corners, of) =>
+  corners.flatMap((corner, i) => {
+    const next = corners[(i + 1) % corners.length];
+    const [here, there] = [of(corner), of(next)];
+    const t = here / (here - there);
+    const mean = (a, b) => a + t * (b - a);
+    const between = () => ({ point: corner.point.map((part, k) => mean(part, next.point[k])), seen: mean(corner.seen, next.seen) });
+    return [...(here > 0 ? [corner] : []), ...(here > 0 !== there > 0 ? [between()] : [])];
   });
 
-const [SPLIT, SHOWN] = [0.68, 3.25]; // of the height, for the globe; what it shows, in radii
+const [SPLIT, SHOWN] = [0.66, 3.1]; // of the height, for the globe; what it shows, in radii
+const TIP = 1.35; // where the arrows end
 
 function draw(context, { width, height }, state, colours, viewpoint) {
-  const split = SPLIT * height;
-  inPart(context, [0, 0, width, split], (size) => scene(context, size, state, colours, viewpoint));
-  curves(context, [52, width - 14, split + 26, height - 28], state, colours);
+  inPart(context, [0, 0, width, SPLIT * height], (size) => scene(context, size, state, colours, viewpoint));
+  curves(context, { width, height }, state, colours);
 }
 
+/** A globe of glass round the aircraft: what E sees is painted on its near side. */
 function scene(context, size, state, colours, viewpoint) {
   const view = looking(viewpoint, size, SHOWN);
-  const [plain, full] = [parsed(colours("surface")), parsed(colours("alert"))];
-  const fillOf = (seen) => (seen > state.threshold ? mixed(plain, full, Math.min(1, 0.3 + seen / BRIGHTEST)) : plain);
-  paint(context, patches(state).map(({ points, seen }) => ({ points, fill: fillOf(seen), unlit: true })), view);
-  globe(context, view, colours, size);
-  const style = { colours, room: size.width };
-  const out = (end, name, colour, dash = []) => {
-    if (near(end, view.eye)) pointer(context, view, scaled(end, 1.35), { ...style, from: end, name: [name], colour, dash, width: 4 });
-    else {
-      const there = view.project(scaled(end, 1.35)); // behind the globe: where it points, and its name
-      mark(context, "circle", there, { colour: colours(colour), rim: colours("page"), radius: 4 });
-      label(context, [name], there, { colour: colours(colour), rim: colours("page"), size: 13, width: size.width, offset: [8, 0] });
+  const away = Math.hypot(...view.eye);
+  context.beginPath(); // the outline of a sphere is a little larger than its equator
+  context.arc(size.width / 2, size.height / 2, (Math.min(size.width, size.height) / SHOWN) * (away / Math.sqrt(away * away - 1)), 0, 2 * Math.PI);
+  context.fillStyle = colours("surface");
+  context.fill();
+  context.strokeStyle = colours("muted");
+  context.lineWidth = 1.2;
+  context.stroke();
+  const facing = ({ point: [x, y, z] }) => x * view.eye[0] + y * view.eye[1] + z * view.eye[2] - 1;
+  context.beginPath();
+  for (const patch of patches(state)) {
+    for (const sign of [1, -1]) {
+      const part = cut(cut(patch, facing), ({ seen }) => sign * seen - state.threshold);
+      part.forEach(({ point }, i) => context[i === 0 ? "moveTo" : "lineTo"](...view.project(point)));
+      if (part.length > 0) context.closePath();
     }
-  };
+  }
+  context.fillStyle = colours("alert");
+  context.fill();
+  const style = { colours, room: size.width };
+  const out = (end, name, colour, dash) =>
+    pointer(context, view, scaled(end, TIP), { ...style, name: [name], colour, dash, width: facing({ point: scaled(end, TIP) }) > 0 ? 4 : 2.5 });
+  globe(context, view, colours, size);
+  flown(context, view, matrixFromEuler(0, 0, (state.heading * Math.PI) / 180), colours, 0.9);
   out(fieldOf(state), "field", "z", [6, 3]);
-  const [axis, nose] = [axisOf(state), direction(state.heading, 0)];
-  const alike = axis[0] * nose[0] + axis[1] * nose[1] + axis[2] * nose[2] > ALIKE;
-  if (!alike) out(nose, "nose", "x");
-  out(axis, alike ? "nose, axis" : "axis", "ink");
+  out(axisOf(state), "axis", "ink");
+  words(context, "■ axes that E sees", [8, 14], { colour: colours("alert"), weight: 600 });
+  words(context, "□ axes it is blind to", [8, 31], { colour: colours("muted"), weight: 600 });
 }
 
-const handles = (state, { width, height }, viewpoint) => [
-  directed(looking(viewpoint, { width, height: SPLIT * height }, SHOWN), scaled(axisOf(state), 1.35), ([yaw, axis_pitch]) => ({
-    axis_yaw: ((yaw - state.heading + 540) % 360) - 180,
-    axis_pitch,
-  })),
-];
+/** The axis by its end, and the threshold by its line. */
+const handles = (state, size, viewpoint) => {
+  const { x, left, right, top, bottom, limit } = scalesOf(size, state);
+  const thresholdAt = (at) => linear(left, right, 0, limit)(Math.min(right, Math.max(left, at)));
+  return [
+    directed(looking(viewpoint, { width: size.width, height: SPLIT * size.height }, SHOWN), scaled(axisOf(state), TIP), ([yaw, axis_pitch]) => ({
+      axis_yaw: ((yaw - state.heading + 540) % 360) - 180,
+      axis_pitch,
+    })),
+    {
+      at: [x(state.threshold), (top + bottom) / 2],
+      tall: bottom - top,
+      hold: () => ([at]) => ({ threshold: Math.min(MOST, Number((Math.round(thresholdAt(at) / STEP) * STEP).toFixed(3))) }),
+    },
+  ];
+};
 
-const ALIKE = Math.cos(Math.PI / 9); // of directions whose names would cover each other
+const [MOST, STEP] = [0.3, 0.005]; // of the threshold
+const LIMITS = [0.1, 0.2, 0.3, 0.5, 1, 2]; // of E
 
-const near = (point, eye) => point[0] * eye[0] + point[1] * eye[1] + point[2] * eye[2] > 0;
+/** Where the chart stands, and its scales: as much of the axis of E as there are values. */
+function scalesOf({ width, height }, state) {
+  const { all, quiet, seen } = found(state);
+  const [left, right, top, bottom] = [50, width - 22, SPLIT * height + 50, height - 36];
+  const limit = LIMITS.find((each) => each >= Math.max(all.at(-1), quiet.at(-1), seen)) ?? 2;
+  const x = linear(0, limit, left, right);
+  return { left, right, top, bottom, limit, x: (value) => x(Math.min(limit, value)), y: linear(0, 100, bottom, top) };
+}
 
-const MOST = 0.3; // of the threshold
-
-function curves(context, [left, right, top, bottom], state, colours) {
+function curves(context, size, state, colours) {
   const small = { colour: colours("muted"), size: 12 };
   const { all, quiet, seen } = found(state);
-  const [x, y] = [linear(0, MOST, left, right), linear(0, 100, bottom, top)];
-  words(context, "per cent, by threshold", [8, top - 14], { ...small, weight: 600 });
+  const { left, right, top, bottom, limit, x, y } = scalesOf(size, state);
+  words(context, "errors missed, and false alarms, by threshold", [8, top - 40], { ...small, weight: 600 });
   for (const tick of [0, 50, 100]) {
     line(context, [[left, y(tick)], [right, y(tick)]], { colour: colours("line"), width: 1 });
     words(context, `${tick} %`, [left - 6, y(tick)], { ...small, align: "right" });
   }
-  for (const tick of [0, 0.1, 0.2, 0.3])
-    words(context, String(tick), [x(tick), bottom + 13], { ...small, align: tick === 0 ? "left" : tick === MOST ? "right" : "center" });
-  const steps = Array.from({ length: 121 }, (_, i) => (MOST * i) / 120);
-  line(context, steps.map((step) => [x(step), y(belowOf(all, step))]), { colour: colours("z"), width: 2.5, dash: [6, 3] });
+  for (const tick of [0, limit / 2, limit]) words(context, String(tick), [x(tick), bottom + 13], { ...small, align: "center" });
+  const steps = Array.from({ length: 201 }, (_, i) => (limit * i) / 200);
+  line(context, steps.map((step) => [x(step), y(belowOf(all, step))]), { colour: colours("y"), width: 2.5, dash: [6, 3] });
   line(context, steps.map((step) => [x(step), y(100 - belowOf(quiet, step))]), { colour: colours("qualified"), width: 2.5 });
-  line(context, [[x(state.threshold), top], [x(state.threshold), bottom]], { colour: colours("ink"), width: 2 });
-  mark(context, "triangle", [x(Math.min(seen, MOST)), bottom - 6], { colour: colours("alert"), rim: colours("page"), radius: 7 });
+  words(context, "missed", [right - 4, top + 11], { ...small, colour: colours("y"), align: "right", weight: 600 });
+  words(context, "false alarms", [right - 4, bottom - 9], { ...small, colour: colours("qualified"), align: "right", weight: 600 });
+  const upright = (value, name, colour, [above, dash]) => {
+    line(context, [[x(value), top - above], [x(value), bottom]], { colour: colours(colour), width: 2, dash });
+    const align = value > limit / 2 ? "right" : "left";
+    words(context, value > limit ? `${name} ${three(value)} →` : name, [x(value) + (align === "left" ? 5 : -5), top - above + 5], { ...small, colour: colours(colour), align, weight: 600 });
+  };
+  upright(seen, "▲ E now", "alert", [12, [2, 3]]);
+  upright(state.threshold, "threshold", "ink", [27, []]);
+  mark(context, "triangle", [x(seen), bottom + 5], { colour: colours("alert"), rim: colours("page"), radius: 6 });
 }
 
 const DEGREES = { short: "°", long: "degrees" };
@@ -134,35 +181,34 @@ const SHARE = { short: "%", long: "per cent" };
 const definition = {
   title: "What the factor E sees",
   python: "ValidationDemo",
-  hint: "The error is one of roll: its axis is the nose, which points north. Turn the robot to the east. What becomes of E? Then take the axis by its point.",
-  aspect: 1.08,
+  hint: "The error is one of roll: its axis is the nose, which points north. Turn the aircraft to the east by its heading. What becomes of E? Then take the axis by its end, and the threshold by its line.",
+  aspect: 1.2,
   viewpoint: () => ({ heading: 215, elevation: -28 }),
   start,
   legend: [
-    { colour: "alert", width: 8, text: "axes of errors that E sees" },
-    { colour: "z", dash: [6, 3], width: 2.5, text: "errors missed" },
-    { colour: "qualified", width: 2.5, text: "false alarms through noise" },
-    { colour: "ink", width: 2, text: "the threshold; ▲ E now" },
+    { colour: "z", dash: [6, 3], width: 3, text: "the field" },
     { colour: "ink", width: 4, text: "the axis of the error" },
+    { colour: "y", dash: [6, 3], width: 2.5, text: "errors missed" },
+    { colour: "qualified", width: 2.5, text: "false alarms through noise" },
   ],
   controls: [
     { name: "heading", label: "Heading", symbol: ["ψ"], axis: "z", min: -180, max: 180, step: 1, unit: DEGREES },
     { name: "axis_yaw", label: "Axis of the error, from the nose", symbol: [], min: -180, max: 180, step: 1, unit: DEGREES },
     { name: "axis_pitch", label: "Axis of the error, upwards", symbol: [], min: -90, max: 90, step: 1, unit: DEGREES },
     { name: "error", label: "Error", symbol: [], min: 0, max: 30, step: 0.5, unit: DEGREES },
-    { name: "threshold", label: "Threshold of E", symbol: [], min: 0, max: 0.3, step: 0.005, unit: { short: "", long: "threshold" }, words: (value) => ({ short: three(value), long: `a threshold of ${three(value)}` }) },
+    { name: "threshold", label: "Threshold of E", symbol: [], min: 0, max: MOST, step: STEP, unit: { short: "", long: "threshold" }, words: (value) => ({ short: three(value), long: `a threshold of ${three(value)}` }) },
     { name: "iron", label: "Field of iron, down", symbol: [], min: -0.5, max: 0.5, step: 0.01, unit: { short: "", long: "of the field" } },
     { name: "inclination", label: "Inclination of the field", symbol: [], min: -90, max: 90, step: 1, unit: DEGREES },
   ],
   outputs: [
     { name: "meaning", label: "What it means", wide: true, longestAt: [{ ...start, error: 12.5 }] },
     { name: "factor", label: "Factor E" },
-    { name: "tilt_error", label: "Vertical off by", unit: DEGREES },
     { name: "missed", label: "Directions missed", unit: SHARE },
     { name: "false_alarms", label: "False alarms", unit: SHARE },
+    { name: "tilt_error", label: "Vertical off by", unit: DEGREES },
   ],
   story: [
-    { state: { ...start, heading: 90 }, says: "The robot faces east, and its roll is off by 10°. E is large: it sees this error." },
+    { state: { ...start, heading: 90 }, says: "The aircraft faces east, and its roll is off by 10°. E is large: it sees this error." },
     { state: start, seconds: 3, says: "It turns to the north. The same error of roll is now a turn about the level part of the field, and E hardly sees it." },
     { state: { ...start, axis_yaw: 90 }, seconds: 3, says: "Facing north, an error of pitch is one that it sees." },
     { state: { ...start, axis_pitch: -90 }, seconds: 3, says: "About the vertical, an error of yaw. E does not contain yaw, and never sees it." },

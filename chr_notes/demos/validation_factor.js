@@ -30,11 +30,13 @@ const readingOf = (state) => sum(rotateToBody(...truth(state), ...fieldOf(state)
 
 const turnOf = (state, axis) => quaternionFromAxisAngle(...axis, state.error * DEGREE);
 
-/** E when the attitude is off by the error about an axis in the inertial frame. */
-export function factorAbout(state, axis) {
+/** E, with its sign, when the attitude is off by the error about an axis in the inertial frame. */
+export function signedFactor(state, axis) {
   const [roll, pitch] = eulerFromQuaternion(...quaternionMultiply(...turnOf(state, axis), ...truth(state)));
-  return Math.abs(validationFactor(...readingOf(state), roll, pitch, fieldOf(state)[2]));
+  return validationFactor(...readingOf(state), roll, pitch, fieldOf(state)[2]);
 }
+
+const factorAbout = (state, axis) => Math.abs(signedFactor(state, axis));
 
 /** The axis of the error, fixed to the robot, in the inertial frame. */
 export const axisOf = ({ heading, axis_yaw: yaw, axis_pitch: pitch }) => direction(heading + yaw, pitch);

@@ -112,7 +112,9 @@ def test_sentence_names_both_valleys_in_a_turn(visit: Visit, page_of: PageOf) ->
     without = FilterDemo(gain=1, bias=0, gyro_noise=0, accel_noise=0)
     page = visit(page_of(FilterDemo(gain=0.02), FilterDemo(gain=0.02, bank=30), without))
     rest, turn, exact = (output(page, "meaning").nth(i) for i in (0, 1, 2))
-    expect(exact).to_contain_text("alone by 0°. No other gain does much better.")
+    expect(exact).to_contain_text(
+        "alone by 0°. A gain of 1 is the accelerometer alone. No other gain does much better."
+    )
     best = {bank: expected(FilterDemo(bank=bank)) for bank in (0, 30)}
     there = formatted(best[0]["best_gain"])
     here = rounded(expected(FilterDemo(gain=best[0]["best_gain"], bank=30))["observer_error"])

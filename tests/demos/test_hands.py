@@ -12,6 +12,7 @@ from chr_notes.demos import (
     FilterDemo,
     MagnetometerDemo,
     QuaternionDemo,
+    ValidationDemo,
 )
 from chr_notes.demos.base import rounded
 
@@ -66,17 +67,47 @@ def test_an_axis_follows_the_pointer_and_elsewhere_the_camera_turns(
 
 def test_a_line_in_a_chart_is_moved(visit: Visit, page_of: PageOf) -> None:
     page = visit(page_of(FilterDemo(gain=0.1), DriftDemo(view=1, time=60)))
-    for demo, left, shares, name, value in (
-        ("filter", 44, (0.75, 0.5), "gain", 0.01),
-        ("drift", 46, (0.5, 0.7), "time", 3600**0.7),
+    for demo, left, right, shares, name, value in (
+        ("filter", 44, 64, (0.75, 0.5), "gain", 0.01),
+        ("drift", 46, 80, (0.5, 0.7), "time", 3600**0.7),
     ):
         part = page.locator(f'[data-demo="{demo}"]')
         before, canvas = state_of(part), part.locator("canvas")
         box = canvas.bounding_box()
         assert box is not None
-        ends = [(left + share * (box["width"] - 14 - left)) / box["width"] for share in shares]
+        ends = [(left + share * (box["width"] - right - left)) / box["width"] for share in shares]
         drag(canvas, *((end, 0.7) for end in ends))
         assert state_of(part) == before | {name: pytest.approx(value, rel=0.05)}
+
+
+def test_a_sensor_is_taken_along_on_its_rings(visit: Visit, page_of: PageOf) -> None:
+    page = visit(page_of(DriftDemo(time=60)))
+    canvas = page.locator("canvas")
+    box = canvas.bounding_box()
+    assert box is not None
+    middle = 0.5 + 7 / box["height"]
+
+    def place(time: float) -> Place:
+        metres = DriftDemo(time=time).readouts()["total_error"]
+        share = np.log1p(metres / 0.3) / np.log1p(4e7 / 0.3)
+        return (42 + share * (box["width"] - 58)) / box["width"], middle
+
+    drag(canvas, place(60), place(600))
+    assert state_of(page) == DriftDemo(time=600).state()
+    drag(canvas, place(600), (0.999, middle))
+    assert state_of(page)["time"] == 3600
+
+
+def test_a_threshold_is_moved(visit: Visit, page_of: PageOf) -> None:
+    page = visit(page_of(ValidationDemo(threshold=0.05)))
+    canvas = page.locator("canvas")
+    box = canvas.bounding_box()
+    assert box is not None
+    ends = [(50 + share * (box["width"] - 72)) / box["width"] for share in (0.5, 0.8, 0.2)]
+    drag(canvas, (ends[0], 0.85), (ends[1], 0.85))
+    assert state_of(page) == ValidationDemo(threshold=0.08).state()
+    drag(canvas, (ends[1], 0.85), (ends[2], 0.85))
+    assert state_of(page) == ValidationDemo(threshold=0.02).state()
 
 
 def test_a_sensor_turned_by_hand_grows_its_cloud(visit: Visit, page_of: PageOf) -> None:
