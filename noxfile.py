@@ -81,6 +81,20 @@ def compilers(session: nox.Session) -> None:
 
 
 @nox.session
+def newest(session: nox.Session) -> None:
+    """Build the book by Sphinx itself, with the newest of all that it is made with."""
+    drawn = ("anywidget", "fonttools[woff]", "math-core", "matplotlib", "ziamath")
+    extensions = ("book-theme", "comments", "copybutton", "design", "external-toc", "togglebutton")
+    names = ("sphinx", "myst-nb", "sphinxcontrib-bibtex", *(f"sphinx-{e}" for e in extensions))
+    session.install("--upgrade", "-e", ".", *names, *drawn)
+    pages = "from chr_notes import book; book._write_generated(book.SOURCES, 'sphinx-build')"
+    session.run("python", "-c", pages)
+    out = str(Path(session.create_tmp()) / "html")
+    options = ("-W", "-n", "--keep-going", "-q", "-c", "tools/plain_sphinx")
+    session.run("python", "-m", "sphinx", *options, "-b", "html", ".", out)
+
+
+@nox.session
 def generate(session: nox.Session) -> None:
     """Write the generated code and the demos' bundles."""
     session.install("-e", ".[book]")
