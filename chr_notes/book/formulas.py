@@ -39,16 +39,31 @@ def _converted(node: nodes.Node) -> str:
         raise FormulaError(msg) from error
 
 
+def _kept(env: BuildEnvironment) -> dict[str, frozenset[str]]:
+    """Return the characters of each page's formulas, which are kept with what Sphinx read."""
+    kept: dict[str, frozenset[str]] = vars(env).setdefault("chr_notes_characters", {})
+    return kept
+
+
+def _note(app: Sphinx, page: nodes.document) -> None:
+    """Keep the characters of the formulas of a page that was read."""
+    found = page.findall(lambda node: isinstance(node, nodes.math | nodes.math_block))
+    _kept(app.env)[app.env.docname] = frozenset(characters(set(map(_converted, found))))
+
+
+def _forget(_app: Sphinx, env: BuildEnvironment, name: str) -> None:
+    _kept(env).pop(name, None)
+
+
+def _merge(_app: Sphinx, env: BuildEnvironment, names: set[str], other: BuildEnvironment) -> None:
+    """Take over pages that another process read."""
+    _kept(env).update((name, _kept(other)[name]) for name in names)
+
+
 def _write_styles(app: Sphinx, env: BuildEnvironment) -> None:
-    """Convert all formulas and write the font, before any page is written that names it."""
-    formulas = {
-        _converted(node)
-        for name in sorted(env.found_docs)
-        for node in env.get_doctree(name).findall(
-            lambda node: isinstance(node, nodes.math | nodes.math_block)
-        )
-    }
-    data = base64.b64encode(font(sorted(characters(formulas)))).decode("ascii")
+    """Write the font of all formulas, before any page is written that names it."""
+    occurring = set().union(*_kept(env).values())
+    data = base64.b64encode(font(sorted(occurring))).decode("ascii")
     static = Path(app.outdir) / "_static"
     static.mkdir(parents=True, exist_ok=True)
     # Within the style sheet: Firefox loads no font from a file for a page read from the disk.
@@ -82,6 +97,9 @@ def _visit_display(translator: HTML5Translator, node: nodes.math_block) -> None:
 def setup(app: Sphinx) -> dict[str, Any]:
     """Register the renderer with Sphinx."""
     app.add_html_math_renderer("mathml", (_visit_inline, None), (_visit_display, None))
+    app.connect("doctree-read", _note)
+    app.connect("env-purge-doc", _forget)
+    app.connect("env-merge-info", _merge)
     app.connect("env-updated", _write_styles)
     app.connect("html-page-context", _add_styles)
-    return {"parallel_read_safe": True, "parallel_write_safe": True}
+    return {"env_version": 1, "parallel_read_safe": True, "parallel_write_safe": True}
