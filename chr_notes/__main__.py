@@ -50,6 +50,11 @@ def _said(error: Exception) -> str:
     """Return what happened and where, without the number that a system has for it."""
     if not isinstance(error, OSError) or error.strerror is None:
         return str(error)
+    if isinstance(error, FileExistsError | NotADirectoryError) and error.filename:
+        path = Path(error.filename)
+        for taken in (path, *path.parents):
+            if taken.is_file():
+                return f"expected a folder at {taken}, but a file is there; name another folder"
     place = f": {error.filename}" if error.filename else ""
     return f"{error.strerror}{place}"
 

@@ -10,6 +10,7 @@ import pytest
 
 from chr_notes import __main__ as command
 from chr_notes import __version__
+from chr_notes.book import sources
 from chr_notes.ledger import entries, stored
 
 
@@ -106,13 +107,30 @@ def test_a_full_disk_is_told_in_a_line(
     assert capsys.readouterr().err == "ledger: No space left on device\n"
 
 
+@pytest.mark.parametrize("below", ["", "below"])
 def test_a_file_in_the_place_of_a_folder_is_told_in_a_line(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    below: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     taken = tmp_path / "taken"
     taken.touch()
-    assert command.main(["export", "c", str(taken)]) == 2
-    assert capsys.readouterr().err == f"export: File exists: {taken}\n"
+    for asked, code in ((["export", "c"], 2), (["notebooks"], 2)):
+        assert command.main([*asked, str(taken / below)]) == code
+        said = f"expected a folder at {taken}, but a file is there; name another folder"
+        assert capsys.readouterr().err == f"{asked[0]}: {said}\n"
+
+
+def test_a_file_in_the_place_of_the_books_folder_is_told_in_a_line(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    taken = tmp_path / "taken"
+    taken.touch()
+    packed = sources.PACKED / "book" / "index.md"
+    monkeypatch.setattr(sources, "ORIGIN", sources.PACKED)
+    monkeypatch.setattr(sources, "_require_sources", lambda: None)
+    monkeypatch.setattr(sources, "archived", lambda: {str(packed): b""})
+    assert command.main(["book", str(taken)]) == 1
+    said = f"expected a folder at {taken}, but a file is there; name another folder"
+    assert capsys.readouterr().err == f"book: {said}\n"
 
 
 def test_a_list_and_a_judgement_are_not_had_at_once(capsys: pytest.CaptureFixture[str]) -> None:
