@@ -41,6 +41,12 @@ class _Printer(LatexPrinter):
         # A symbol needs none, nor a fraction, whose line holds it together.
         return not (argument.is_Symbol or fraction(argument)[1] != 1)
 
+    def _print_MatrixBase(self, matrix: MatrixBase) -> str:  # noqa: N802 (SymPy's hook)
+        # A dot product is written as a row times a column, and is a number.
+        return (
+            self._print(matrix[0]) if matrix.shape == (1, 1) else super()._print_MatrixBase(matrix)
+        )
+
     def _print_MatrixElement(self, element: MatrixElement) -> str:  # noqa: N802 (SymPy's hook)
         row, column = (
             self._print(index + 1 if isinstance(index, Integer) else index)

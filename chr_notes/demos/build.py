@@ -55,7 +55,7 @@ STILLS = (
     QuaternionDemo(),
     TiltDemo(),
     ValidationDemo(),
-    FramesDemo(frame=1.0, axis=1.0, yaw=40.0, pitch=30.0, roll=25.0),
+    FramesDemo(frame=2.0, axis=1.0, yaw=40.0, pitch=30.0, roll=25.0),
     DriftDemo(angle_error=1.0, time=60.0),
     GimbalLockDemo(yaw=30.0, pitch=60.0, roll=20.0),
     MagnetometerDemo(tilt=0.0),

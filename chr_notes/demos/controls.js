@@ -3,7 +3,7 @@
  *
  * A demo is a definition, a plain object:
  *   title     the name of the demo, for those who do not see it
- *   hint      what to try first
+ *   hint      what to try first, or how that follows from the state
  *   aspect    height of the picture by its width
  *   legend    [{ colour, dash, width, symbol, text }]: the lines that need explaining
  *   controls  one slider and field each, see `slider` in parts.js; or `choices`, see typed.js
@@ -43,7 +43,7 @@ function mountDemo(element, definition, opening, { now = {}, onChange = () => {}
   const state = { ...home, ...within(definition, now) };
   const cleanup = new AbortController();
   const parts = build(definition, touched, tell);
-  const { root, canvas, live, sliders, outputs, said, play, reset } = parts;
+  const { root, canvas, live, sliders, outputs, said, play, reset, hint } = parts;
   const seenFrom = definition.viewpoint;
   let viewpoint = seenFrom?.(state);
 
@@ -57,6 +57,7 @@ function mountDemo(element, definition, opening, { now = {}, onChange = () => {}
     canvas.setAttribute("aria-label", definition.describe(state));
     sliders.forEach((each) => each.show(state));
     outputs.forEach((each) => each.show(texts));
+    hint.textContent = ` ${typeof definition.hint === "function" ? definition.hint(state) : definition.hint}`;
     redraw();
   }
 
@@ -184,7 +185,7 @@ function build(definition, touched, tell) {
   const outputs = definition.outputs.map((output) => readout(output, definition.readouts));
   const play = node("button", { type: "button", name: "play" });
   const reset = node("button", { type: "button", name: "reset" }, "Reset");
-  const hint = node("p", { class: "chr-hint" }, node("b", {}, "Try first."), ` ${definition.hint}`);
+  const hint = node("span", {});
   const stage = node("div", { class: "chr-stage" }, canvas);
   const buttons = node("div", { class: "chr-buttons" }, play, reset);
   const panel = node(
@@ -200,7 +201,7 @@ function build(definition, touched, tell) {
     "div",
     // JupyterLab listens for shortcuts before the page does; this attribute tells it not to.
     { class: "chr-demo", role: "group", "aria-label": definition.title, "data-lm-suppress-shortcuts": "true" },
-    hint,
+    node("p", { class: "chr-hint" }, node("b", {}, "Try first."), hint),
     node(
       "div",
       { class: "chr-body" },
@@ -213,7 +214,7 @@ function build(definition, touched, tell) {
     live,
   );
   keepKeys(root);
-  return { root, canvas, live, said, sliders, outputs, play, reset, buttons };
+  return { root, canvas, live, said, sliders, outputs, play, reset, buttons, hint };
 }
 
 /** A slider, and a field beside it. */

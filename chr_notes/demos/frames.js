@@ -76,14 +76,14 @@ function describe(state) {
 
 // ── the picture ─────────────────────────────────────────────────────────────────────────────
 
-const TITLES = ["yaw, then pitch", "pitch, then yaw"];
+const TITLES = [["yaw", "pitch"], ["yaw, then pitch", "pitch, then yaw"]];
 const [SPLIT, SHOWN] = [0.66, 2.5]; // of the height, for the aircraft; what is shown, in lengths of an axis
 const INERTIAL = ["N", "E", "D"];
 
 function draw(context, { width, height }, state, colours, viewpoint) {
   const [half, split] = [width / 2, SPLIT * height];
   matrices(state).forEach((matrix, i) => {
-    inPart(context, [i * half, 0, half, split], (size) => scene(context, size, state, matrix, TITLES[i], colours, viewpoint));
+    inPart(context, [i * half, 0, half, split], (size) => scene(context, size, state, matrix, TITLES[Number(state.frame > 1)][i], colours, viewpoint));
     const components = toChild(matrix, windOf(state));
     const rows = AXES.map((name, k) => ({ text: k === state.axis ? `▸${name}` : name, colour: name, value: components[k] }));
     inPart(context, [i * half, split, half, height - split], (size) =>
@@ -133,7 +133,7 @@ const definition = {
   python: "FramesDemo",
   hint: "Go from frame to frame, and turn the wind by its point. Which of the wind's three numbers does each turn leave as it is?",
   aspect: 1.02,
-  viewpoint: () => ({ heading: 55, elevation: -24 }),
+  viewpoint: () => ({ heading: -88, elevation: -24 }),
   start,
   legend: [
     { colour: "alert", dash: [7, 2, 2, 2], width: 3.5, text: "the wind" },

@@ -21,10 +21,11 @@ import { entry, formatted, rounded } from "./parts.js";
 
 const DEGREE = Math.PI / 180;
 // Seen from beside the plane of the yaw and the roll axis, so that the angle between the two is seen.
-const [BESIDE, ABOVE] = [62, -22]; // degrees
+const [BESIDE, ABOVE] = [-118, -22]; // degrees
 const [NORTH, EAST, DOWN] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 const FLOOR = 1.4; // below the centre
 const [YAW_ARROW, PITCH_ARROW, ROLL_ARROW] = [1.42, 1.2, 1.17]; // distances from the centre
+const TINY = 1e-9; // what rounding leaves of a rate
 const LOCKED = 1e-9; // cosine of pitch below which a double cannot tell it from a right angle
 
 // The second cue of an axis: which segments of its ring are bright.
@@ -81,7 +82,7 @@ function rings(state) {
 function rates(state) {
   const { q, euler: [roll, pitch] } = attitude(state);
   const { locked } = axesOf(state);
-  const [forRoll, forPitch, forYaw] = parts(roll, pitch).map(formatted);
+  const [forRoll, forPitch, forYaw] = parts(roll, pitch).map((part) => formatted(Math.abs(part) < TINY ? 0 : part));
   if (state.view === 1) {
     const same = `The four numbers of the quaternion go on smoothly: taken together, at ${formatted(Math.hypot(...quaternionRates(...q, 0, 1, 0)))} × its speed, as everywhere.`;
     if (locked) return `The nose is on the vertical, where roll and yaw jump. ${same}`;
@@ -257,13 +258,18 @@ function arrows(frame, colour, eye, locked) {
   ];
 }
 
+const HINTS = [
+  "Bring pitch to 90°, then move yaw and roll, one after the other. What does each do to the aircraft?",
+  "Fly it on, past the top: how fast do roll and yaw change there? Then try another roll at the start.",
+  "Bring pitch to 80°. How long do the parts become, and how flat the box?",
+];
 const start = { view: 0, yaw: 0, pitch: 0, roll: 0, flown: 0 };
 
 const definition = {
   title: "Gimbal lock",
   python: "GimbalLockDemo",
   viewpoint: ({ yaw }) => ({ heading: yaw + BESIDE, elevation: ABOVE }),
-  hint: "Bring pitch to 90°, then move yaw and roll, one after the other. What does each do to the aircraft? Then fly it over the top.",
+  hint: ({ view }) => HINTS[view],
   aspect: 1.08,
   start,
   controls: [

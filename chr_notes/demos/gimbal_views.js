@@ -88,7 +88,7 @@ function curves(context, { width, height }, { most, unit, lines }, far, colours)
 
 // ── the rates ───────────────────────────────────────────────────────────────────────────────
 
-const [SIZE, MOST] = [0.75, 5]; // length of a unit, and of the parts that the chart shows
+const [SIZE, ROOM, MOST] = [0.75, 1.3, 5]; // lengths of a unit and of the longest part, and what the chart shows
 
 /** Directions of the axes of roll, pitch and yaw, which are unit vectors. */
 export function axesOf([roll, pitch, yaw]) {
@@ -104,7 +104,8 @@ export function drawRates(context, { width, height }, state, colours, viewpoint,
   inPart(context, [0, 0, width, split], (size) => {
     const view = looking(viewpoint, size, 2.9);
     const axes = axesOf(euler);
-    const corner = (i, j, k) => view.project([i, j, k].map((on, n) => scaled(axes[n], SIZE * on)).reduce(sum));
+    const unit = Math.min(SIZE, ...found.map((part) => ROOM / Math.abs(part)));
+    const corner = (i, j, k) => view.project([i, j, k].map((on, n) => scaled(axes[n], unit * on)).reduce(sum));
     for (const [i, j] of [[0, 0], [0, 1], [1, 0], [1, 1]])
       for (const edge of [[corner(0, i, j), corner(1, i, j)], [corner(i, 0, j), corner(i, 1, j)], [corner(i, j, 0), corner(i, j, 1)]])
         line(context, edge, { colour: colours("muted"), width: 1.2 });
@@ -116,11 +117,11 @@ export function drawRates(context, { width, height }, state, colours, viewpoint,
     });
     let from = [0, 0, 0];
     found.forEach((part, i) => {
-      const end = sum(from, scaled(axes[i], SIZE * Math.min(99, Math.max(-99, part))));
+      const end = sum(from, scaled(axes[i], unit * part));
       pointer(context, view, end, { from, colour: AXES[i], colours, width: 5 });
       from = end;
     });
-    const turn = toParent(matrixFromEuler(...euler), [0, SIZE, 0]);
+    const turn = toParent(matrixFromEuler(...euler), [0, unit, 0]);
     pointer(context, view, turn, { name: ["turn"], colour: "ink", colours, width: 3.5, room: size.width });
   });
   overPitch(context, [44, width - 14, split + 24, height - 24], euler, found, colours);

@@ -143,9 +143,10 @@ def _readings(entry: Entry) -> Iterator[str]:
     if not entry.readings:
         return
     found = ", ".join(
-        f"{'right' if holds else 'wrong'} if ${convention}$" for convention, holds in entry.readings
+        f"as ${convention}$ it is {'right' if holds else 'wrong'}"
+        for convention, holds in entry.readings
     )
-    yield f"The document contradicts itself; this is {found}. The first reading counts here.\n"
+    yield f"Read {found}. This book reads it the first way.\n"
 
 
 def _formula(term: str, latex: str, kind: str = "") -> Iterator[str]:

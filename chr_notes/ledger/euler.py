@@ -24,6 +24,7 @@ from chr_notes.ledger.euler_reading import (
     AXES_B,
     AXES_V1,
     AXES_V2,
+    BEFORE,
     READ,
     V_V1,
     V_V2,
@@ -35,10 +36,6 @@ from chr_notes.printed import euler_claims as claims
 from chr_notes.printed.statement import InOrder, Rotation, words
 from chr_notes.symbols import phi, psi, theta
 
-PROJECTED = (
-    "The component of a vector along a turned axis is its projection on that axis. So the axes are "
-    "the rows of the matrix."
-)
 YAW_AND_PITCH = ImmutableMatrix(
     [
         [cos(theta) * cos(psi), cos(theta) * sin(psi), -sin(theta)],
@@ -48,25 +45,35 @@ YAW_AND_PITCH = ImmutableMatrix(
 )
 
 
-def projected(axes: tuple[MatrixSymbol, ...], turned: int, matrix: Rotation, *to: Expr) -> Step:
+def projected(
+    axes: tuple[MatrixSymbol, ...],
+    turned: int,
+    matrix: Rotation,
+    before: ImmutableMatrix,
+    *to: Expr,
+) -> Step:
     """Tell that the rows of a matrix are the new axes: what it takes a vector to, one by one."""
     return Step(
-        PROJECTED,
+        "Each new component is the dot product of the vector with a new axis. So the new axes are "
+        "the rows of the matrix.",
         InOrder(
-            equation(MatMul(Transpose(axes[turned]), VECTOR), ImmutableMatrix([to[turned]])),
-            equation(MatMul(matrix, VECTOR), ImmutableMatrix(to)),
+            equation(MatMul(Transpose(axes[turned]), before), ImmutableMatrix([to[turned]])),
+            equation(MatMul(matrix, before), ImmutableMatrix(to)),
         ),
     )
 
 
 UNDONE = Step(
-    "A turn is undone by the same turn the other way round; so are the other two.",
+    "A turn is undone by one through the same angle, the other way round. So the inverse of each "
+    "matrix is that of the negative angle.",
     equation(MatMul(Rotation("I", "v1", -psi), printed.R_YAW), Identity(3)),
 )
 
 SETTLED = (
     Case(
         "euler.1.a",
+        remark="About axes such as these three, of which the middle one is at right angles to both "
+        "others. Three axes that lie close together do not reach every orientation.",
         steps=(
             Step(
                 "Let the x-axis of any frame have some heading ψ and climb θ. These two reach "
@@ -96,9 +103,9 @@ SETTLED = (
     ),
     Case(
         "euler.2.a",
-        remark="Counted from the ground. The coordinate of the frame counts from the frame's "
-        "origin: with that one 100 m above the ground, a point 30 m above the ground has "
-        "z = +70 m.",
+        remark="What is negative is the coordinate z; the altitude is not. Counted from the "
+        "ground, that is: with the frame's origin 100 m above it, a point 30 m above the ground "
+        "has z = +70 m.",
     ),
     Case(
         "euler.3.1",
@@ -115,6 +122,7 @@ SETTLED = (
                 AXES_V1,
                 0,
                 printed.R_YAW,
+                VECTOR,
                 cos(psi) * VECTOR[0] + sin(psi) * VECTOR[1],
                 -sin(psi) * VECTOR[0] + cos(psi) * VECTOR[1],
                 VECTOR[2],
@@ -136,9 +144,10 @@ SETTLED = (
                 AXES_V2,
                 0,
                 printed.R_PITCH,
-                cos(theta) * VECTOR[0] - sin(theta) * VECTOR[2],
-                VECTOR[1],
-                sin(theta) * VECTOR[0] + cos(theta) * VECTOR[2],
+                BEFORE,
+                cos(theta) * BEFORE[0] - sin(theta) * BEFORE[2],
+                BEFORE[1],
+                sin(theta) * BEFORE[0] + cos(theta) * BEFORE[2],
             ),
         ),
     ),
@@ -193,9 +202,10 @@ SETTLED = (
                 AXES_B,
                 1,
                 printed.R_ROLL,
-                VECTOR[0],
-                cos(phi) * VECTOR[1] + sin(phi) * VECTOR[2],
-                -sin(phi) * VECTOR[1] + cos(phi) * VECTOR[2],
+                BEFORE,
+                BEFORE[0],
+                cos(phi) * BEFORE[1] + sin(phi) * BEFORE[2],
+                -sin(phi) * BEFORE[1] + cos(phi) * BEFORE[2],
             ),
         ),
     ),

@@ -29,8 +29,9 @@ SETTLED = (
                 ),
             ),
         ),
-        remark="Straight down, at −90°, it is locked as well; the note's first and last section "
-        "say so.",
+        remark="Within the usual range of pitch, that is; beyond it each attitude has a second set "
+        "of angles. Straight down, at −90°, it is locked as well; the note's first and last "
+        "section say so.",
     ),
     Case(
         "euler.6.b",

@@ -39,20 +39,35 @@ PROJECTIONS = ImmutableMatrix(
         )
     ]
 )
-TURNS = Step(
-    "Each Euler rate is a turn about one known axis: roll about x of vehicle-2, pitch about y of "
-    "vehicle-1, yaw about z of the inertial frame. Brought to the body frame they are:",
-    InOrder(
-        equation(ROLL_TURN, ImmutableMatrix([roll_rate, 0, 0])),
-        equation(PITCH_TURN, ImmutableMatrix([0, pitch_rate * cos(phi), -pitch_rate * sin(phi)])),
-        equation(
-            YAW_TURN,
-            ImmutableMatrix(
-                [
-                    -yaw_rate * sin(theta),
-                    yaw_rate * sin(phi) * cos(theta),
-                    yaw_rate * cos(phi) * cos(theta),
-                ]
+TURNS = (
+    Step(
+        "Each Euler rate is a turn about one known axis. Roll's is x of the body. Pitch's is y of "
+        "vehicle-2, so that only roll has still to turn it. Yaw's is down, and both pitch and roll "
+        "come after it.",
+        InOrder(
+            equation(ROLL_TURN, ImmutableMatrix([roll_rate, 0, 0])),
+            equation(PITCH_TURN, MatMul(printed.R_ROLL, ImmutableMatrix([0, pitch_rate, 0]))),
+            equation(
+                YAW_TURN,
+                MatMul(printed.R_ROLL, printed.R_PITCH, ImmutableMatrix([0, 0, yaw_rate])),
+            ),
+        ),
+    ),
+    Step(
+        "Multiplied out, in the body frame:",
+        InOrder(
+            equation(
+                PITCH_TURN, ImmutableMatrix([0, pitch_rate * cos(phi), -pitch_rate * sin(phi)])
+            ),
+            equation(
+                YAW_TURN,
+                ImmutableMatrix(
+                    [
+                        -yaw_rate * sin(theta),
+                        yaw_rate * sin(phi) * cos(theta),
+                        yaw_rate * cos(phi) * cos(theta),
+                    ]
+                ),
             ),
         ),
     ),
@@ -62,8 +77,8 @@ SUM = Step(
     equation(printed.GYROS, MatMul(AXES_OF_THE_TURNS, printed.RATES)),
 )
 INVERSE = Step(
-    "The three axes are not at right angles, so no rate can be read off as a projection. One has "
-    "to solve for the three together: D is an inverse.",
+    "Roll's and yaw's axes are at right angles only while the nose is level. So their rates cannot "
+    "be read off as projections; one has to solve for the three together. D is the inverse.",
     equation(MatMul(printed.D, AXES_OF_THE_TURNS), Identity(3)),
 )
 
@@ -82,7 +97,7 @@ SETTLED = (
             ),
         ),
     ),
-    Case("euler.7.2", steps=(TURNS, SUM, INVERSE)),
+    Case("euler.7.2", steps=(*TURNS, SUM, INVERSE)),
     Case(
         "euler.7.3",
         steps=(
@@ -98,7 +113,7 @@ SETTLED = (
         witness={phi: 0, theta: 60 * DEGREE, psi: 0, p: 0, q: 0, r: 90 * DEGREE},
         root="rates-by-projection",
         weight="misleads",
-        steps=(TURNS, SUM, INVERSE),
+        steps=(*TURNS, SUM, INVERSE),
         remark="The matrix D that follows is right, but these words do not lead to it: rotating "
         "each gyro's output and reading off one component gives factors of cos(pitch) where D "
         "divides by it. The rotation has to go from the Euler rates to the body, and then be "

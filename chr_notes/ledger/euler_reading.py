@@ -30,6 +30,8 @@ from chr_notes.symbols import EULER, EULER_RATES, g, m, phi, psi, theta
 
 FRAME_NAMES = {"v1": words("vehicle-1"), "v2": words("vehicle-2"), "B": words("body")}
 VECTOR = ImmutableMatrix(symbols("v_N v_E v_D", real=True))
+# Its components in the frame before a turn, which are no longer north, east and down.
+BEFORE = ImmutableMatrix(symbols("v_x v_y v_z", real=True))
 FIELD = ImmutableMatrix(symbols("m_N m_E m_D", real=True))
 
 # Names for the steps of the derivations: one vector in the frames between, the axes of these

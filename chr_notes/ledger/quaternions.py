@@ -15,8 +15,8 @@ from chr_notes.derivations import quaternions as derived
 from chr_notes.derivations.steps import Step
 from chr_notes.ledger.case import Case, complete
 from chr_notes.ledger.edits import Edit
-from chr_notes.ledger.quaternions_angles import ALSO, YAW
 from chr_notes.ledger.quaternions_angles import SETTLED as ANGLES
+from chr_notes.ledger.quaternions_angles import YAW
 from chr_notes.ledger.quaternions_reading import (
     ANY_VECTOR,
     NORM,
@@ -172,9 +172,8 @@ SETTLED = (
         "quaternions.3.2",
         steps=(
             Step(
-                "From i² = j² = k² = ijk = −1 follow the products of two units: i before j gives "
-                "k, and the other way round −k.",
-                Eq(Product(E_I, E_J), E_K) & Eq(Product(E_J, E_I), -E_K),
+                "By the table of the units i before j gives k, and the other way round −k.",
+                InOrder(Eq(Product(E_I, E_J), E_K), Eq(Product(E_J, E_I), -E_K)),
             ),
             Step(
                 "A product of sums is the sum of all products. Each unit that multiplies the "
@@ -216,8 +215,7 @@ SETTLED = (
                 ),
             ),
         ),
-        remark="The elements are right; the symbol in front of them names the other direction. "
-        + ALSO,
+        remark="The elements are right; the symbol in front of them names the other direction.",
     ),
     Case(
         "quaternions.3.4",
@@ -234,7 +232,7 @@ SETTLED = (
         ),
         remark="Right for the matrix that the symbol names. With the elements that the note has "
         "printed under this symbol it leads the other way, see quaternions.3.3: that error counts "
-        "there. What the symbol names depends on the reading; the line holds in both.",
+        "there.",
     ),
     Case(
         "quaternions.3.a",
@@ -262,7 +260,7 @@ SETTLED = (
         "quaternions.3.b",
         readings=READINGS,
         remark="The sentence says body to inertial, and that is where the products and the printed "
-        "matrix lead. The formulas before and after it say the opposite. " + ALSO,
+        "matrix lead. The formulas before and after it say the opposite.",
     ),
     Case("quaternions.3.c", readings=READINGS),
     Case(

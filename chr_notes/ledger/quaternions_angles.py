@@ -24,17 +24,14 @@ A, B, C, D = OWN_ELEMENTS = symbols("a b c d")  # not those that are known to be
 BY_TURNS = derived.from_euler().xreplace(dict(zip((phi, theta, psi), OWN_ANGLES, strict=True)))
 READ_TURNS = READ.also(dict(zip(OWN_ELEMENTS, BY_TURNS, strict=True)))
 ELEMENTS = Step(
-    "The quaternion of the three turns, yaw first, is a product of three with half the angles.",
+    "The quaternion of the three turns is a product of three, each with half its angle: yaw on the "
+    "left, then pitch, then roll.",
     Eq(ImmutableMatrix(OWN_ELEMENTS), ImmutableMatrix(BY_TURNS), evaluate=False),
-)
-ALSO = (
-    "Sections 3 and 4 of the note contradict each other, see quaternions.3.1. The sensors use the "
-    "reading of section 4."
 )
 ATAN = (
     "The arctangent of the quotient is read as the note says two sentences later: by atan2, which "
     "takes numerator and denominator apart and so finds the whole range. Taken at its word, atan "
-    "gives angles from −90° to 90° only, and any other comes out wrong by 180°. "
+    "gives angles from −90° to 90° only, and any other comes out wrong by 180°."
 )
 
 
@@ -59,7 +56,7 @@ SETTLED = (
                 ImmutableMatrix([sin(ROLL) * cos(PITCH), cos(ROLL) * cos(PITCH)]),
             ),
         ),
-        remark=ATAN + ALSO,
+        remark=ATAN,
     ),
     Case(
         "quaternions.4.2",
@@ -74,7 +71,7 @@ SETTLED = (
             ),
         ),
         remark="Pitch lies between −90° and 90°, as the arcsine does. In rounded numbers the "
-        "argument can exceed one; atan2 of the sine and cosine of pitch avoids that. " + ALSO,
+        "argument can exceed one; atan2 of the sine and cosine of pitch avoids that.",
     ),
     Case(
         "quaternions.4.3",
@@ -87,7 +84,7 @@ SETTLED = (
                 ImmutableMatrix([sin(YAW) * cos(PITCH), cos(YAW) * cos(PITCH)]),
             ),
         ),
-        remark=ATAN + ALSO,
+        remark=ATAN,
     ),
     Case("quaternions.4.a", READ_AT_ITS_WORD, readings=READINGS),
     Case(

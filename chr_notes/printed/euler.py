@@ -73,7 +73,7 @@ with as_printed():
             "euler.2.a",
             "claim",
             "section 2, paragraph 1",
-            "Altitude above ground is negative, because the z-axis points down.",
+            "Altitude above ground has a negative z, because the z-axis points down.",
             Z_I < 0,
         ),
         Printed(

@@ -2,7 +2,7 @@
 
 from types import MappingProxyType
 
-from sympy import Determinant, ImmutableMatrix, MatrixSymbol, cos, sin
+from sympy import ImmutableMatrix, MatMul, MatrixSymbol, Symbol, cos, sin
 
 from chr_notes.derivations import euler as derived
 from chr_notes.derivations.steps import Step, equation
@@ -20,21 +20,31 @@ from chr_notes.symbols import (
 )
 
 AXES = MatrixSymbol("A", 3, 3)
+VOLUME = Symbol(r"\det A", real=True)
 
 RATES = Told(
     (
         Step(
-            "Two lines of the sum have roll in them only as a turn: what y and z read is the same "
-            "vector, turned by roll. Turn it back. What is then left along y is the rate of pitch,",
+            "The second and the third line of the sum are one plane vector, turned by roll.",
+            equation(
+                ImmutableMatrix([q, r]),
+                MatMul(
+                    ImmutableMatrix([[cos(phi), sin(phi)], [-sin(phi), cos(phi)]]),
+                    ImmutableMatrix([pitch_rate, yaw_rate * cos(theta)]),
+                ),
+            ),
+        ),
+        Step(
+            "Turn it back. Its first component is the rate of pitch,",
             equation(pitch_rate, q * cos(phi) - r * sin(phi)),
         ),
         Step(
-            "and along z what the tilted nose leaves of the rate of yaw.",
+            "and its second what a raised nose leaves of the rate of yaw.",
             equation(yaw_rate * cos(theta), q * sin(phi) + r * cos(phi)),
         ),
         Step(
-            "Here is the division: yaw's axis leans towards roll's, and only its part at right "
-            "angles to the nose can be told from roll.",
+            "Here is the division: of yaw's axis only the part at right angles to the nose, cos θ "
+            "long, can be told from roll.",
             equation(yaw_rate, (q * sin(phi) + r * cos(phi)) / cos(theta)),
         ),
         Step(
@@ -66,9 +76,11 @@ LOCK = Told(
         Step(
             "Its determinant is the volume of the box with these axes for edges. At a pitch of 90° "
             "the box is flat, and there is no inverse.",
-            equation(Determinant(AXES), cos(theta)),
+            equation(VOLUME, cos(theta)),
         ),
     ),
-    MappingProxyType({AXES: derived.body_rates_matrix()}),
+    MappingProxyType(
+        {AXES: derived.body_rates_matrix(), VOLUME: derived.body_rates_matrix().det()}
+    ),
 )
 """Where D does not exist."""

@@ -2,13 +2,13 @@
 
 from types import MappingProxyType
 
-from sympy import ImmutableMatrix, MatMul, MatrixSymbol, cos, eye, sin, sqrt, symbols
+from sympy import ImmutableMatrix, MatMul, MatrixSymbol, Rational, cos, eye, sin, sqrt, symbols
 
 from chr_notes.derivations import quaternions as derived
 from chr_notes.derivations.hamilton import conjugate, multiply, pure
 from chr_notes.derivations.steps import Step, equation
 from chr_notes.derivations.telling import Told
-from chr_notes.symbols import BODY_RATES, VECTOR, AngularRate, T, a, alpha, b, c, d, p, q, r
+from chr_notes.symbols import BODY_RATES, VECTOR, AngularRate, T, a, alpha, b, c, d
 
 # Quaternions s + t n and s - t n; any unit axis, by two angles; any vector.
 s, t = symbols("s t", real=True)
@@ -23,6 +23,7 @@ def _column(latex: str) -> MatrixSymbol:
 
 V = _column(r"\mathbf{v}")
 NV, VN = _column(r"\mathbf{n}\,\mathbf{v}"), _column(r"\mathbf{v}\,\mathbf{n}")
+NVN = _column(r"\mathbf{n}\,\mathbf{v}\,\mathbf{n}")
 CROSS, DOT = (
     _column(r"\left(\mathbf{n}\times\mathbf{v}\right)"),
     _column(r"\mathbf{n}\cdot\mathbf{v}"),
@@ -47,31 +48,40 @@ HALF_ANGLE = Told(
             equation(VN, -CROSS - DOT),
         ),
         Step(
-            "Now let q be s + t n, a part along 1 and a part along the axis. From the left it "
-            "makes of a vector a vector and a scalar: the leak.",
+            "Now let q be s + t n. From the left it makes of a vector a vector and a scalar: the "
+            "leak.",
             equation(LEFT, s * V + MatMul(t, CROSS - DOT)),
         ),
         Step(
-            "From the right comes s − t n. The scalar cancels; what is across the axis turns on, "
-            "and what is along it comes back.",
+            "From the right comes s − t n. Each part of the one meets each part of the other.",
+            equation(BOTH, s**2 * V + MatMul(s * t, NV - VN) - t**2 * NVN),
+        ),
+        Step(
+            "By the first two steps the bracket is twice the vector product. In the last term n × "
+            "(n × v) comes up, which is (n·v) n − v. There is no scalar left.",
+            equation(NVN, V - 2 * ALONG),
+        ),
+        Step(
+            "Put both in, and sort.",
             equation(BOTH, (s**2 - t**2) * V + 2 * s * t * CROSS + 2 * t**2 * ALONG),
         ),
         Step(
-            "Geometry says what a turn by α must do: leave the part along the axis, and take the "
-            "rest round a circle.",
-            equation(TURNED, cos(alpha) * V + sin(alpha) * CROSS + (1 - cos(alpha)) * ALONG),
+            "Now what a turn by α does, whatever computes it. The part along the axis, (n·v) n, "
+            "stays. The rest goes round a circle, of which that rest and n × v are two radii at "
+            "right angles.",
+            equation(TURNED, ALONG + MatMul(cos(alpha), V - ALONG) + sin(alpha) * CROSS),
         ),
         Step(
-            "The two agree for every vector if the three numbers in front do. They are one "
-            "condition, not three:",
+            "The two agree for every vector if the numbers before v, n × v and (n·v) n do. The "
+            "third agrees with the first, since s² + t² = 1.",
             equation(
                 ImmutableMatrix([s**2 - t**2, 2 * s * t, 2 * t**2]),
                 ImmutableMatrix([cos(alpha), sin(alpha), 1 - cos(alpha)]),
             ),
         ),
         Step(
-            "These are the formulas of the double angle. Of the two solutions one is the other's "
-            "negative.",
+            "These are the formulas of the double angle. The other solution is the negative of "
+            "this one.",
             equation(ImmutableMatrix([s, t]), ImmutableMatrix([cos(alpha / 2), sin(alpha / 2)])),
         ),
     ),
@@ -80,6 +90,7 @@ HALF_ANGLE = Told(
             V: pure(ANY),
             NV: multiply(pure(AXIS), pure(ANY)),
             VN: multiply(pure(ANY), pure(AXIS)),
+            NVN: multiply(multiply(pure(AXIS), pure(ANY)), pure(AXIS)),
             CROSS: pure(AXIS.cross(ANY)),
             DOT: ImmutableMatrix([AXIS.dot(ANY), 0, 0, 0]),
             ALONG: pure(AXIS.dot(ANY) * AXIS),
@@ -93,7 +104,10 @@ HALF_ANGLE = Told(
 )
 """`q v q*` for any unit axis and any vector, and what it has to be."""
 
-_BODY = ImmutableMatrix(BODY_RATES)
+# What the gyros read, here without the letter q that the quaternion has.
+_BODY = ImmutableMatrix(symbols(r"\omega_x \omega_y \omega_z", real=True))
+_NAMED = dict(zip(BODY_RATES, _BODY, strict=True))
+x, y, z = _BODY
 _SPEED = sqrt(_BODY.dot(_BODY))
 _TURN = derived.from_axis_angle(ImmutableMatrix(_BODY / _SPEED), _SPEED * T)
 SIZE = AngularRate(r"\left|\boldsymbol{\omega}\right|", positive=True)
@@ -106,29 +120,27 @@ RATE, Q_OMEGA = _column(r"\dot{q}"), _column(r"q\,\boldsymbol{\omega}")
 RATES = Told(
     (
         Step(
-            "In a short time T the gyros' rates stay as they are. The body turns about their axis "
-            "by their size times T, which as a quaternion has half of that angle.",
+            "In a short time T the rates stay as they are. The body turns about their axis by "
+            "their size times T; as a quaternion that turn has half of the angle.",
             equation(
                 SMALL,
                 ImmutableMatrix(
-                    [cos(SIZE * T / 2), *(sin(SIZE * T / 2) * each / SIZE for each in BODY_RATES)]
+                    [cos(SIZE * T / 2), *(sin(SIZE * T / 2) * each / SIZE for each in _BODY)]
                 ),
             ),
         ),
         Step(
-            "The turn is about an axis of the body as it is by now, and later turns stand to the "
-            "right.",
+            "The axis is one of the body as it is by now. So the turn stands to the right.",
             equation(AFTER, THEN),
         ),
         Step(
-            "Only the small turn changes with T. It begins at one, where a cosine has no slope "
-            "and a sine has the slope one. The size drops out. What it changes by, twice, are the "
-            "rates: half the angle again.",
-            equation(2 * SLOPE, OMEGA),
+            "Of this product only the small turn changes with T. At T = 0 a cosine has no slope. "
+            "The sine of |ω| T/2 has the slope |ω|/2, and |ω| cancels: no division is left.",
+            equation(SLOPE, MatMul(Rational(1, 2), OMEGA)),
         ),
         Step(
             "So the quaternion changes by half of itself times the rates.",
-            equation(2 * RATE, Q_OMEGA),
+            equation(RATE, MatMul(Rational(1, 2), Q_OMEGA)),
         ),
         Step(
             "Multiplied out by the table of the units:",
@@ -136,10 +148,10 @@ RATES = Told(
                 RATE,
                 ImmutableMatrix(
                     [
-                        -(b * p + c * q + d * r) / 2,
-                        (a * p + c * r - d * q) / 2,
-                        (a * q - b * r + d * p) / 2,
-                        (a * r + b * q - c * p) / 2,
+                        -(b * x + c * y + d * z) / 2,
+                        (a * x + c * z - d * y) / 2,
+                        (a * y - b * z + d * x) / 2,
+                        (a * z + b * y - c * x) / 2,
                     ]
                 ),
             ),
@@ -150,10 +162,10 @@ RATES = Told(
             SIZE: _SPEED,
             OMEGA: pure(_BODY),
             SMALL: _TURN,
-            AFTER: derived.constant_rate_step(),
+            AFTER: derived.constant_rate_step().xreplace(_NAMED),
             THEN: multiply(derived.ATTITUDE, _TURN),
             SLOPE: ImmutableMatrix(_TURN.diff(T).subs(T, 0)),
-            RATE: derived.rates(),
+            RATE: derived.rates().xreplace(_NAMED),
             Q_OMEGA: multiply(derived.ATTITUDE, pure(_BODY)),
         }
     ),
