@@ -102,11 +102,14 @@ export function inPart(context, [x, y, width, height], drawIt) {
  * number, shown as a ring.
  */
 export function bars(context, { width, height }, title, rows, colours) {
-  const [left, right, top] = [30, width - 12, 24];
-  const step = (height - top - 8) / rows.length;
+  const [left, right, top, bottom] = [30, width - 12, 24, height - 20];
+  const step = (bottom - top) / rows.length;
   const x = linear(-1, 1, left, right);
-  words(context, title, [left, 12], { colour: colours("muted"), weight: 600 });
-  line(context, [[x(0), top], [x(0), height - 6]], { colour: colours("muted"), width: 1 });
+  words(context, title, [8, 12], { colour: colours("muted"), weight: 600 });
+  for (const tick of [-1, 0, 1]) {
+    line(context, [[x(tick), top], [x(tick), bottom]], { colour: colours(tick === 0 ? "muted" : "line"), width: 1 });
+    words(context, `${tick}`.replace("-", "−"), [x(tick), bottom + 10], { colour: colours("muted"), size: 12, align: "center" });
+  }
   rows.forEach(({ text, value, colour, twin }, i) => {
     const y = top + step * (i + 0.5);
     words(context, text, [left - 15, y], { colour: colours(colour), size: 14, align: "center", weight: 600 });
@@ -116,11 +119,12 @@ export function bars(context, { width, height }, title, rows, colours) {
   });
 }
 
-function ringAt(context, [x, y], colour) {
+/** An empty circle round a point in pixels. */
+export function ringAt(context, [x, y], colour, { radius = 4, width = 1.5 } = {}) {
   context.beginPath();
-  context.arc(x, y, 4, 0, 2 * Math.PI);
+  context.arc(x, y, radius, 0, 2 * Math.PI);
   context.strokeStyle = colour;
-  context.lineWidth = 1.5;
+  context.lineWidth = width;
   context.stroke();
 }
 

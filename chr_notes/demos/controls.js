@@ -3,11 +3,12 @@
  *
  * A demo is a definition, a plain object:
  *   title     the name of the demo, for those who do not see it
- *   hint      what to try first, or how that follows from the state
+ *   hint      what to try first, or in each view, [text]
  *   aspect    height of the picture by its width
  *   legend    [{ colour, dash, width, symbol, text }]: the lines that need explaining
  *   controls  one slider and field each, see `slider` in parts.js; or `choices`, see typed.js
- *             and `also`, a part of the state that comes with each change of it
+ *             and `also`, a part of the state that comes with each change of it, and `stops`,
+ *             [[value, text]], buttons that go there
  *   texts     { name: what the whole of it matches }: the parts of the state that are texts, if any
  *   outputs   one readout each, see `readout` in parts.js
  *   python    the name of its class, for "Copy as Python"
@@ -23,11 +24,11 @@
  *   draw      (context, { width, height }, state, colours, viewpoint)
  */
 import { copying } from "./copying.js";
-import { byHand, turned } from "./looking.js";
+import { byHand, handleSigns, turned } from "./looking.js";
 import { legend, node, readout, reserved, slider } from "./parts.js";
 import { keepKeys, painting } from "./stage.js";
 import { glide, player } from "./story.js";
-import { choice, typed } from "./typed.js";
+import { choice, stops, typed } from "./typed.js";
 
 const ANNOUNCE_AFTER = 600; // milliseconds without a change
 const RESET = 0.45; // seconds from a state back to the start
@@ -42,8 +43,8 @@ function mountDemo(element, definition, opening, { now = {}, onChange = () => {}
   const home = { ...definition.start, ...opening };
   const state = { ...home, ...within(definition, now) };
   const cleanup = new AbortController();
-  const parts = build(definition, touched, tell);
-  const { root, canvas, live, sliders, outputs, said, play, reset, hint } = parts;
+  const parts = build(definition, { touched, tell, go });
+  const { root, canvas, live, sliders, outputs, said, play, reset, hint, hints } = parts;
   const seenFrom = definition.viewpoint;
   let viewpoint = seenFrom?.(state);
 
@@ -57,7 +58,7 @@ function mountDemo(element, definition, opening, { now = {}, onChange = () => {}
     canvas.setAttribute("aria-label", definition.describe(state));
     sliders.forEach((each) => each.show(state));
     outputs.forEach((each) => each.show(texts));
-    hint.textContent = ` ${typeof definition.hint === "function" ? definition.hint(state) : definition.hint}`;
+    hint.textContent = hints[state.view] ?? hints[0];
     redraw();
   }
 
@@ -101,6 +102,12 @@ function mountDemo(element, definition, opening, { now = {}, onChange = () => {}
     changed(part);
   }
 
+  function go(part) {
+    told = "";
+    interrupt();
+    rest = glide({ ...state }, { ...state, ...part }, RESET, { between, changed });
+  }
+
   play.addEventListener("click", () => {
     rest();
     tour.press();
@@ -131,7 +138,10 @@ function mountDemo(element, definition, opening, { now = {}, onChange = () => {}
     putBack: () => look(seenFrom(home)),
   };
   if (seenFrom || definition.handles) byHand(canvas, touch);
-  const drawn = (context, size, colours) => definition.draw(context, size, state, colours, viewpoint);
+  const drawn = (context, size, colours) => {
+    definition.draw(context, size, state, colours, viewpoint);
+    handleSigns(context, touch.handles(), colours);
+  };
   const redraw = painting(root, canvas, drawn, {
     seen: (visible) => visible || tour.stop(),
     signal: cleanup.signal,
@@ -172,7 +182,7 @@ function within({ controls, texts = {} }, given) {
 }
 
 /** The elements of a demo. */
-function build(definition, touched, tell) {
+function build(definition, { touched, tell, go }) {
   const canvas = node("canvas", {
     role: "img", style: `aspect-ratio: 1 / ${definition.aspect}`,
   });
@@ -180,12 +190,14 @@ function build(definition, touched, tell) {
   const said = node("p", { class: "chr-said" });
   const sliders = definition.controls.map((control) => {
     const put = (part) => touched({ ...control.also, ...part });
-    return control.choices ? choice(control, put) : both(control, put, tell);
+    return control.choices ? choice(control, put) : both(control, put, tell, go);
   });
   const outputs = definition.outputs.map((output) => readout(output, definition.readouts));
   const play = node("button", { type: "button", name: "play" });
   const reset = node("button", { type: "button", name: "reset" }, "Reset");
+  const hints = [definition.hint].flat().map((text) => ` ${text}`);
   const hint = node("span", {});
+  const trial = node("span", {}, node("b", {}, "Try first."), hint);
   const stage = node("div", { class: "chr-stage" }, canvas);
   const buttons = node("div", { class: "chr-buttons" }, play, reset);
   const panel = node(
@@ -193,37 +205,40 @@ function build(definition, touched, tell) {
     { class: "chr-panel chr-controls" },
     ...sliders.map((each) => each.element),
     buttons,
-    reserved(said, definition.story.map(({ says }) => says)),
   );
   const part = (name, wide) =>
     node("div", { class: name }, ...outputs.filter((each) => each.wide === wide).map((each) => each.element));
+  const story = reserved(said, definition.story.map(({ says }) => says));
   const root = node(
     "div",
     // JupyterLab listens for shortcuts before the page does; this attribute tells it not to.
     { class: "chr-demo", role: "group", "aria-label": definition.title, "data-lm-suppress-shortcuts": "true" },
-    node("p", { class: "chr-hint" }, node("b", {}, "Try first."), hint),
+    node("p", { class: "chr-hint" }, reserved(trial, hints.map((text) => `Try first.${text}`))),
     node(
       "div",
       { class: "chr-body" },
       stage,
-      panel,
-      part("chr-sentence", true),
       ...legend(definition.legend ?? []),
+      node("div", { class: "chr-sentence" }, part("chr-meaning", true), story),
+      panel,
       part("chr-panel chr-readouts", false),
     ),
     live,
   );
   keepKeys(root);
-  return { root, canvas, live, said, sliders, outputs, play, reset, buttons, hint };
+  return { root, canvas, live, said, sliders, outputs, play, reset, buttons, hint, hints };
 }
 
-/** A slider, and a field beside it. */
-function both(control, touched, tell) {
+/** A slider, a field beside it, and a button for each of its stops below. */
+function both(control, touched, tell, go) {
   const part = slider(control, touched, typed(control, touched, (words) => {
     part.tell(words);
     tell(`${control.label}: ${words}.`);
   }));
-  return part;
+  if (!control.stops) return part;
+  const row = stops(control, go);
+  part.element.append(row.element);
+  return { ...part, show: (state) => (part.show(state), row.show(state)) };
 }
 
 /** States on the way from one to another, in equal steps of the sliders' positions. */

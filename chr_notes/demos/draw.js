@@ -247,9 +247,10 @@ export function paint(context, polygons, { eye, project, light }, radii = []) {
 
 /**
  * Words at a point of the picture, over everything, with a rim that keeps them legible: [words]
- * or [words, subscript]. `offset` moves them aside, in pixels; they never leave the picture.
+ * or [words, subscript]. `offset` moves them aside, in pixels; they never leave the picture. Where
+ * one of the boxes `taken` is in the way, they stand above or below it; their own one is added.
  */
-export function label(context, [text, subscript = ""], [x, y], { colour, rim, size = 14, offset = [0, 0], width }) {
+export function label(context, [text, subscript = ""], [x, y], { colour, rim, size = 14, offset = [0, 0], width, taken = [] }) {
   const parts = [
     { text, font: `600 ${size}px system-ui, sans-serif`, drop: 0 },
     { text: subscript, font: `600 ${0.75 * size}px system-ui, sans-serif`, drop: 0.3 * size },
@@ -260,6 +261,10 @@ export function label(context, [text, subscript = ""], [x, y], { colour, rim, si
   const half = parts.reduce((wide, part) => wide + part.wide, 0) / 2;
   const side = offset[0] === 0 ? 0 : Math.sign(offset[0]) * half + offset[0];
   const middle = Math.min(Math.max(x + side, half + 6), width - half - 6);
+  const lines = [0, -1, 1, -2, 2].map((n) => y + offset[1] + 1.1 * n * size);
+  const covers = (at) => (box) => Math.abs(box.x - middle) < box.half + half + 2 && Math.abs(box.y - at) < size;
+  const line = lines.find((at) => !taken.some(covers(at))) ?? lines[0];
+  taken.push({ x: middle, y: line, half });
   context.textAlign = "left";
   context.textBaseline = "middle";
   context.lineJoin = "round";
@@ -270,7 +275,7 @@ export function label(context, [text, subscript = ""], [x, y], { colour, rim, si
     let start = middle - half;
     for (const part of parts) {
       context.font = part.font;
-      context[write](part.text, start, y + offset[1] + part.drop);
+      context[write](part.text, start, line + part.drop);
       start += part.wide;
     }
   }

@@ -50,8 +50,8 @@ function readouts(state) {
 function meaning(state, both, components) {
   const { frame, axis } = state;
   const row = both[0].slice(3 * axis, 3 * axis + 3);
-  const products = windOf(state).map((part, i) => `${entry(row[i]).trim()} · ${entry(part).trim()}`).join(" + ");
-  const first = `In ${nameOf(frame)} axes the wind is (${listed(components)}). Its ${AXES[axis]}-component is the lit row times the wind: ${products} = ${entry(components[axis]).trim()}.`;
+  const products = windOf(state).map((part, i) => `${entry(row[i]).trim()}\u00a0·\u00a0${entry(part).trim()}`).join(" + ");
+  const first = `In ${nameOf(frame)} axes the wind is (${listed(components)}). Its ${AXES[axis]}-component is row ${AXES[axis]} of the matrix times the wind: ${products} = ${entry(components[axis]).trim()}.`;
   const off = rounded(apart(both));
   if (frame <= 1) return `${first} The wind is the same in each frame; only the axes turn.`;
   return `${first} ${off === "0" ? "Here the order of yaw and pitch makes no difference to the nose." : `Pitch before yaw leads elsewhere: the two noses are ${off}° apart.`}`;
@@ -76,18 +76,22 @@ function describe(state) {
 
 // ── the picture ─────────────────────────────────────────────────────────────────────────────
 
-const TITLES = [["yaw", "pitch"], ["yaw, then pitch", "pitch, then yaw"]];
+const ORDERS = [["yaw", "pitch", "roll"], ["pitch", "yaw", "roll"]];
 const [SPLIT, SHOWN] = [0.66, 2.5]; // of the height, for the aircraft; what is shown, in lengths of an axis
 const INERTIAL = ["N", "E", "D"];
+
+/** Which turns a picture shows, in their order. */
+const titleOf = (order, { frame }) =>
+  frame === 0 ? "no turn yet" : frame <= 1 ? `${order[0]} only` : frame <= 2 ? `${order[0]}, then ${order[1]}` : order.join(", ");
 
 function draw(context, { width, height }, state, colours, viewpoint) {
   const [half, split] = [width / 2, SPLIT * height];
   matrices(state).forEach((matrix, i) => {
-    inPart(context, [i * half, 0, half, split], (size) => scene(context, size, state, matrix, TITLES[Number(state.frame > 1)][i], colours, viewpoint));
+    inPart(context, [i * half, 0, half, split], (size) => scene(context, size, state, matrix, titleOf(ORDERS[i], state), colours, viewpoint));
     const components = toChild(matrix, windOf(state));
     const rows = AXES.map((name, k) => ({ text: k === state.axis ? `▸${name}` : name, colour: name, value: components[k] }));
     inPart(context, [i * half, split, half, height - split], (size) =>
-      bars(context, size, i === 0 ? `wind, ${nameOf(state.frame)}` : "wind, other order", rows, colours),
+      bars(context, size, "wind along x, y, z", rows, colours),
     );
   });
   line(context, [[half, 10], [half, height - 10]], { colour: colours("line"), width: 1 });
@@ -95,20 +99,23 @@ function draw(context, { width, height }, state, colours, viewpoint) {
 
 function scene(context, size, state, matrix, title, colours, viewpoint) {
   const view = looking(viewpoint, size, SHOWN);
-  const style = { colours, room: size.width };
+  const wind = windOf(state);
+  const [x, y] = view.project(wind);
+  const style = { colours, room: size.width, taken: [{ x, y, half: 10 }] }; // the ring by which it is held
   words(context, title, [size.width / 2, 14], { colour: colours("muted"), align: "center", weight: 600 });
   UNITS.forEach((axis, k) => pointer(context, view, axis, { ...style, name: [INERTIAL[k]], colour: "muted", width: 1.5 }));
-  flown(context, view, matrix, colours, 0.9);
-  const wind = windOf(state);
-  UNITS.forEach((axis, k) => {
-    const end = toParent(matrix, axis);
-    pointer(context, view, end, { ...style, name: [AXES[k]], colour: AXES[k], width: k === state.axis ? 4.5 : 2.5 });
+  flown(context, view, matrix, colours, 1.5);
+  const [centre, along] = [view.project([0, 0, 0]), (k, far) => toParent(matrix, scaled(UNITS[k], far))];
+  UNITS.forEach((_, k) => {
+    const colour = AXES[k];
+    line(context, [centre, view.project(along(k, -1))], { colour: colours(colour), width: 1, dash: [2, 3] });
+    pointer(context, view, along(k, 1), { ...style, name: [AXES[k]], colour, width: k === state.axis ? 3.5 : 2 });
   });
-  // The component along the lit axis: the foot of the wind on it.
-  const part = toChild(matrix, wind)[state.axis];
-  const foot = toParent(matrix, scaled(UNITS[state.axis], part));
-  line(context, [view.project(wind), view.project(foot)], { colour: colours("ink"), width: 1.5, dash: [3, 3] });
-  pointer(context, view, wind, { ...style, name: ["wind"], colour: "alert", dash: [7, 2, 2, 2], width: 3.5 });
+  // The component along the lit axis: from the centre to the foot of the wind on it.
+  const foot = view.project(along(state.axis, toChild(matrix, wind)[state.axis]));
+  line(context, [centre, foot], { colour: colours(AXES[state.axis]), width: 8 });
+  line(context, [view.project(wind), foot], { colour: colours("ink"), width: 1.5, dash: [3, 3] });
+  pointer(context, view, wind, { ...style, name: ["wind"], held: true, colour: "alert", dash: [7, 2, 2, 2], width: 3.5 });
 }
 
 /** The wind by its point, in both pictures: it stays level. */
@@ -137,25 +144,25 @@ const definition = {
   start,
   legend: [
     { colour: "alert", dash: [7, 2, 2, 2], width: 3.5, text: "the wind" },
-    { colour: "ink", dash: [3, 3], width: 1.5, text: "to its component along the lit axis" },
-    { colour: "muted", width: 1.5, text: "the inertial axes: north, east, down" },
+    { colour: "muted", width: 8, text: "its component along the chosen axis" },
+    { colour: "muted", width: 1.5, text: "north, east, down" },
   ],
   controls: [
     {
-      name: "frame", label: "Frame", symbol: [], min: 0, max: 3, step: 0.05,
+      name: "frame", label: "Frame", symbol: [], min: 0, max: 3, step: 0.05, stops: FRAMES.map((name, i) => [i, name]),
       words: (frame) => ({ short: nameOf(frame), long: `frame ${nameOf(frame)}` }),
     },
-    { name: "axis", label: "Lit row", choices: AXES },
+    { name: "axis", label: "Component along", choices: AXES },
     { name: "yaw", label: "Yaw", symbol: ["ψ"], axis: "z", min: -180, max: 180, step: 1, unit: DEGREES },
     { name: "pitch", label: "Pitch", symbol: ["θ"], axis: "y", min: -90, max: 90, step: 1, unit: DEGREES },
     { name: "roll", label: "Roll", symbol: ["φ"], axis: "x", min: -180, max: 180, step: 1, unit: DEGREES },
-    { name: "wind", label: "Wind, from north to east", symbol: [], min: -180, max: 180, step: 1, unit: DEGREES },
+    { name: "wind", label: "Wind blows to (90° is east)", symbol: [], min: -180, max: 180, step: 1, unit: DEGREES },
   ],
   outputs: [
     { name: "meaning", label: "What it means", wide: true, longestAt: [{ ...start, yaw: -140, pitch: -30, wind: 140, frame: 2 }] },
     { name: "matrix", table: true },
-    { name: "components", label: "Wind, yaw first", grid: true },
-    { name: "other_order", label: "Wind, pitch first", grid: true },
+    { name: "components", label: "Wind, yaw first", grid: true, rows: AXES },
+    { name: "other_order", label: "Wind, pitch first", grid: true, rows: AXES },
     { name: "apart", label: "Noses apart by", unit: DEGREES },
   ],
   story: [

@@ -30,7 +30,8 @@ class GimbalLockDemo(Demo):
     yaw, pitch, roll : float, optional
         Angles in degrees: yaw and roll from -180 to 180, pitch from -90 to 90.
     flown : float, optional
-        How far the aircraft has turned since about its own y-axis, nose up, from 0 to 360 degrees.
+        How far in the flight the aircraft has turned since about its own y-axis, nose up, from 0 to
+        360 degrees. The other two views show it before.
     """
 
     element = "gimbal-lock"
@@ -56,7 +57,7 @@ class GimbalLockDemo(Demo):
     def _euler(self) -> tuple[float, float, float]:
         """Return roll, pitch and yaw after the flight, radians."""
         start = (math.radians(self.roll), math.radians(self.pitch), math.radians(self.yaw))
-        if self.flown == 0:
+        if self.view != 1 or self.flown == 0:
             return start
         q = quaternion_from_euler(*start)
         turn = math.radians(self.flown)

@@ -10,8 +10,9 @@ import {
   quaternionFromEuler,
 } from "../generated/javascript/attitude.mjs";
 import { inPart, line, linear, mark, words } from "./chart.js";
-import { scaled, sum, toParent } from "./draw.js";
-import { flown, globe, looking, path, pointer } from "./globe.js";
+import { label, scaled, sum, toParent } from "./draw.js";
+import { beyond, flown, globe, looking, path, pointer } from "./globe.js";
+import { formatted } from "./parts.js";
 
 /* global DASHES: build.py puts it in, { axis: pattern } */
 
@@ -19,8 +20,8 @@ const DEGREE = Math.PI / 180;
 const NAMES = ["roll", "pitch", "yaw"];
 const AXES = ["x", "y", "z"];
 
-/** Quaternion and angles, radians, of an aircraft that flies on from an attitude, pitching up. */
-export function attitude(state, far = state.flown) {
+/** Quaternion and angles, radians, of an aircraft that in the flight flies on, pitching up. */
+export function attitude(state, far = state.view === 1 ? state.flown : 0) {
   const start = NAMES.map((name) => state[name] * DEGREE);
   const q = quaternionAfterConstantRates(...quaternionFromEuler(...start), 0, 1, 0, far * DEGREE);
   return { q, euler: far === 0 ? start : eulerFromQuaternion(...q).slice(0, 3) };
@@ -57,21 +58,22 @@ export function drawFlight(context, { width, height }, state, colours, viewpoint
 
 /** Curves over the loop: thin where it is still to be flown, and broken where an angle jumps. */
 function curves(context, { width, height }, { most, unit, lines }, far, colours) {
-  const [left, right, top, bottom] = [46, width - 12, 26, height - 22];
+  const [left, right, top, bottom] = [52, width - 14, 26, height - 38];
   const [x, y] = [linear(0, 360, left, right), linear(-most, most, bottom, top)];
   const small = { colour: colours("muted"), size: 12 };
   for (const tick of [-most, 0, most]) {
     line(context, [[left, y(tick)], [right, y(tick)]], { colour: colours("line"), width: 1 });
     words(context, `${tick}${unit}`.replace("-", "−"), [left - 5, y(tick)], { ...small, align: "right" });
   }
-  for (const [text, at, align] of [["0°", left, "left"], ["flown", (left + right) / 2, "center"], ["360°", right, "right"]])
-    words(context, text, [at, bottom + 12], { ...small, align });
-  line(context, [[x(far), top], [x(far), bottom]], { colour: colours("muted"), width: 1 });
-  lines.forEach(({ name, colour, values }, n) => {
+  for (const tick of [0, 90, 180, 270, 360]) {
+    line(context, [[x(tick), top], [x(tick), bottom]], { colour: colours("line"), width: 1 });
+    if (tick % 360 !== 180 && tick < 360) words(context, `${tick}°`, [x(tick), bottom + 11], { ...small, align: "center" });
+  }
+  words(context, "pitched up by", [(left + right) / 2, bottom + 27], { ...small, align: "center" });
+  line(context, [[x(far), top], [x(far), bottom]], { colour: colours("muted"), width: 1.5 });
+  names(context, [8, 10], width - 16, lines, colours);
+  lines.forEach(({ colour, values }, n) => {
     const style = { colour: colours(colour), dash: DASHES[colour] };
-    const place = 8 + (n * (width - 16)) / lines.length;
-    line(context, [[place, 10], [place + 14, 10]], { ...style, width: 3 });
-    words(context, name, [place + 17, 10], { colour: colours(colour), weight: 600 });
     const pieces = [[]];
     values.forEach((value, i) => {
       if (i > 0 && Math.abs(value - values[i - 1]) > most) pieces.push([]);
@@ -82,13 +84,23 @@ function curves(context, { width, height }, { most, unit, lines }, far, colours)
       const flown = piece.filter(([at]) => at <= x(far));
       if (flown.length > 1) line(context, flown, { ...style, width: 3 });
     }
-    mark(context, "circle", [x(far), y(values[Math.round(far / STEP)])], { colour: colours(colour), rim: colours("page"), radius: 4 });
+    // Where one lies on another, both are seen.
+    mark(context, n % 2 ? "square" : "circle", [x(far), y(values[Math.round(far / STEP)])], { colour: colours(colour), rim: colours("page"), radius: 7 - 1.5 * n });
+  });
+}
+
+/** Beside each other, as they are drawn: [{ name, colour }]. */
+function names(context, [left, y], wide, lines, colours) {
+  lines.forEach(({ name, colour }, n) => {
+    const place = left + (n * wide) / lines.length;
+    line(context, [[place, y], [place + 14, y]], { colour: colours(colour), dash: DASHES[colour], width: 3 });
+    words(context, name, [place + 18, y], { colour: colours(colour), size: 12, weight: 600 });
   });
 }
 
 // ── the rates ───────────────────────────────────────────────────────────────────────────────
 
-const [SIZE, ROOM, MOST] = [0.75, 1.3, 5]; // lengths of a unit and of the longest part, and what the chart shows
+const [SIZE, ROOM, MOST] = [0.75, 1.1, 5]; // lengths of a unit and of the longest part, and what the chart shows
 
 /** Directions of the axes of roll, pitch and yaw, which are unit vectors. */
 export function axesOf([roll, pitch, yaw]) {
@@ -103,26 +115,28 @@ export function drawRates(context, { width, height }, state, colours, viewpoint,
   const found = locked ? [] : parts(euler[0], euler[1]);
   inPart(context, [0, 0, width, split], (size) => {
     const view = looking(viewpoint, size, 2.9);
-    const axes = axesOf(euler);
+    const [axes, taken] = [axesOf(euler), []];
     const unit = Math.min(SIZE, ...found.map((part) => ROOM / Math.abs(part)));
     const corner = (i, j, k) => view.project([i, j, k].map((on, n) => scaled(axes[n], unit * on)).reduce(sum));
     for (const [i, j] of [[0, 0], [0, 1], [1, 0], [1, 1]])
       for (const edge of [[corner(0, i, j), corner(1, i, j)], [corner(i, 0, j), corner(i, 1, j)], [corner(i, j, 0), corner(i, j, 1)]])
         line(context, edge, { colour: colours("muted"), width: 1.2 });
-    flown(context, view, matrixFromEuler(...euler), colours, 0.5);
-    axes.forEach((axis, i) => {
-      const ends = [-1.35, 1.35].map((far) => view.project(scaled(axis, far)));
-      line(context, ends, { colour: colours(AXES[i]), width: 1.5, dash: DASHES[AXES[i]] });
-      words(context, NAMES[i], ends[1], { colour: colours(AXES[i]), size: 13, align: "center", weight: 600 });
-    });
+    flown(context, view, matrixFromEuler(...euler), colours, 0.8);
+    const ends = axes.map((axis) => [-1.2, 1.2].map((far) => view.project(scaled(axis, far))));
+    ends.forEach((both, i) => line(context, both, { colour: colours(AXES[i]), width: 1.5, dash: DASHES[AXES[i]] }));
     let from = [0, 0, 0];
     found.forEach((part, i) => {
       const end = sum(from, scaled(axes[i], unit * part));
       pointer(context, view, end, { from, colour: AXES[i], colours, width: 5 });
       from = end;
     });
+    const style = { rim: colours("page"), size: 13, width: size.width, taken };
+    ends.forEach(([back, front], i) => {
+      label(context, [[NAMES[i], ...found.slice(i, i + 1).map(formatted)].join(" ")], beyond(back, front), { ...style, colour: colours(AXES[i]) });
+    });
+    if (unit === SIZE) label(context, ["box"], beyond(view.project([0, 0, 0]), corner(1, 1, 1)), { ...style, colour: colours("muted") });
     const turn = toParent(matrixFromEuler(...euler), [0, unit, 0]);
-    pointer(context, view, turn, { name: ["turn"], colour: "ink", colours, width: 3.5, room: size.width });
+    pointer(context, view, turn, { name: ["turn"], colour: "ink", colours, width: 3.5, room: size.width, taken });
   });
   overPitch(context, [44, width - 14, split + 24, height - 24], euler, found, colours);
 }
@@ -130,10 +144,11 @@ export function drawRates(context, { width, height }, state, colours, viewpoint,
 function overPitch(context, [left, right, top, bottom], [roll, pitch], found, colours) {
   const small = { colour: colours("muted"), size: 12 };
   const [x, y] = [linear(-90, 90, left, right), linear(-MOST, MOST, bottom, top)];
-  words(context, "the parts, by pitch", [8, top - 14], { ...small, weight: 600 });
+  words(context, "parts, by pitch", [8, top - 14], { ...small, weight: 600 });
+  names(context, [right - 174, top - 14], 180, AXES.map((colour, i) => ({ name: NAMES[i], colour })), colours);
   for (const tick of [-MOST, 0, MOST]) {
     line(context, [[left, y(tick)], [right, y(tick)]], { colour: colours("line"), width: 1 });
-    words(context, `${tick}`.replace("-", "−"), [left - 5, y(tick)], { ...small, align: "right" });
+    words(context, `${tick} ×`.replace("-", "−"), [left - 5, y(tick)], { ...small, align: "right" });
   }
   for (const tick of [-90, 0, 90])
     words(context, `${tick}°`.replace("-", "−"), [x(tick), bottom + 13], { ...small, align: tick < 0 ? "left" : tick > 0 ? "right" : "center" });
@@ -145,7 +160,12 @@ function overPitch(context, [left, right, top, bottom], [roll, pitch], found, co
   const steps = Array.from({ length: 179 }, (_, i) => i - 89);
   AXES.forEach((axis, i) => {
     line(context, steps.map((at) => [x(at), y(parts(roll, at * DEGREE)[i])]), { colour: colours(axis), dash: DASHES[axis], width: 2 });
-    if (found.length > 0) mark(context, "circle", [x(pitch / DEGREE), y(found[i])], { colour: colours(axis), rim: colours("page") });
   });
   context.restore();
+  // Beyond the chart a part is at its edge, as a triangle.
+  found.forEach((part, i) => {
+    const off = Math.abs(part) > MOST;
+    const at = [x(pitch / DEGREE) - (off ? 14 * (i === 0 ? 1 : 0) : 0), y(Math.min(MOST, Math.max(-MOST, part)))];
+    mark(context, off ? "triangle" : "circle", at, { colour: colours(AXES[i]), rim: colours("page") });
+  });
 }

@@ -22,16 +22,16 @@ export const arcOf = (u, v, from = 0, to = 2 * Math.PI, count = 72) =>
 
 const nearer = (point, eye) => point[0] * eye[0] + point[1] * eye[1] + point[2] * eye[2] > 0;
 
-/** A path on the sphere; what is on the far side is thin. */
+/** A path on the sphere; what is on the far side is thinner. */
 export function path(context, { eye, project }, points, { width = 2, ...style }) {
   points.slice(1).forEach((point, i) => {
-    const thin = nearer(point, eye) ? width : width / 3;
+    const thin = nearer(point, eye) ? width : width / 2;
     line(context, [project(points[i]), project(point)], { ...style, width: thin });
   });
 }
 
 /** The sphere: its level circle, the meridians through the first two axes, and names round it. */
-export function globe(context, view, colours, size, { radius = 1, names = NAMES } = {}) {
+export function globe(context, view, colours, size, { radius = 1, names = NAMES, taken } = {}) {
   const circles = [arcOf(NORTH, EAST), arcOf(NORTH, DOWN), arcOf(EAST, DOWN)];
   circles.forEach((circle, i) => {
     const points = circle.map((point) => scaled(point, radius));
@@ -39,7 +39,7 @@ export function globe(context, view, colours, size, { radius = 1, names = NAMES 
   });
   names.forEach(([name, direction]) =>
     label(context, [name], view.project(scaled(direction, 1.13 * radius)), {
-      colour: colours("muted"), rim: colours("page"), size: 12, width: size.width,
+      colour: colours("muted"), rim: colours("page"), size: 12, width: size.width, taken,
     }),
   );
 }
@@ -50,12 +50,21 @@ export function flown(context, view, matrix, colours, size = 1) {
   paint(context, placed(aircraft(fills), scaled(matrix, size)), view);
 }
 
-/** An arrow from the centre, or from another point, with a name at its end, in a picture `room` wide. */
-export function pointer(context, view, end, { name, from = [0, 0, 0], colour, colours, room, ...style }) {
-  arrow(context, view.project(from), view.project(end), { colour: colours(colour), width: 3, ...style });
+/** Where a name of so many letters stands beyond the end of an arrow, clear of its head and of the ring round what is held. */
+export function beyond([x0, y0], [x1, y1], letters = 1, held = false) {
+  const length = Math.hypot(x1 - x0, y1 - y0);
+  const [right, down] = length < 1 ? [0, -1] : [(x1 - x0) / length, (y1 - y0) / length];
+  const off = held ? 10 : 0;
+  return [x1 + (6 + off + 4 * letters) * right, y1 + (11 + off) * down];
+}
+
+/** An arrow from the centre, or from another point, with a name beyond its end, in a picture `room` wide. */
+export function pointer(context, view, end, { name, from = [0, 0, 0], colour, colours, room, taken, held, ...style }) {
+  const [start, tip] = [from, end].map(view.project);
+  arrow(context, start, tip, { colour: colours(colour), width: 3, ...style });
   if (name)
-    label(context, name, view.project(sum(end, scaled(end, 0.12 / (Math.hypot(...end) || 1)))), {
-      colour: colours(colour), rim: colours("page"), size: 13, width: room,
+    label(context, name, beyond(start, tip, name.join("").length, held), {
+      colour: colours(colour), rim: colours("page"), size: 13, width: room, taken,
     });
 }
 

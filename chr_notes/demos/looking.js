@@ -1,4 +1,5 @@
 /** Looking at a picture: whether anybody can see it, and what a hand does in it. */
+import { ringAt } from "./chart.js";
 
 const [BY_POINTER, BY_KEY] = [0.4, 5]; // degrees a pixel, and a press of an arrow key
 const [LOWEST, HIGHEST] = [-85, 15]; // degrees of elevation: the floor stays below
@@ -22,6 +23,12 @@ export const turned = ({ heading, elevation }, [right, up]) => ({
   heading: (heading - right) % 360,
   elevation: Math.min(HIGHEST, Math.max(LOWEST, elevation - up)),
 });
+
+/** A ring round each point that can be held: the one sign for it in all pictures. */
+export function handleSigns(context, handles, colours) {
+  for (const { at, reach } of handles)
+    if (!reach) for (const [name, width] of [["page", 5], ["accent", 2]]) ringAt(context, at, colours(name), { radius: 10, width });
+}
 
 /**
  * What a hand does in a picture. `handles()` are what can be held now: [{ at, reach, tall, hold }],

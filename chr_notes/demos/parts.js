@@ -79,8 +79,8 @@ export function reserved(element, texts) {
 
 /**
  * A readout of the output { name, label, unit: { short, long }, wide, grid, table, longestAt }: a
- * number and its unit, a sentence (`wide`), numbers in rows and columns (`grid`), or a table (`folded`, under these words), whose
- * text is an array of rows with the headings first; a row that begins with ▸ is lit. A text may be
+ * number and its unit, a sentence (`wide`), numbers in rows and columns (`grid`, its `rows` named),
+ * or a table (`folded`, under these words), whose text is an array of rows with the headings first; a row that begins with ▸ is lit. A text may be
  * { text, note }: the note stands beside it and says what is to be thought of the number. A sentence
  * is as long as anywhere at one of the states `longestAt`.
  */
@@ -88,7 +88,7 @@ export function readout(output, readouts) {
   return { wide: Boolean(output.wide), ...(output.table ? tableOf(output) : textOf(output, readouts)) };
 }
 
-function textOf({ name, label, unit, wide, grid, longestAt }, readouts) {
+function textOf({ name, label, unit, wide, grid, rows, longestAt }, readouts) {
   // An output is a live region by itself; the demo has one of its own that waits for a pause.
   const output = node("output", {
     name, "aria-live": "off", "aria-label": unit ? `${label}, ${unit.long}` : label,
@@ -103,7 +103,7 @@ function textOf({ name, label, unit, wide, grid, longestAt }, readouts) {
     node("span", { class: "chr-name" }, label),
     longestAt
       ? reserved(output, longestAt.map((state) => readouts(state)[name]))
-      : node("div", {}, output, units, aside),
+      : node("div", {}, ...(rows ? [node("span", { class: "chr-rows", "aria-hidden": "true" }, rows.join("\n"))] : []), output, units, aside),
   );
   return {
     element,

@@ -60,11 +60,11 @@ function turnInWords({ angle }, [a]) {
 }
 
 function productInWords({ product: stage, angle }, [scalar]) {
-  if (stage === 2) return "q v q* is a vector again: its first element is 0.";
+  if (stage === 2) return "q\u00a0v\u00a0q* is a vector again: its first element is 0.";
   if (stage === 0) return "v is a vector: its first element is 0.";
   if (Math.abs(scalar) < 5e-4) return angle % 720 === 0 ? "Nothing has moved." : "Here nothing has leaked into the first element.";
   return stage === 1
-    ? `q v is no vector: ${rounded(scalar)} has leaked into its first element.`
+    ? `q\u00a0v is no vector: ${rounded(scalar)} has leaked into its first element.`
     : `On the way, ${rounded(scalar)} has leaked into the first element.`;
 }
 
@@ -101,18 +101,19 @@ function draw(context, { width, height }, state, colours, viewpoint) {
 function scene(context, size, state, q, product, colours, viewpoint) {
   const view = looking(viewpoint, size, SHOWN);
   const axis = axisOf(state);
-  const style = { colours, room: size.width };
-  globe(context, view, colours, size);
+  const style = { colours, room: size.width, taken: [] };
+  globe(context, view, colours, size, { taken: style.taken });
   const ends = [-1.25, 1.25].map((far) => view.project(scaled(axis, far)));
   line(context, ends, { colour: colours("accent"), width: 2, dash: [7, 4] });
-  pointer(context, view, scaled(axis, 1.2), { ...style, name: ["axis"], colour: "accent" });
+  pointer(context, view, scaled(axis, 1.2), { ...style, name: ["axis"], held: true, colour: "accent" });
   flown(context, view, matrixFromQuaternion(...q), colours, 0.9);
   const count = Math.max(1, Math.ceil(Math.min(state.angle, 360) / 5));
   const nose = Array.from({ length: count + 1 }, (_, i) => {
     const matrix = matrixFromQuaternion(...partOf({ ...state, angle: Math.min(state.angle, 360) }, i / count));
     return matrix.slice(0, 3);
   });
-  path(context, view, nose, { colour: colours("x"), width: 2 });
+  path(context, view, nose, { colour: colours("x"), width: 3.5 });
+  pointer(context, view, nose.at(-1), { ...style, name: ["nose"], colour: "x", width: 1.5 });
   pointer(context, view, product.slice(1), { ...style, name: [stageOf(state.product)], colour: "alert", dash: [6, 2], width: 4 });
 }
 
@@ -138,7 +139,8 @@ function dial(context, { width, height }, { angle }, colours) {
   const foot = [at(angle / 2, 1)[0], middle[1]];
   line(context, [foot, at(angle / 2, 1)], { colour: colours("muted"), width: 1, dash: [2, 2] });
   line(context, [middle, foot], { colour: colours("ink"), width: 5 });
-  words(context, "a", [(middle[0] + foot[0]) / 2, middle[1] + 12], { colour: colours("ink"), size: 13, align: "center", weight: 600 });
+  const aside = Math.sin((angle / 2) * DEGREE) < 0 ? -12 : 12; // where half the angle is not
+  words(context, "a", [(middle[0] + foot[0]) / 2, middle[1] + aside], { colour: colours("ink"), size: 13, align: "center", weight: 600 });
 }
 
 const DEGREES = { short: "°", long: "degrees" };
@@ -149,27 +151,27 @@ const definition = {
   python: "QuaternionDemo",
   hint: "Take the axis by its point and turn it. Raise the angle to 360°. The aircraft is back: is the quaternion? Then take the products one after the other.",
   aspect: 1.08,
-  viewpoint: () => ({ heading: -35, elevation: -20 }),
+  viewpoint: () => ({ heading: 20, elevation: -25 }),
   start,
   legend: [
-    { colour: "x", text: "the angle ●, and the nose's way" },
+    { colour: "x", text: "the angle ●, and the path of the nose" },
     { colour: "ink", width: 3, text: "half the angle ■, as q holds it" },
     { colour: "alert", dash: [6, 2], width: 4, text: "the vector that is multiplied" },
   ],
   controls: [
     { name: "axis_yaw", label: "Axis, yaw", symbol: [], min: -180, max: 180, step: 1, unit: DEGREES },
     { name: "axis_pitch", label: "Axis, pitch", symbol: [], min: -90, max: 90, step: 1, unit: DEGREES },
-    { name: "angle", label: "Angle", symbol: [], axis: "x", min: 0, max: 720, step: 5, unit: DEGREES },
+    { name: "angle", label: "Angle", symbol: [], axis: "x", min: 0, max: 720, step: 5, unit: DEGREES, stops: [0, 180, 360, 540, 720].map((angle) => [angle, `${angle}°`]) },
     {
-      name: "product", label: "Product", symbol: [], min: 0, max: 2, step: 0.05,
+      name: "product", label: "Product", symbol: [], min: 0, max: 2, step: 0.05, stops: NAMES.map((name, i) => [i, name]),
       words: (product) => ({ short: stageOf(product), long: stageOf(product).replace("*", " conjugate") }),
     },
   ],
   outputs: [
     { name: "meaning", label: "What it means", wide: true, longestAt: [{ ...start, angle: 535, product: 1 }, { ...start, angle: 535, product: 1.5 }] },
     { name: "half_angle", label: "Half the angle", unit: DEGREES },
-    { name: "quaternion", label: "q", grid: true },
-    { name: "product", label: "The product", grid: true },
+    { name: "quaternion", label: "q", grid: true, rows: [..."abcd"] },
+    { name: "product", label: "The product", grid: true, rows: [..."1ijk"] },
   ],
   story: [
     { state: { ...start, angle: 0, product: 0 }, says: "An aircraft, its nose to the north, and an axis. No turn yet: the quaternion is 1." },

@@ -8,7 +8,7 @@ import { matrixFromEuler } from "../generated/javascript/attitude.mjs";
 import { rounded } from "./parts.js";
 import { phone } from "./phone.js";
 import { attitude, estimates, reading, unaccelerated } from "./tilt_estimates.js";
-import { draw, LEGEND } from "./tilt_picture.js";
+import { draw, handles, LEGEND } from "./tilt_picture.js";
 
 const RIGHT = 0.005; // degrees, less than what is shown
 const ANGLES = ["roll", "pitch"];
@@ -91,7 +91,7 @@ const definition = {
   python: "TiltDemo",
   extra: phone,
   title: "Tilt from an accelerometer",
-  hint: "Move the forward acceleration. Which of the two angles goes wrong? Then try the lateral one, and the vibration.",
+  hint: "Push the bob of the plumb line on the right, or move the forward acceleration. Which of the two angles goes wrong? Then try the lateral one, and the vibration.",
   aspect: 1.12,
   start: still,
   legend: LEGEND,
@@ -123,6 +123,7 @@ const definition = {
   summary,
   describe,
   draw,
+  handles,
 };
 
 export const mount = mountOf(definition);

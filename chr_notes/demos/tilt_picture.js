@@ -2,27 +2,32 @@
 import { accelerometerAtRest, matrixFromEuler } from "../generated/javascript/attitude.mjs";
 import { aircraft } from "./aircraft.js";
 import { arrow, beside, inPart, line, linear, mark, words } from "./chart.js";
-import { camera, label, paint, parsed, placed, scaled, sum, toParent } from "./draw.js";
+import { camera, label, paint, parsed, placed, scaled, sum, toChild, toParent } from "./draw.js";
 import { attitude, estimates, reading, readings, unaccelerated } from "./tilt_estimates.js";
 
 /* global STANDARD_GRAVITY, DASHES: build.py puts them in, m/s² and { axis: pattern } */
 
-const PER_GRAVITY = 0.6; // length of an arrow of 1 g
+const PER_GRAVITY = 0.75; // length of an arrow of 1 g
 const SIZE = 1.25; // length of the aircraft
 const PLUMB = 1.0; // length of the plumb lines
 const DISTANCE = 60; // of the viewer: so far that angles look as they are
 const WEST = -Math.PI / 2;
 
-// Where the viewer looks: north from behind, west from the right-hand side.
+// Where the viewer looks: north from behind, west from the right-hand side; the part of the aircraft
+// that is held there, and the body axis along which the plumb line is pushed.
 const VIEWS = [
-  { title: "from behind", view: matrixFromEuler(0, 0, 0) },
-  { title: "from the right", view: matrixFromEuler(0, 0, WEST) },
+  { title: "from behind", view: matrixFromEuler(0, 0, 0), held: [-0.04, 0.53, -0.01], push: [0, 1, 0] },
+  { title: "from the right", view: matrixFromEuler(0, 0, WEST), held: [0.54, 0, 0.02], push: [1, 0, 0] },
 ];
+const VIEWED = 0.66; // of the height
+const lookAt = (view, size) => camera(view, DISTANCE, size, { wide: 2.2, high: 2.85, shift: 0.12 });
+const along = (vector, length) => scaled(vector, length / Math.hypot(...vector));
+const matrixOf = (state) => matrixFromEuler(...attitude(state), 0);
 const STRIPS = [
   { title: "roll error over 1 s", axis: "x", shape: "circle" },
   { title: "pitch error over 1 s", axis: "y", shape: "square" },
 ];
-const DASH = { ...DASHES, real: [9, 5], believed: [2, 4] };
+const DASH = { ...DASHES, real: [9, 5] };
 
 /** The lines of the picture, each with what it stands for; `symbol` stands beside the arrow too. */
 export const LEGEND = [
@@ -31,11 +36,12 @@ export const LEGEND = [
   { symbol: ["a", "x"], colour: "x", width: 3, text: "forward acceleration" },
   { symbol: ["a", "y"], colour: "y", dash: DASH.y, width: 3, text: "lateral acceleration" },
   { colour: "ink", dash: DASH.real, width: 2, text: "the real vertical" },
-  { colour: "alert", dash: DASH.believed, width: 3, text: "the vertical it believes in" },
+  { colour: "alert", width: 7, text: "the vertical it believes in" },
+  { colour: "alert", dash: [3, 5], width: 4, text: "that of single readings, where it is shaken" },
 ];
 
 export function draw(context, { width, height }, state, colours) {
-  const [half, views] = [width / 2, 0.66 * height];
+  const [half, views] = [width / 2, VIEWED * height];
   const found = estimates(state);
   [0, 1].forEach((i) => {
     inPart(context, [i * half, 0, half, views], (size) =>
@@ -49,16 +55,16 @@ export function draw(context, { width, height }, state, colours) {
 }
 
 function scene(context, size, state, { title, view }, { unknown }, colours) {
-  const attitudeMatrix = matrixFromEuler(...attitude(state), 0);
-  const look = camera(view, DISTANCE, size, { wide: 2.2, high: 2.85, shift: 0.12 });
+  const attitudeMatrix = matrixOf(state);
+  const look = lookAt(view, size);
   const at = (point) => look.project(point);
   const toInertial = (vector) => toParent(attitudeMatrix, vector);
-  const along = (vector, length) => scaled(vector, length / Math.hypot(...vector));
 
   words(context, title, [size.width / 2, 14], { colour: colours("muted"), align: "center", weight: 600 });
   const centre = at([0, 0, 0]);
   const level = [[8, centre[1]], [size.width - 8, centre[1]]];
-  line(context, level, { colour: colours("line"), width: 1 });
+  line(context, level, { colour: colours("shade"), width: 1 });
+  if (view === VIEWS[0].view) words(context, "horizon", [8, centre[1] - 9], { colour: colours("muted"), size: 12 });
 
   const names = ["body", "glass", "x", "y", "z"];
   const fills = Object.fromEntries(names.map((name) => [name, parsed(colours(name))]));
@@ -70,12 +76,12 @@ function scene(context, size, state, { title, view }, { unknown }, colours) {
     readings(state).forEach((sensed) =>
       mark(context, "circle", believed(sensed), { colour: `${colours("alert")}66`, radius: 2 }),
     );
-  line(context, [centre, at([0, 0, PLUMB * 1.12])], { colour: colours("ink"), width: 2, dash: DASH.real });
   if (!unknown[1]) {
     const bob = believed(reading(state));
-    line(context, [centre, bob], { colour: colours("alert"), width: 3, dash: DASH.believed });
+    line(context, [centre, bob], { colour: colours("alert"), width: 7 });
     mark(context, "circle", bob, { colour: colours("alert"), rim: colours("page"), radius: 7 });
   }
+  line(context, [centre, at([0, 0, PLUMB * 1.2])], { colour: colours("ink"), width: 2, dash: DASH.real });
   arrows(context, state, { at, toInertial, colours, width: size.width });
 }
 
@@ -93,15 +99,18 @@ function arrows(context, state, { at, toInertial, colours, width }) {
   const total = steps.reduce(sum);
   const [centre, tip] = [at([0, 0, 0]), at(total)];
   const middle = at(scaled(total, 0.5));
+  const taken = [];
   const letter = (symbol, point, colour) =>
-    label(context, symbol, point, { colour: colours(colour), rim: colours("page"), width, size: 13 });
+    label(context, symbol, point, { colour: colours(colour), rim: colours("page"), width, size: 13, taken });
 
   const shafts = steps.map((_, i) => [0, 1].map((end) => at([[0, 0, 0], ...steps.slice(0, i + end)].reduce(sum))));
   shafts.forEach(([from, to], i) =>
     arrow(context, from, to, { colour: colours(parts[i].colour), width: 3, dash: parts[i].dash }),
   );
+  // Where both are one line, they are drawn side by side, so that both are seen.
   const still = unaccelerated(state);
-  if (!still) arrow(context, centre, tip, { colour: colours(force.colour), width: 3.5 });
+  const aside = ([x, y]) => [x - (Math.abs(tip[0] - centre[0]) < 6 ? 7 : 0), y];
+  arrow(context, aside(centre), aside(tip), { colour: colours(force.colour), width: 3.5 });
   shafts.forEach(([from, to], i) => {
     if (Math.hypot(to[0] - from[0], to[1] - from[1]) > LEGIBLE)
       letter(parts[i].symbol, beside(from, to, middle, 13), parts[i].colour);
@@ -111,15 +120,48 @@ function arrows(context, state, { at, toInertial, colours, width }) {
   letter(still ? ["f = −g"] : force.symbol, beyond, force.colour);
 }
 
+/** The bob of each plumb line, which the acceleration pushes aside, a wing tip and the nose. */
+export function handles(state, { width, height }) {
+  const size = { width: width / 2, height: VIEWED * height };
+  const matrix = matrixOf(state);
+  const unknown = estimates(state).unknown[1];
+  return VIEWS.flatMap(({ view, held, push }, i) => {
+    const at = (point) => sum(lookAt(view, size).project(point), [i * size.width, 0]);
+    const centre = at([0, 0, 0]);
+    const hold = (part) => () => ([x, y]) => part(x - centre[0], y - centre[1]);
+    const bob = { at: at(along(toParent(matrix, reading(state)), -PLUMB)), hold: hold((...to) => pushedTo(state, matrix, view, push, to)) };
+    const part = { at: at(toParent(matrix, scaled(held, SIZE))), hold: hold((...to) => [rolledTo, pitchedTo][i](state, to)) };
+    return unknown ? [part] : [bob, part];
+  });
+}
+
+/** The acceleration along `push` that swings the plumb line to a place right of and below its upper end. */
+function pushedTo(state, matrix, view, push, [right, down]) {
+  const seen = (acceleration) => toChild(view, toParent(matrix, acceleration)).slice(1);
+  const [u, v] = seen(push);
+  const [name, other] = push[0] ? ["forward_acceleration", [0, state.lateral_acceleration, 0]] : ["lateral_acceleration", [state.forward_acceleration, 0, 0]];
+  const [x, y] = seen(other);
+  const value = ((STANDARD_GRAVITY - y) * right + x * down) / (v * right - u * down);
+  const towards = (-x - value * u) * right + (STANDARD_GRAVITY - y - value * v) * down;
+  return towards > 0 ? { [name]: Math.min(10, Math.max(-10, Math.round(10 * value) / 10)) + 0 } : {};
+}
+
+const whole = (radians) => Math.round((radians * 180) / Math.PI) + 0;
+const rolledTo = (state, [right, down]) => {
+  const short = Math.cos(attitude(state)[1]); // from behind, the wings of a raised nose look flatter
+  return short > 0.05 ? { roll: whole(Math.atan2(down / short, right)) } : {};
+};
+const pitchedTo = (_, [right, down]) => ({ pitch: whole(Math.atan2(-down, Math.max(0, right))) });
+
 const LIMITS = [2, 5, 10, 20, 45, 90, 180]; // degrees
 
 /** The errors of the readings of a second, and their average. */
 function strip(context, { width, height }, { error, scatter, single, unknown }, which, colours) {
   const { title, axis, shape } = STRIPS[which];
   const values = single.map((each) => each[which]);
-  const largest = Math.max(Math.abs(error[which]), ...values.map(Math.abs));
+  const largest = Math.max(...[error, ...single].flat().map(Math.abs)); // of both: one scale
   const limit = LIMITS.find((each) => each >= largest * 1.05) ?? 180;
-  const [left, right, top, bottom] = [46, width - 12, 26, height - 22];
+  const [left, right, top, bottom] = [52, width - 12, 26, height - 22];
   const [x, y] = [linear(0, 1, left, right), linear(-limit, limit, bottom, top)];
   const small = { colour: colours("muted"), size: 12 };
 
@@ -128,7 +170,7 @@ function strip(context, { width, height }, { error, scatter, single, unknown }, 
     line(context, [[left, y(tick)], [right, y(tick)]], { colour: colours("line"), width: 1 });
     words(context, `${tick}°`.replace("-", "−"), [left - 5, y(tick)], { ...small, align: "right" });
   }
-  line(context, [[left, y(0)], [right, y(0)]], { colour: colours("ink"), width: 1.5, dash: DASH.real });
+  const zero = () => line(context, [[left, y(0)], [right, y(0)]], { colour: colours("ink"), width: 1.5, dash: DASH.real });
   if (scatter[which] > 0) values.forEach((value, i) =>
     mark(context, shape, [x((i + 0.5) / values.length), y(value)], { colour: `${colours(axis)}80`, radius: 2 }),
   );
@@ -137,10 +179,12 @@ function strip(context, { width, height }, { error, scatter, single, unknown }, 
   if (unknown[which]) {
     const style = { colour: colours("alert"), rim: colours("page"), width, size: 13 };
     label(context, ["undefined"], [(left + right) / 2, y(limit / 2)], style);
+    zero();
     return;
   }
   const average = [[left, y(error[which])], [right, y(error[which])]];
-  line(context, average, { colour: colours("page"), width: 6 });
-  line(context, average, { colour: colours("alert"), width: 3, dash: DASH.believed });
+  line(context, average, { colour: colours("page"), width: 8 });
+  line(context, average, { colour: colours("alert"), width: 5 });
+  zero();
   mark(context, "circle", average[1], { colour: colours("alert"), rim: colours("page"), radius: 5 });
 }

@@ -44,3 +44,16 @@ export function choice({ name, label, choices }, touched) {
     show: (state) => (select.value = state[name]),
   };
 }
+
+/** Buttons to the values of a slider that matter; a key has the slider itself. */
+export function stops({ name, stops: places }, go) {
+  const buttons = places.map(([value, text]) => {
+    const button = node("button", { type: "button", tabindex: -1 }, text);
+    button.addEventListener("click", () => go({ [name]: value }));
+    return button;
+  });
+  return {
+    element: node("span", { class: "chr-stops" }, ...buttons),
+    show: (state) => buttons.forEach((button, i) => button.setAttribute("aria-pressed", state[name] === places[i][0])),
+  };
+}

@@ -32,6 +32,7 @@ DEMOS = tuple(demo for demo in ALL if demo not in (ConverterDemo, DetectiveDemo)
 # Of whose picture something is held, and the parts of the state that it moves, by keys as well.
 HELD_BY_KEYS: dict[type[Demo], set[str]] = {
     FramesDemo: {"wind"},
+    GimbalLockDemo: {"yaw"},
     MagnetometerDemo: {"turned"},
     QuaternionDemo: {"axis_yaw", "axis_pitch"},
     ValidationDemo: {"axis_yaw", "axis_pitch"},

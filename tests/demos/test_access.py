@@ -124,6 +124,8 @@ def keys_move_what_can_be_held(page: Page, demo: type[Demo]) -> None:
     assert ("With Shift" in str(canvas.get_attribute("aria-description"))) == bool(names)
     if names is None:
         return
+    for name in reversed(demo.controls):  # one that brings another value with it comes before that
+        slider(page, name).evaluate(SET, demo().state()[name])
     canvas.focus()
     page.keyboard.press("ArrowLeft")
     assert changed(page, demo()) == set(), "the camera is no part of the state"

@@ -12,7 +12,7 @@ import chr_notes
 from chr_notes.demos import GimbalLockDemo
 from chr_notes.demos.base import SOURCES, formatted, rounded
 
-from .parts import SET_AND_READ, PageOf, Visit, drawn, output, picture, slider
+from .parts import SET_AND_READ, PageOf, Visit, drawn, output, picture, slider, state_of
 
 # ── in Python ──────────────────────────────────────────────────────────────────────────────────
 
@@ -82,11 +82,12 @@ def test_flight_and_rates_are_the_numbers_of_python(visit: Visit, page_of: PageO
     low, high = [1, -180, -89, -180, 1], [2, 180, 89, 180, 360]
     rows = random.integers(low, high, size=(40, 5), endpoint=True).tolist()
     rows += [[1, 20, 0, 0, 90], [2, 20, 0, 0, 90], [2, 0, 60, 55, 0], [1, 0, 0, 0, 360]]
-    states = [dict(zip(GimbalLockDemo.controls, row, strict=True)) for row in rows]
+    # To fly is to look at the flight, so the view comes last; the others show it before.
+    states = [dict(reversed(list(zip(GimbalLockDemo.controls, row, strict=True)))) for row in rows]
     for state, (now, texts) in zip(states, page.evaluate(SET_AND_READ, states), strict=True):
         assert now == state
         start = np.radians([state["roll"], state["pitch"], state["yaw"]])
-        flown = np.radians(state["flown"])
+        flown = np.radians(state["flown"]) if state["view"] == 1 else 0.0
         turn = [np.cos(flown / 2), 0, np.sin(flown / 2), 0]  # over half a turn its sign stays
         q = chr_notes.quaternion_multiply(chr_notes.quaternion_from_euler(start), turn)
         assert entries(texts["quaternion"]) == pytest.approx(q, abs=5.1e-4)
@@ -192,3 +193,20 @@ def test_the_angle_between_yaw_and_roll_is_seen_as_it_is_where_the_book_opens() 
     for state in states:
         true, seen = on_screen(state)
         assert seen == pytest.approx(true, abs=8), state
+
+
+def test_to_fly_is_to_look_at_the_flight(visit: Visit, page_of: PageOf) -> None:
+    page = visit(page_of(GimbalLockDemo(pitch=60)))
+    slider(page, "flown").fill("40")
+    assert state_of(page)["view"] == 1
+    slider(page, "view").select_option("the rings")
+    # What the sliders of the angles say is what the rings show.
+    expect(output(page, "rings")).to_contain_text("30° from the line of the yaw axis")
+    assert "pitch 60°" in GimbalLockDemo(pitch=60, flown=40).fallback()
+
+
+def test_axes_say_how_long_the_parts_along_them_are(visit: Visit, page_of: PageOf) -> None:
+    page = visit(page_of(GimbalLockDemo(view=2, pitch=88, roll=55)))
+    texts = {text for text, _ in drawn(page)}
+    assert {"roll 23.46", "pitch 0.5736", "yaw 23.47"} <= texts
+    assert "box" not in texts, "it is a point there"

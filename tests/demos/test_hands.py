@@ -12,6 +12,7 @@ from chr_notes.demos import (
     FilterDemo,
     MagnetometerDemo,
     QuaternionDemo,
+    TiltDemo,
     ValidationDemo,
 )
 from chr_notes.demos.base import rounded
@@ -39,7 +40,7 @@ def axis_on_screen(state: dict[str, float], canvas: Locator) -> Place:
     """Where the axis of the quaternion demo ends, as parts of the width and of the height."""
     box = canvas.bounding_box()
     assert box is not None
-    camera = chr_notes.matrix_from_euler(np.radians([0, -20, -35]))
+    camera = chr_notes.matrix_from_euler(np.radians([0, -25, 20]))
     angles = np.radians([0, state["axis_pitch"], state["axis_yaw"]])
     depth, right, down = camera @ (1.2 * chr_notes.matrix_from_euler(angles)[0])
     high = 0.64 * box["height"]
@@ -199,3 +200,33 @@ def test_attitudes_that_are_none_are_refused(visit: Visit, page_of: PageOf) -> N
     for wrong in ("gIC", "gIC!", "gICA" * 201):
         with pytest.raises(Exception, match="turned: attitudes of four letters"):
             MagnetometerDemo(turned=wrong)
+
+
+def test_a_plumb_line_is_pushed_and_an_aircraft_tilted(visit: Visit, page_of: PageOf) -> None:
+    demo = TiltDemo(roll=20, pitch=10)
+    page = visit(page_of(demo))
+    canvas = page.locator("canvas")
+    box = canvas.bounding_box()
+    assert box is not None
+    size, high = box["width"] / 2, 0.66 * box["height"]
+    scale = min(size / 2.2, high / 2.85)
+
+    def place(view: int, right: float, down: float) -> Place:
+        """From the centre of a view, in units of the picture, as parts of the canvas."""
+        x, y = size * (view + 0.5) + scale * right, high / 2 + scale * (down + 0.12)
+        return x / box["width"], y / box["height"]
+
+    # From the right, the bob goes where the pointer is: the reading is held up along the line.
+    drag(canvas, place(1, 0, 1), place(1, -0.4, 0.8))
+    state = state_of(page)
+    assert changed(page, demo) == {"forward_acceleration"}
+    force = chr_notes.accelerometer_at_rest(np.radians([20, 10, 0]))
+    force += np.array([state["forward_acceleration"], 0, 0])
+    north, _, down = chr_notes.matrix_from_euler(np.radians([20, 10, 0])).T @ force
+    assert north / down == pytest.approx(-0.4 / 0.8, abs=0.02)
+    # From behind, the wings.
+    wing = 1.25 * chr_notes.matrix_from_euler(np.radians([20, 10, 0])).T @ [-0.04, 0.53, -0.01]
+    angle = np.radians(-50)
+    to = 0.6 * np.array([np.cos(angle), np.sin(angle) * np.cos(np.radians(10))])
+    drag(canvas, place(0, wing[1], wing[2]), place(0, *to))
+    assert state_of(page)["roll"] == pytest.approx(-50, abs=2)

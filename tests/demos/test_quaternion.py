@@ -1,12 +1,15 @@
 """The quaternion demo: its readouts are Python's numbers, over two whole turns."""
 
+import re
+
 import numpy as np
 from playwright.sync_api import expect
 
 import chr_notes
 from chr_notes.demos import QuaternionDemo
+from chr_notes.demos.base import SOURCES
 
-from .parts import PageOf, Visit, check_readouts, output, random_states
+from .parts import PageOf, Visit, check_readouts, output, random_states, state_of
 
 STEPS = {"axis_yaw": 1, "axis_pitch": 1, "angle": 5, "product": 0.05}
 
@@ -64,3 +67,26 @@ def test_text_has_the_state_and_the_numbers() -> None:
     text = QuaternionDemo(axis_yaw=0, axis_pitch=-90, angle=90, product=1).fallback()
     assert "yaw 0° and pitch −90°. Half the angle is 45°, the quaternion 0.707, 0.000" in text
     assert "After 1 of 2 products the vector is 0.000, 0.707, 0.707, 0.000." in text
+
+
+def test_the_vector_of_the_first_product_is_seen_apart_from_the_nose() -> None:
+    """By more than 25 degrees on the screen, in the state that the chapter opens with."""
+    source = (SOURCES / "quaternion.js").read_text(encoding="utf-8")
+    found = re.findall(r"heading: (\S+), elevation: (\S+) \}", source)[0]
+    heading, elevation = map(float, found)
+    camera = chr_notes.matrix_from_euler(np.radians([0, elevation, heading]))
+    readouts = QuaternionDemo().readouts()
+    nose = chr_notes.rotate_to_inertial(readouts["quaternion"], [1, 0, 0])
+    seen = [(camera @ np.array(axis))[1:] for axis in (nose, readouts["product"][1:])]
+    cosine = seen[0] @ seen[1] / np.prod(np.linalg.norm(seen, axis=1))
+    assert np.degrees(np.arccos(cosine)) > 25
+
+
+def test_a_button_goes_to_a_stop(visit: Visit, page_of: PageOf) -> None:
+    page = visit(page_of(QuaternionDemo()), reduced_motion="reduce")
+    for name in ("360°", "q v q*"):
+        button = page.get_by_role("button", name=name, exact=True)
+        assert button.get_attribute("aria-pressed") == "false"
+        button.click()
+        assert button.get_attribute("aria-pressed") == "true"
+    assert state_of(page) == QuaternionDemo(angle=360, product=2).state()
