@@ -153,7 +153,7 @@ def fit_ellipsoid(samples: ArrayLike) -> Ellipsoid:
             )
             raise ValueError(msg)
         msg = (
-            "samples cover too little of the sphere: no ellipsoid comes out of them; "
+            "samples cover too little of the sphere to tell one ellipsoid from many; "
             f"{_what_is_missing(scaled, centre, np.eye(3))}"
         )
         raise ValueError(msg)

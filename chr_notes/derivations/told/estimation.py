@@ -115,14 +115,21 @@ VARIANCES = Told(
 BEST_GAIN = Told(
     (
         Step(
-            "Where the settled variance is least, its slope by L is zero. The quotient's rule "
-            "leaves a line that one can read: what the accelerometer brings with L is what the "
-            "gyro brings with 1 − L.",
+            "Where the settled variance is least, its slope by L is zero. By the quotient's rule, "
+            "and halved:",
+            equation(
+                (BEST * accel_noise**2 - (1 - BEST) * T**2 * gyro_noise**2) * BEST * (2 - BEST),
+                (1 - BEST) * ((1 - BEST) ** 2 * T**2 * gyro_noise**2 + BEST**2 * accel_noise**2),
+            ),
+        ),
+        Step(
+            "Sort by the two noises. L(2 − L) and (1 − L)² are one together, and that is all that "
+            "is left.",
             equation(BEST**2 * accel_noise**2, (1 - BEST) * T**2 * gyro_noise**2),
         ),
         Step(
-            "Only the quotient of the two noises counts. Where L is small against one, it is L "
-            "itself:",
+            "Only the quotient of the two noises counts. Where L is small against one, the left "
+            "side is L itself:",
             equation(BEST / sqrt(1 - BEST), T * gyro_noise / accel_noise),
         ),
     ),
@@ -140,8 +147,12 @@ KALMAN = Told(
             equation(K, P_PLUS / (P_PLUS + accel_noise**2)),
         ),
         Step(
-            "The update keeps 1 − K of the variance, and the next gyro step adds its own. Settled, "
-            "the two cancel.",
+            "The update keeps (1 − K)² of it and takes in K² of the accelerometer's, as above. "
+            "With this very K that is 1 − K of it.",
+            equation((1 - K) ** 2 * P_PLUS + K**2 * accel_noise**2, (1 - K) * P_PLUS),
+        ),
+        Step(
+            "The next gyro step adds its own. Settled, that brings back what there was.",
             equation((1 - K) * P_PLUS + T**2 * gyro_noise**2, P_PLUS),
         ),
         Step(
