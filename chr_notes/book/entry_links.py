@@ -12,7 +12,7 @@ _ID: Final = rf"((?:{'|'.join(DOCUMENTS)})\.[\w.]+)"
 _CARD: Final = re.compile(rf'(<div class="entry-head"><p>\s*)<span class="entry-id">{_ID}</span>')
 _LINE: Final = re.compile(
     rf'(<details class="entry chip" id="entry-{_ID}"(?: open)?>'
-    r'(?:(?!</details>).)*?<p class="entry-term">)'
+    r'(?:(?!</details>|"entry-term").)*<p class="entry-term">)'
     r"([^<]*)(</p>)",
     re.DOTALL,
 )
