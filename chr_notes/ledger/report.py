@@ -64,6 +64,8 @@ def refresh(document: str | None = None) -> int:
     topics = [t for t in stored.DOCUMENTS if document in (None, t) and stored.is_stale(t)]
     # Taken before: what is changed while it judges is judged again.
     sources = {topic: stored.stamp(topic) for topic in topics}
+    if not topics:
+        sys.stdout.write("nothing is out of date\n")
     failed = False
     for topic, (entries, errors) in zip(topics, _judged(topics), strict=True):
         failed = failed or bool(errors)
@@ -83,6 +85,7 @@ def check(document: str | None = None) -> int:
         Exit code: 1 if anything differs, else 0.
     """
     topics = [topic for topic in stored.DOCUMENTS if document in (None, topic)]
+    count = 0
     differing: list[str] = []
     for topic, (entries, errors) in zip(topics, _judged(topics), strict=True):
         if stored.is_stale(topic):
@@ -91,10 +94,13 @@ def check(document: str | None = None) -> int:
         before = {entry.id: entry for entry in stored.read(topic)}
         now = {entry.id: entry for entry in entries}
         changed = sorted(n for n in before.keys() | now.keys() if before.get(n) != now.get(n))
+        count += len(entries)
         differing += errors or [f"{name}: judged otherwise than stored" for name in changed]
         if differing and stored.judged_with(topic) != metadata.version("sympy"):
             differing.append(f"{topic}: stored with SymPy {stored.judged_with(topic)}")
     sys.stderr.writelines(f"{line}\n" for line in differing)
+    if not differing:
+        sys.stdout.write(f"{count} entries judged again: each as stored\n")
     return int(bool(differing))
 
 

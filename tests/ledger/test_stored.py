@@ -106,6 +106,12 @@ def test_check_names_what_differs(
     assert capsys.readouterr().err == f"{other.id}: judged otherwise than stored\n"
     monkeypatch.setattr(report, "judged", lambda _: (list(entries), []))
     assert report.check("sensors") == 0
+    assert capsys.readouterr().out == f"{len(entries)} entries judged again: each as stored\n"
+
+
+def test_who_stores_what_is_stored_already_is_told(capsys: pytest.CaptureFixture[str]) -> None:
+    assert report.refresh("sensors") == 0
+    assert capsys.readouterr().out == "nothing is out of date\n"
 
 
 def test_the_stored_ledger_is_printed_without_sympy() -> None:
