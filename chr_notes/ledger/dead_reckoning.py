@@ -115,8 +115,8 @@ SETTLED = (
             ),
         ),
         remark="An integral without limits has its constant: here the velocity at the start. An "
-        "accelerometer cannot know it; at a steady 10 m/s it reads what it reads at rest. A sum "
-        "that starts from zero there stays as far off.",
+        "accelerometer cannot know it; straight on at a steady 10 m/s it reads what it reads at "
+        "rest. A sum that starts from zero there stays as far off.",
     ),
     Case(
         "dead_reckoning.3.2",
@@ -178,7 +178,7 @@ SETTLED = (
             ),
         ),
         remark="The remainder, ½ a T times the time, shrinks with the period T; adding ½ T² a[k] "
-        "to the step removes it.",
+        "to the step removes it as long as the acceleration is constant.",
     ),
     Case(
         "dead_reckoning.4.f",

@@ -176,8 +176,8 @@ SETTLED = (
         root="kilometre",
         weight="misleads",
         steps=GROWTH,
-        remark="It is 308 m. Even the note's own table has 612 m, which is hardly almost a "
-        "kilometre.",
+        remark="It is 308 m, less than a third of a kilometre. The note's own table has 612 m, "
+        "which is a kilometre only by such rounding.",
     ),
     _without_half(
         "d",

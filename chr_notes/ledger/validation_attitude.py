@@ -62,7 +62,8 @@ NO_INFORMATION = Step(
 )
 TANGENT_REMARK = (
     "Numerator and denominator are both zero at every attitude, so the line says 0 · tan ψ = 0 "
-    "and nothing about yaw. Dividing by the zero makes a formula without a value."
+    "and nothing about yaw. Dividing by the zero makes a formula without a value. The tangent at "
+    "the witness is that of its true yaw, which gravity does not tell."
 )
 ROTATED_GRAVITY = MatMul(printed.R_IB, printed.G_I)
 
@@ -158,7 +159,8 @@ SETTLED = (
                 Eq(printed.ROLL_ACCEL, atan2(printed.G_YB, printed.G_ZB)),
             ),
         ),
-        remark="Beyond 90° of roll the quotient is the same as 180° away. With an accelerometer's "
+        remark="Beyond 90° of roll the quotient is the same as 180° away. With the nose straight "
+        "up or down both components are zero, and roll is not defined. With an accelerometer's "
         "readings, minus gravity, the quotient stays what it is, but both arguments of the "
         "two-argument arctangent need a minus. " + ACCELEROMETER,
     ),

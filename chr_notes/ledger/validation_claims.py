@@ -79,8 +79,8 @@ SETTLED = (
             ),
         ),
         remark="As formulas, of any three components, equations 6 and 7 are minus inverse to each "
-        "other. Of "
-        "gravity's they do not contradict each other: both read 0/0, and from a division "
+        "other; only so does the premise hold, and the conclusion follows from gravity, not from "
+        "it. Of gravity's they do not contradict each other: both read 0/0, and from a division "
         "by zero anything seems to follow. Multiplied out they hold for every yaw. That yaw cannot "
         "be told, the paper's conclusion, is right: see validation.k.",
     ),

@@ -31,9 +31,9 @@ PRESUMED = (
         "when roll and pitch are exact",
         "validation.d",
     ),
-    Presumed(
-        ranges.up_to_right_angle(theta), "Pitch", "validation.4", ("validation.3", "validation.4")
-    ),
+    Presumed(ranges.up_to_right_angle(theta), "Pitch", "validation.4"),
+    # The quotient has no value where both components are zero.
+    Presumed(ranges.acute(theta), "Roll from the accelerometer", "validation.3"),
     # The paper takes the arctangent of a quotient for it.
     Presumed(
         ranges.acute(printed.ROLL_ACCEL),
