@@ -24,7 +24,7 @@ def test_a_chapter_answers_without_a_kernel(visit: Visit, book: Path) -> None:
     exercise.get_by_text("Worked solution").click()
     expect(exercise.locator("pre")).to_contain_text("chr_notes.matrix_from_euler(NOSE)[0]")
 
-    hidden = page.get_by_text("gyros p, q, r read")
+    hidden = page.get_by_text("gyros p, q, r read 0.000 8.660 5.000")
     expect(hidden).to_be_hidden()
     guess = page.locator(".chr-guess", has_text="Which gyros read something?")
     guess.get_by_text("r alone").click()
