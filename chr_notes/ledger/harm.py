@@ -22,8 +22,8 @@ HARM: Final[Mapping[str, str]] = MappingProxyType(
         "accelerometer-for-magnetometer": "Typed in as printed, the compass follows gravity: its "
         "heading goes with the tilt and not with the field.",
         "rates-by-projection": "The steeper the nose, the slower a filter built by these words "
-        "lets yaw go on, while its true rate grows without bound. In level flight nobody "
-        "notices.",
+        "lets yaw go on, while its true rate grows without bound. With nose and wings "
+        "level nobody notices.",
         "missing-half": "A budget of errors made from the table doubles each distance. One buys a "
         "sensor twice as good as is needed, or looks for a fault in a drift that is as it "
         "should be.",

@@ -33,6 +33,7 @@ DRIFT = Told(
     ),
     MappingProxyType(dict(zip((ACCELERATION, VELOCITY, POSITION), derived.drift(), strict=True))),
 )
+"""From an angle to metres."""
 
 LOST_HALF = Told(
     (
@@ -54,6 +55,7 @@ LOST_HALF = Told(
         }
     ),
 )
+"""How the half gets lost."""
 
 GYRO = Told(
     (
@@ -84,4 +86,4 @@ GYRO = Told(
         }
     ),
 )
-"""From an angle to metres."""
+"""From a bias of a gyro to metres."""

@@ -57,8 +57,8 @@ HALF_ANGLE = Told(
             equation(BOTH, s**2 * V + MatMul(s * t, NV - VN) - t**2 * NVN),
         ),
         Step(
-            "By the first two steps the bracket is twice the vector product. In the last term n × "
-            "(n × v) comes up, which is (n·v) n − v. There is no scalar left.",
+            "By the first two steps the bracket is twice the vector product. In n v n the "
+            "product n × (n × v) comes up, which is (n·v) n − v. There is no scalar left.",
             equation(NVN, V - 2 * ALONG),
         ),
         Step(
