@@ -52,7 +52,9 @@ def test_every_signed_permutation_is_found_with_its_unit(
     assert found.known
     assert_array_equal(found.permutation, _SIGNED[which])
     assert_allclose(found.factor * unit, 1, atol=0.03)
-    assert_allclose(found.matrix * unit, _SIGNED[which], atol=0.05)
+    # The less there is of turns about some line, the less is known of what the gyro reads along it.
+    weakest = np.linalg.svd(rates / np.sqrt(len(rates)), compute_uv=False)[-1]
+    assert_allclose(found.matrix * unit, _SIGNED[which], atol=0.02 / weakest)
     assert found.explained > 0.9
 
 
