@@ -10,6 +10,7 @@ const WIDTH = 420;
 const PER_LETTER = 0.56; // of the size: about as wide as a letter is
 
 const FINE = 2; // units of the picture to a pixel, all of them whole
+const SPECK = 4; // twice the area, in square units, up to which the edges of neighbours cover a facet
 
 const whole = (value) => Math.round(FINE * value);
 const escaped = (text) => text.replace(/&/g, "&amp;").replace(/</g, "&lt;").replace(/"/g, "&quot;");
@@ -20,6 +21,39 @@ const area = (points) =>
     const [u, v] = points[(i + 1) % points.length];
     return total + x * v - u * y;
   }, 0);
+
+/** Points without those that are where the one before them is. */
+const apart = (points, closed) =>
+  points.filter(([x, y], i) => {
+    const [u, v] = i > 0 ? points[i - 1] : closed ? points.at(-1) : [];
+    return x !== u || y !== v;
+  });
+
+/** Points of an area without those on the straight line between their neighbours. */
+const corners = (points) =>
+  Object.assign(points.filter(([x, y], i) => {
+    const [[u, v], [p, q]] = [points.at(i - 1), points[(i + 1) % points.length]];
+    return (x - u) * (q - y) !== (y - v) * (p - x);
+  }), { closed: true });
+
+/** Whole numbers in as few letters as can be. */
+const listed = (numbers) => numbers.join(" ").replace(/ -/g, "-");
+
+/** Shapes as the data of a path: each begins as seen from where the last one left the pen. */
+function written(shapes) {
+  let pen;
+  return shapes.map((points) => {
+    if (points.circle) {
+      const [[x, y], r] = points.circle;
+      pen = undefined;
+      return `M${listed([x - r, y].map(whole))}a${listed([r, r].map(whole))} 0 1 1 0 .1z`;
+    }
+    const steps = points.slice(1).flatMap(([x, y], i) => [x - points[i][0], y - points[i][1]]);
+    const start = pen ? `m${listed([points[0][0] - pen[0], points[0][1] - pen[1], ...steps])}` : `M${listed(points[0])}l${listed(steps)}`;
+    pen = points.closed ? points[0] : points.at(-1);
+    return `${start}${points.closed ? "z" : ""}`;
+  }).join("");
+}
 
 /** What of a canvas context the demos use. `twins` are the colours that another drawing was given, in order. */
 class Recorder {
@@ -86,53 +120,43 @@ class Recorder {
   }
   clip() {
     const name = `c${(this.clips += 1)}`;
-    this.defs.push(`<clipPath id="${name}"><path d="${this.data()}"/></clipPath>`);
+    this.defs.push(`<clipPath id="${name}"><path d="${written(this.shapes())}"/></clipPath>`);
     this.clipped = ` clip-path="url(#${name})"`;
   }
   setLineDash(dash) {
     this.dash = dash;
   }
-  /** The path in as few letters as can be; all areas run the same way, so that none cuts another. */
-  data() {
+  /** The path in whole units; all areas run the same way, so that none cuts another. */
+  shapes() {
     return this.paths.map((points) => {
-      if (points.circle) {
-        const [[x, y], r] = points.circle;
-        return `M${whole(x - r)} ${whole(y)}a${whole(r)} ${whole(r)} 0 1 1 0 .1z`;
-      }
+      if (points.circle) return points;
       const ordered = points.closed && area(points) < 0 ? [...points].reverse() : points;
-      const [[x, y], ...others] = ordered.map((point) => point.map(whole));
-      let last = [x, y];
-      const steps = others.map((point) => {
-        const step = [point[0] - last[0], point[1] - last[1]];
-        last = point;
-        return step;
-      }).filter(([right, down]) => right !== 0 || down !== 0);
-      if (steps.length === 0) return "";
-      return `M${x} ${y}l${steps.map((step) => step.join(" ")).join(" ")}${points.closed ? "z" : ""}`;
-    }).join("").replace(/ -/g, "-");
+      const kept = apart(ordered.map((point) => point.map(whole)), points.closed);
+      return Object.assign(kept, { closed: points.closed });
+    }).filter((points) => points.circle || points.length > 1);
   }
   fill() {
-    const data = this.data();
-    if (data !== "") this.parts.push({ data, clipped: this.clipped, filled: this.fillStyle });
+    const shapes = this.shapes();
+    if (shapes.length > 0) this.parts.push({ shapes, clipped: this.clipped, filled: this.fillStyle });
   }
   stroke() {
-    const [last, data] = [this.parts.at(-1), this.data()];
-    if (data === "") return;
-    if (last?.filled === this.strokeStyle && last.data === data) this.facet(last);
+    const [last, shapes] = [this.parts.at(-1), this.shapes()];
+    if (shapes.length === 0) return;
+    if (last?.filled === this.strokeStyle && written(last.shapes) === written(shapes)) this.facet(last);
     else {
       const dash = this.dash.length > 0 ? ` stroke-dasharray="${this.dash.map(whole).join(" ")}"` : "";
       const line = `fill="none" ${this.paint("stroke", this.strokeStyle)} stroke-width="${whole(this.lineWidth)}"${dash}`;
-      if (last?.line === line && last.clipped === this.clipped && dash === "") last.data += data;
-      else this.parts.push({ data, clipped: this.clipped, line });
+      if (last?.line === line && last.clipped === this.clipped && dash === "") last.shapes.push(...shapes);
+      else this.parts.push({ shapes, clipped: this.clipped, line });
     }
   }
-  /** Make a facet of the area just filled, whose edge has its colour, and one with that before it. */
+  /** Make facets of the areas just filled, whose edge has their colour, and one with those before them. */
   facet(last) {
     last.facet = coarse(last.filled);
+    last.shapes = last.shapes.map(corners).filter((points) => Math.abs(area(points)) > SPECK);
     const before = this.parts.at(-2);
-    if (before?.facet !== last.facet) return;
-    before.data += last.data;
-    this.parts.pop();
+    if (before?.facet === last.facet) before.shapes.push(...last.shapes);
+    if (before?.facet === last.facet || last.shapes.length === 0) this.parts.pop();
   }
   fillRect(...box) {
     this.beginPath();
@@ -158,8 +182,8 @@ class Recorder {
   svg(pixels, title, page) {
     const drawn = this.parts.map((part, i) => {
       if (part.text) return part.text;
-      if (!part.facet) return `<path ${part.line ?? this.paint("fill", part.filled)}${part.clipped} d="${part.data}"/>`;
-      const path = `<path ${this.paint("color", part.facet)} d="${part.data}"/>`;
+      if (!part.facet) return `<path ${part.line ?? this.paint("fill", part.filled)}${part.clipped} d="${written(part.shapes)}"/>`;
+      const path = `<path ${this.paint("color", part.facet)} d="${written(part.shapes)}"/>`;
       const [opens, closes] = [!this.parts[i - 1]?.facet, !this.parts[i + 1]?.facet];
       return `${opens ? `<g fill="currentColor" stroke="currentColor"${part.clipped}>` : ""}${path}${closes ? "</g>" : ""}`;
     });
