@@ -12,6 +12,8 @@ const PER_LETTER = 0.56; // of the size: about as wide as a letter is
 const FINE = 2; // units of the picture to a pixel, all of them whole
 const SPECK = 4; // twice the area, in square units, up to which the edges of neighbours cover a facet
 
+const NAMES = new Map(); // of the rules for dark pages, the same in all pictures, which are packed together
+
 const whole = (value) => Math.round(FINE * value);
 const escaped = (text) => text.replace(/&/g, "&amp;").replace(/</g, "&lt;").replace(/"/g, "&quot;");
 
@@ -36,6 +38,39 @@ const corners = (points) =>
     return (x - u) * (q - y) !== (y - v) * (p - x);
   }), { closed: true });
 
+/** Whether a place is inside an area: a line from it to the right crosses the outline once, or thrice. */
+const inside = ([x, y], points) =>
+  points.reduce((odd, [u, v], i) => {
+    const [p, q] = points.at(i - 1);
+    return v > y !== q > y && x < u + ((y - v) * (p - u)) / (q - v) ? !odd : odd;
+  }, false);
+
+/** Places that show whether an area is hidden: a little inside of its corners and of its edges' middles. */
+function places(points) {
+  const between = ([x, y], [u, v], part) => [x + part * (u - x), y + part * (v - y)];
+  const middle = points.reduce((sum, [x, y]) => [sum[0] + x / points.length, sum[1] + y / points.length], [0, 0]);
+  const outline = points.flatMap((point, i) => [point, between(point, points.at(i - 1), 0.5)]);
+  return outline.map((point) => between(point, middle, 0.1));
+}
+
+/** Parts without the facets that later ones hide. */
+function seen(parts) {
+  const above = {}; // facets by what they are clipped to
+  const shown = (part) => {
+    const others = (above[part.clipped] ??= []);
+    const hidden = (points) => places(points).every((place) => others.some((other) => inside(place, other)));
+    return part.shapes.reduceRight((kept, points) => {
+      if (hidden(points)) return kept;
+      others.push(points);
+      return [points, ...kept];
+    }, []);
+  };
+  return parts.reduceRight((kept, part) => {
+    if (part.facet) part.shapes = shown(part);
+    return part.shapes?.length === 0 ? kept : [part, ...kept];
+  }, []);
+}
+
 /** Whole numbers in as few letters as can be. */
 const listed = (numbers) => numbers.join(" ").replace(/ -/g, "-");
 
@@ -59,7 +94,7 @@ function written(shapes) {
 class Recorder {
   constructor(twins = []) {
     Object.assign(this, { parts: [], stack: [], clips: 0, defs: [], offset: [0, 0], clipped: "", dash: [] });
-    Object.assign(this, { twins, given: [], rules: new Map(), lineWidth: 1, font: "", textAlign: "left" });
+    Object.assign(this, { twins, given: [], rules: new Set(), lineWidth: 1, font: "", textAlign: "left" });
   }
   /** A colour in both themes, [light, dark] in one string. */
   paired(colour) {
@@ -82,8 +117,9 @@ class Recorder {
   paint(property, colour) {
     const [light, dark] = colour.split("|");
     const rule = `${property}:${dark}`;
-    if (!this.rules.has(rule)) this.rules.set(rule, `s${this.rules.size.toString(36)}`);
-    return `class="${this.rules.get(rule)}" ${property}="${light}"`;
+    if (!NAMES.has(rule)) NAMES.set(rule, `s${NAMES.size.toString(36)}`);
+    this.rules.add(rule);
+    return `class="${NAMES.get(rule)}" ${property}="${light}"`;
   }
   save() {
     const { offset, clipped, dash, filling, stroking, lineWidth, font, textAlign } = this;
@@ -180,16 +216,17 @@ class Recorder {
     this.parts.push({ text: `<text ${place}${weight > 400 ? ` font-weight="${weight}"` : ""}${anchor}${paint}>${escaped(text)}</text>` });
   }
   svg(pixels, title, page) {
-    const drawn = this.parts.map((part, i) => {
+    const parts = seen(this.parts);
+    const drawn = parts.map((part, i) => {
       if (part.text) return part.text;
       if (!part.facet) return `<path ${part.line ?? this.paint("fill", part.filled)}${part.clipped} d="${written(part.shapes)}"/>`;
       const path = `<path ${this.paint("color", part.facet)} d="${written(part.shapes)}"/>`;
-      const [opens, closes] = [!this.parts[i - 1]?.facet, !this.parts[i + 1]?.facet];
+      const [opens, closes] = [!parts[i - 1]?.facet, !parts[i + 1]?.facet];
       return `${opens ? `<g fill="currentColor" stroke="currentColor"${part.clipped}>` : ""}${path}${closes ? "</g>" : ""}`;
     });
     const [width, height] = [WIDTH, pixels].map(whole);
     const ground = this.paint("fill", page);
-    const dark = [...this.rules].map(([rule, name]) => `.${name}{${rule}}`).join("");
+    const dark = [...this.rules].map((rule) => `.${NAMES.get(rule)}{${rule}}`).sort().join("");
     return (
       `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}" font-family="system-ui,sans-serif" stroke-linejoin="round">` +
       `<title>${escaped(title)}</title><style>@media(prefers-color-scheme:dark){${dark}}</style><defs>${this.defs.join("")}</defs>` +
