@@ -3,12 +3,14 @@
 The kernels are left out, without an error, where there is no compiler.
 """
 
+import bz2
 import io
 import json
 import lzma
 import shutil
 import tarfile
 from pathlib import Path
+from typing import IO
 
 import numpy as np
 from setuptools import Extension, setup
@@ -19,12 +21,15 @@ HERE = Path(__file__).resolve().parent
 MAKERS = (
     "codegen",
     "demos/build.py",
+    "derivations/computation.py",
     "derivations/forms",
     "generated/c/kernels.c",
     "generated/c/stamp.h",
 )
-# What no Python imports is read from one archive (chr_notes/_texts.py).
-TEXTS = ("demos/built", "generated/c", "generated/javascript", "generated/pages", "ledger/verdicts")
+# What no Python imports is read from archives (chr_notes/_texts.py): prose and tables from one, in
+# which they take less, code and pictures from the other.
+IMPORTED = {".py", ".pyd", ".so", ".typed"}
+PROSE = {".bib", ".ipynb", ".json", ".md", ".yml"}
 
 
 class WithBook(build_py):
@@ -39,11 +44,16 @@ class WithBook(build_py):
         for name in MAKERS:
             remove(package / name)
         texts = sources_of_the_book()
-        for folder in TEXTS:
-            for path in (package / folder).iterdir():
-                texts[f"{folder}/{path.name}"] = path.read_bytes()
-            remove(package / folder)
-        write_archive(package / "texts.tar.xz", texts)
+        for path in [*package.rglob("*.*")]:
+            if path.is_file() and path.suffix not in IMPORTED:
+                texts[path.relative_to(package).as_posix()] = path.read_bytes()
+                path.unlink()
+        prose = {name for name in texts if Path(name).suffix in PROSE}
+        code = [{"id": lzma.FILTER_LZMA2, "preset": 9 | lzma.PRESET_EXTREME, "lc": 4, "pb": 0}]
+        with bz2.open(package / "prose.tar.bz2", "wb") as file:
+            write_archive(file, {name: texts[name] for name in prose})
+        with lzma.open(package / "code.tar.xz", "wb", filters=code) as file:
+            write_archive(file, {name: texts[name] for name in texts.keys() - prose})
 
 
 def remove(path: Path) -> None:
@@ -54,9 +64,9 @@ def remove(path: Path) -> None:
         path.unlink(missing_ok=True)
 
 
-def write_archive(path: Path, texts: dict[str, bytes]) -> None:
+def write_archive(file: IO[bytes], texts: dict[str, bytes]) -> None:
     """Write texts into an archive, which is the same for the same texts."""
-    with tarfile.open(path, "w:xz", preset=9 | lzma.PRESET_EXTREME) as archive:
+    with tarfile.open(fileobj=file, mode="w") as archive:
         # Like after like: it takes less.
         for name in sorted(texts, key=lambda name: (Path(name).suffix, name)):
             member = tarfile.TarInfo(name)

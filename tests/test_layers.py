@@ -18,7 +18,7 @@ ALLOWED = {
     "aircraft": set(),
     "_texts": set(),
     "plots": {"palette", "aircraft", "plots"},
-    "lesson": {"palette", "aircraft", "lesson"},
+    "lesson": {"palette", "aircraft", "lesson", "_texts"},
     "printed": NOTATION | {"printed"},
     "derivations": NOTATION | {"derivations"},
     "typeset": set(),

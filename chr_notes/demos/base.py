@@ -35,7 +35,7 @@ __all__ = [
     "styles",
 ]
 
-SOURCES = Path(__file__).parent
+SOURCES = Path(__file__).resolve().parent
 BUILT = SOURCES / "built"
 BUNDLE = "chrDemos"
 """What the built script calls all that it has."""
@@ -44,7 +44,7 @@ _BEYOND = 1e12  # above this a double near a pole says no more than "without bou
 
 def styles() -> str:
     """Return the style sheet of the demos, with the colours of the project in it."""
-    return palette.css() + (SOURCES / "demos.css").read_text(encoding="utf-8")
+    return palette.css() + read(SOURCES / "demos.css")
 
 
 def _script(ending: str, bundle: str) -> str:

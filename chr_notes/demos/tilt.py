@@ -5,6 +5,7 @@ import math
 from collections.abc import Sequence
 from typing import Final
 
+from chr_notes._texts import read
 from chr_notes.conventions import STANDARD_GRAVITY
 from chr_notes.demos.base import SOURCES, Control, Demo, rounded
 from chr_notes.generated.scalar.dead_reckoning import accelerometer_from_acceleration
@@ -13,9 +14,7 @@ from chr_notes.generated.scalar.euler import matrix_from_euler, wrap_angle
 
 __all__ = ["NOTHING", "VIBRATION", "TiltDemo"]
 
-VIBRATION: Final[Sequence[Sequence[float]]] = json.loads(
-    (SOURCES / "vibration.json").read_text(encoding="utf-8")
-)
+VIBRATION: Final[Sequence[Sequence[float]]] = json.loads(read(SOURCES / "vibration.json"))
 """What a vibration of 1 m/s² RMS on each axis adds to each of the hundred readings of a second:
 white noise from a fixed seed, whose average is exactly zero."""
 

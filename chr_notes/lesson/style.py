@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from chr_notes import palette
+from chr_notes._texts import read
 from chr_notes.lesson.words import UNITS, WORDS
 
 __all__ = ["Beginning", "begin", "script", "styles"]
@@ -14,13 +15,13 @@ _SOURCES = Path(__file__).resolve().parent
 
 def styles() -> str:
     """Return the style sheet of cards, guesses and exercises, on the palette's variables."""
-    return (_SOURCES / "lesson.css").read_text(encoding="utf-8")
+    return read(_SOURCES / "lesson.css")
 
 
 def script() -> str:
     """Return the script of answer boxes, with the tables that Python has, too."""
     tables = json.dumps({"UNITS": dict(UNITS), "WORDS": dict(WORDS)}, ensure_ascii=False)
-    sources = ((_SOURCES / name).read_text(encoding="utf-8") for name in ("arrow.js", "lesson.js"))
+    sources = (read(_SOURCES / name) for name in ("arrow.js", "lesson.js"))
     return "\n".join([f"const TABLES = {tables};", *sources])
 
 
