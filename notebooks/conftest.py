@@ -3,6 +3,7 @@
 Checked with each notebook, before its cells are run again.
 """
 
+import ast
 import re
 from collections.abc import Callable, Generator, Iterator
 from pathlib import Path
@@ -59,6 +60,21 @@ def cells_do_not_end_in_a_semicolon(notebook: Node) -> None:
         assert not cell.source.rstrip().endswith(";"), cell.source
 
 
+def figures_that_are_drawn_are_shown(notebook: Node) -> None:
+    # A cell shows what its last line gives, and a figure of a line before is lost.
+    drawing = {"plots.show"}
+    for cell in code_cells(notebook):
+        drawn = 0
+        for statement in ast.parse(cell.source).body:
+            calls = [each for each in ast.walk(statement) if isinstance(each, ast.Call)]
+            found = sum(ast.unparse(each.func) in drawing for each in calls)
+            if isinstance(statement, ast.FunctionDef):
+                drawing |= {statement.name} if found else set()
+            else:
+                drawn += found
+        assert drawn == texts(cell).count('class="chr-figure"'), cell.source
+
+
 def comments_do_not_steer_the_check(notebook: Node) -> None:
     # Tags do, and those are counted.
     for cell in code_cells(notebook):
@@ -70,6 +86,7 @@ CHECKS = (
     errors_are_where_they_are_announced,
     outputs_are_the_same_each_time,
     cells_do_not_end_in_a_semicolon,
+    figures_that_are_drawn_are_shown,
     comments_do_not_steer_the_check,
 )
 

@@ -30,12 +30,16 @@ def cell(source: str, count: int | None, *outputs: Node, tag: str = "") -> Node:
 ONE = new_output("stream", name="stdout", text="1\n")
 ERROR = new_output("error", ename="ZeroDivisionError", evalue="division by zero", traceback=[])
 ANNOUNCED = "raises-exception"
+DRAWS = "def draw():\n    return plots.show()"
 WRONGLY_STORED = {
     "never_run": [cell("x = 1", None)],
     "run_in_another_order": [cell("x = 1", 2), cell("x", 1)],
     "an_error": [cell("1 / 0", 1, ERROR)],
     "announced_error_not_stored": [cell("1 / 0", 1, tag=ANNOUNCED)],
     "path_of_one_machine": [cell("x", 1, new_output("stream", name="stdout", text="file://x\n"))],
+    "figure_that_is_not_last": [cell("plots.show()\nprint(1)", 1, ONE)],
+    "figure_of_a_function_that_is_not_last": [cell(DRAWS, 1), cell("draw()\nprint(1)", 2, ONE)],
+    "figure_that_is_kept": [cell("kept = plots.show()", 1)],
     "semicolon": [cell("x = 1;", 1)],
     "comment_that_steers": [cell("# NBVAL_IGNORE_OUTPUT\nprint(2)", 1, ONE)],
 }
