@@ -1,5 +1,6 @@
 """Every page of the book in a browser without a network, from a server and from the disk."""
 
+import math
 import re
 from collections.abc import Callable
 from pathlib import Path
@@ -66,6 +67,28 @@ OUT_OF_REACH = """() => [...document.querySelectorAll(".bd-article *")].filter((
   && /auto|scroll/.test(getComputedStyle(element).overflowX)
   && element.tabIndex < 0 && !element.querySelector("a, button, input, [tabindex='0']")
 ).map((element) => element.outerHTML.slice(0, 80))"""
+
+
+ALONE = """(alone) => {
+  const demo = document.querySelector("[data-demo]");
+  for (const each of document.querySelectorAll(".bd-article section > :not(section)"))
+    each.style.display = alone && !each.contains(demo) ? "none" : "";
+  demo.scrollIntoView();
+}"""
+SLID = """() => new Promise((done) => {
+  const slider = document.querySelector("[data-demo] input[type=range]");
+  let frames = 0;
+  const step = () => {
+    slider.value = Number(slider.min) + frames % 60;
+    slider.dispatchEvent(new Event("input", { bubbles: true }));
+    frames += 1;
+    if (frames < 60) requestAnimationFrame(step);
+    else done();
+  };
+  requestAnimationFrame(step);
+})"""
+MOST_FOR_THE_PAGE = 1.35
+"""What a slider may cost on its page, by what it costs where the demo stands alone."""
 
 
 def test_each_chapter_is_a_page_and_nothing_else_is(book: Path) -> None:
@@ -230,3 +253,27 @@ def test_on_a_phone_the_picture_of_a_demo_stays_below_the_bar(visit: Visit, serv
         assert bar["y"] + bar["height"] <= picture["y"] + 1
         assert picture["y"] + picture["height"] <= control["y"]
         assert control["y"] + control["height"] <= 844
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("width", [390, 1280])
+def test_the_page_is_not_painted_again_for_a_demo(visit: Visit, book: Path, width: int) -> None:
+    page = visit((book / "notebooks" / "euler.html").as_uri(), width=width)
+    browser = page.context.new_cdp_session(page)
+    browser.send("Performance.enable", {"timeDomain": "threadTicks"})
+
+    def taken() -> float:
+        metrics = browser.send("Performance.getMetrics")["metrics"]
+        return next(each["value"] for each in metrics if each["name"] == "TaskDuration")
+
+    def cost() -> float:
+        before = taken()
+        page.evaluate(SLID)
+        return taken() - before
+
+    least = {True: math.inf, False: math.inf}
+    for alone in (True, False) * 4:
+        page.evaluate(ALONE, alone)
+        page.wait_for_timeout(200)
+        least[alone] = min(least[alone], cost())
+    assert least[False] < MOST_FOR_THE_PAGE * least[True]
