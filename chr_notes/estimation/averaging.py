@@ -160,9 +160,10 @@ def averaging_observer(  # noqa: PLR0913 (a recording, and how to run through it
     array([0.181, 0.004, 0.353])
     """
     settings = Settings(time_constant, heading_time_constant, bias, field, longest_step)
-    return _run(
+    found, _ = _run(
         lambda states: attitudes_in_range(states[:, :4]), (body_rates, accel, mag), dt, settings
     )
+    return found
 
 
 def averaged_attitude(  # noqa: PLR0913 (a recording, and how to run through it)
@@ -181,7 +182,9 @@ def averaged_attitude(  # noqa: PLR0913 (a recording, and how to run through it)
 
     The bound takes what is read to be calibrated, as `calibrate_recording` does it: an error of
     the accelerometer tilts the answer, and mostly nothing tells. Where the norm at rest shows one,
-    differing by more than 4 % from rest to rest, the bound is widened and a warning says so.
+    differing by more than 4 % from rest to rest, the bound is widened and a warning says so. So it
+    is where there is no rest to take the gyros' bias from: by as much as they read steadily, or by
+    the 0.05 rad/s that a cheap one may have.
 
     Parameters
     ----------
@@ -200,6 +203,8 @@ def averaged_attitude(  # noqa: PLR0913 (a recording, and how to run through it)
 
     Warns
     -----
+    UserWarning
+        As `averaging_observer`.
     CalibrationWarning
         If the accelerometer's norm at rest, or the strength of the field, differs by so much that
         they cannot be calibrated.
@@ -229,10 +234,10 @@ def averaged_attitude(  # noqa: PLR0913 (a recording, and how to run through it)
         kept = states[:, [AVERAGED, last]]
         return np.column_stack([attitudes_in_range(states[:, :4]), kept])
 
-    found = _run(finish, (body_rates, accel, mag), dt, settings)
+    found, bias_left = _run(finish, (body_rates, accel, mag), dt, settings)
     averaged = np.nan_to_num(found[:, 3])
     heading = np.nan_to_num(found[:, 4]) if mag is not None else np.zeros(len(found))
-    bound = averaging_bound(averaged, time_constant)
+    bound = averaging_bound(averaged, time_constant, bias=bias_left)
     bound = np.minimum(bound + doubt_of_calibration(body_rates, accel, dt, mag), np.pi)
     return Averaged(np.ascontiguousarray(found[:, :3]), averaged, bound, heading)
 
@@ -242,8 +247,11 @@ def _run(
     recording: tuple[ArrayLike, ArrayLike, ArrayLike | None],
     dt: ArrayLike,
     settings: Settings,
-) -> Floats:
-    """Run the filter, and give of each state what is wanted of it; NaN before the first force."""
+) -> tuple[Floats, float]:
+    """Run the filter, and give of each state what is wanted of it; NaN before the first force.
+
+    And how much of the gyros' bias may be left, rad/s.
+    """
     body_rates, accel, mag = recording
     read = [("body_rates", samples("body_rates", body_rates)), ("accel", samples("accel", accel))]
     if mag is not None:
@@ -255,7 +263,7 @@ def _run(
     begin, tilt = first_tilt(forces)
     ahead = min(begin + 1, count)
     rest = slice(ahead, None)
-    at_rest = bias_of(settings.bias, rates, forces, dt, settings.longest_step, ahead)
+    at_rest, bias_left = bias_of(settings.bias, rates, forces, dt, settings.longest_step, ahead)
     turning = (
         rates[rest][part] - each for part, each in zip(parts(count - ahead), at_rest, strict=False)
     )
@@ -270,7 +278,7 @@ def _run(
     limits = [np.array(constant) for constant in constants]
     found = run(step, state, turning, *later, each_dt, *limits, finish=finish, before=start)
     found[~complete(rates, WILD_RATE), :3] = np.nan
-    return found
+    return found, bias_left
 
 
 def _steps(dt: ArrayLike, count: int, longest: float) -> Floats:

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from chr_notes._arrays import Floats
 from chr_notes._recordings import states
 from chr_notes._samples import per_axis
+from chr_notes.estimation.averaging_bound import BIAS
 from chr_notes.generated.scalar.estimation import bias_at_rest
 from chr_notes.sensors.still import STILL_LIMIT, static_interval, without_glitches
 
@@ -20,7 +21,7 @@ REST = 2.0
 _BLOCKS = 24  # to look about
 _ENOUGH = 25  # rows of a block, to tell whether it varies
 _ROWS = 8192  # at a time, few enough to stay in cache
-_LARGEST = 0.05  # rad/s; a steady reading of more may be a turn
+_LARGEST = 0.05  # rad/s, as gyros have it when nobody has taken it off; more may be a turn
 
 
 def check_bias(bias: Bias) -> str | Floats:
@@ -45,20 +46,23 @@ def check_bias(bias: Bias) -> str | Floats:
 
 def bias_of(  # noqa: PLR0913, PLR0917 (a recording, and from where)
     bias: Bias, rates: Floats, forces: Floats, dt: Floats, longest_step: float, begin: int = 0
-) -> Iterator[Floats]:
+) -> tuple[Iterator[Floats], float]:
     """Find what the gyros read at rest, from sample `begin` on: for each part of the recording.
 
     Returns
     -------
     iterator of ndarray
         Of shape (3,) without end, or where it is learnt on the way of shape (rows of the part, 3).
+    float
+        How much of their bias may be left without it, rad/s.
     """
     checked = check_bias(bias)
     if not isinstance(checked, str):
-        return repeat(checked)
+        return repeat(checked), BIAS
     if checked == "stillest":
-        return repeat(_stillest(rates, dt))
-    return _learnt(rates, forces, dt, longest_step, begin)
+        found, left = _stillest(rates, dt)
+        return repeat(found), left
+    return _learnt(rates, forces, dt, longest_step, begin), BIAS
 
 
 def _learnt(
@@ -74,8 +78,11 @@ def _learnt(
                 yield found[:, 7:]
 
 
-def _stillest(rates: Floats, dt: Floats) -> Floats:
-    """Mean over the stillest two seconds, or over all if there is less."""
+def _stillest(rates: Floats, dt: Floats) -> tuple[Floats, float]:
+    """Mean over the stillest two seconds, or over all if there is less, and how far off it may be.
+
+    What is taken for a rest may be none, and then all of the mean is a turn.
+    """
     usual = float(np.median(dt)) if dt.size else 0.0
     length = round(min(REST / usual, len(rates))) if usual > 0 else len(rates)
     found = _steady(_still_parts(rates, length), length)
@@ -91,7 +98,8 @@ def _stillest(rates: Floats, dt: Floats) -> Floats:
             f"the stillest reads {largest:.2g} rad/s, which is taken for the bias: if it is a "
             "steady turn, pass a bias"
         )
-    return mean
+        return mean, BIAS + float(np.linalg.norm(mean))
+    return mean, BIAS
 
 
 def _steady(part: Floats, length: int) -> tuple[Floats, Floats] | None:
@@ -142,9 +150,9 @@ def _variances(blocks: Floats) -> Floats:
     return np.asarray(np.einsum("bij,bij->b", off, off) - (mean * mean).sum(axis=1) / off.shape[1])
 
 
-def _none(why: str) -> Floats:
+def _none(why: str) -> tuple[Floats, float]:
     _warn(f"{why}, and no bias is taken off: pass one")
-    return np.zeros(3)
+    return np.zeros(3), _LARGEST
 
 
 def _warn(what: str) -> None:

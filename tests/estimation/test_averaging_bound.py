@@ -11,6 +11,7 @@ from chr_notes import (
     matrix_from_euler,
     observe_averaging,
 )
+from chr_notes.simulation import at_rest, ideal_readings, swing, trajectory
 from tests.estimation.test_averaging import GRAVITY, PERIOD, still, tilt_off, tumbling
 
 
@@ -36,6 +37,22 @@ def test_the_bound_holds_for_a_body_that_moves(seed: int) -> None:
             fixed_gain_observer(rates, forces, PERIOD, 0.5)[1000:, :2] - truth[1000:, :2]
         ).max()
     )
+
+
+@pytest.mark.parametrize(
+    ("frequency", "said"), [(0.1, "is taken for the bias"), (0.3, "no bias is taken off")]
+)
+def test_the_bound_holds_where_no_rest_shows_the_bias(frequency: float, said: str) -> None:
+    """A stand that swings without a pause: the stillest two seconds are a turn."""
+    time = PERIOD * np.arange(6000)
+    euler = swing(time, np.radians([20, 15, 0]), [frequency, 0.7 * frequency, 0])
+    truth = trajectory(time, euler, at_rest(time))
+    ideal, bias = ideal_readings(truth), np.array([0.04, -0.02, 0.01])
+    with pytest.warns(UserWarning, match=said):
+        found = averaged_attitude(ideal.body_rates + bias, ideal.accel, PERIOD)
+    off = tilt_off(found.euler, truth.euler)
+    assert off.max() > 2 * averaging_bound(found.averaged[-1])  # that of a bias that is known
+    assert (off[1:] < found.tilt_bound[1:]).all()
 
 
 @pytest.mark.parametrize("reads", [0.0, 1e-6, 0.01, 0.3])
