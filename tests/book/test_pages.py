@@ -69,6 +69,12 @@ OUT_OF_REACH = """() => [...document.querySelectorAll(".bd-article *")].filter((
 ).map((element) => element.outerHTML.slice(0, 80))"""
 
 
+CUT = """() => [...document.querySelectorAll(".bd-article div.cell_output pre")].filter((element) =>
+  element.checkVisibility() && element.scrollWidth > element.clientWidth
+  && element.textContent.split("\\n").every((line) => line.length <= 56)
+).map((element) => element.textContent.slice(0, 80))"""
+
+
 ALONE = """(alone) => {
   const demo = document.querySelector("[data-demo]");
   for (const each of document.querySelectorAll(".bd-article section > :not(section)"))
@@ -129,6 +135,7 @@ def test_page_stands_by_itself(
         assert page.evaluate(TOO_WIDE) == []
         page.evaluate("new Promise(requestAnimationFrame)")  # the page has seen its width
         assert page.evaluate(OUT_OF_REACH) == []
+        assert page.evaluate(CUT) == []
 
 
 @pytest.mark.parametrize("name", ["book/converter", "notebooks/euler"])
