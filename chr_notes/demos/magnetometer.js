@@ -8,7 +8,8 @@ import { mountOf } from "./controls.js";
 import { scaled } from "./draw.js";
 import { arcOf, direction, flown, globe, looking, path, pointer } from "./globe.js";
 import { keeping } from "./keeping.js";
-import { FEWEST, FIELD_DIP, STRENGTH, cloud, fit, gap, headingErrors, ironOf, path as walked } from "./magnetometer_cloud.js";
+import { FIELD_DIP, STRENGTH, cloud, gap, headingErrors, ironOf, path as walked } from "./magnetometer_cloud.js";
+import { FEWEST, fit } from "./magnetometer_fit.js";
 import { TURNED, turning } from "./magnetometer_hand.js";
 import { rounded } from "./parts.js";
 
@@ -41,7 +42,7 @@ function meaning(state, fitted, errors) {
   if (fitted.refused && count > 0 && count < FEWEST)
     return `${before} A fit needs ${FEWEST} at least: turn the sensor further.`;
   if (fitted.refused)
-    return `${before} The fit refuses: no reading comes from within ${rounded(found(state).gap)}° of one direction, and many ellipsoids go through such a cloud. Turn the sensor further.`;
+    return `${before} The fit refuses: no reading comes from within ${rounded(found(state).gap)}° of one direction, and with a little noise very different ellipsoids fit such a cloud. Turn the sensor further.`;
   return `${before} The fitted ellipsoid is brought back to a sphere about zero, and the heading is off by up to ${rounded(largest(errors, "after"))}°.`;
 }
 

@@ -42,10 +42,14 @@ def test_readouts_are_those_of_the_calibration(
 ) -> None:
     page = visit(page_of(MagnetometerDemo()))
     states = random_states(MagnetometerDemo, STEPS, seed=9)[: samples(16, 50)]
-    for state in states[::2]:  # half of them tilted far enough for a fit
+    for state in states[::3]:  # a third of them tilted far enough for a fit, a third near there
         state |= {"tilt": 180.0 - state["tilt"] / 6, "readings": 200.0 - state["readings"] / 2}
+    for state in states[1::3]:
+        state |= {"tilt": 60.0 + state["tilt"] / 6, "readings": 200.0 - state["readings"] / 2}
+        state["noise"] = 0.0 if state["noise"] < 1 else state["noise"] / 10
     names = MagnetometerDemo.controls
     extremes = [[10, 0, 0, 0, 0], [200, 180, 40, 0.5, 2], [200, 0, 40, 0.5, 0], [200, 180, 0, 0, 0]]
+    extremes += [[152, 75, 17, 0.33, 0.3], [154, 70, 0, 0.12, 0], [177, 60, 10, 0.26, 0]]
     states += [dict(zip(names, row, strict=True)) for row in extremes]
     refused = 0
     for state, texts in page.evaluate(SET_AND_READ, states):
