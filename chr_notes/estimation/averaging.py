@@ -45,7 +45,7 @@ class Averaged(NamedTuple):
     tilt_bound
         Bound of the angle between true and estimated vertical, radians, shape (N,), for a body
         whose speed stays below 1 m/s: `averaging_bound` has it for others. It takes gyro and
-        accelerometer to be calibrated.
+        accelerometer to be calibrated; with bias="running" the gyro is so from the first rest on.
     heading_averaged
         The same seconds for the heading, at most `heading_time_constant`: 0 until a magnetometer
         is heard. They fall while it is held out.
