@@ -1,4 +1,4 @@
-"""How an error of tilt becomes a distance, where a half gets lost, and what a gyro adds."""
+"""How an error of tilt becomes a distance, and what a gyro adds."""
 
 from types import MappingProxyType
 
@@ -11,8 +11,6 @@ from chr_notes.derivations.telling import Told
 from chr_notes.symbols import g
 
 ACCELERATION, VELOCITY, POSITION = (Symbol(rf"\Delta {name}") for name in "avr")
-
-AT_LAST = Symbol(r"\Delta r_{\text{at the last velocity}}")
 
 DRIFT = Told(
     (
@@ -34,28 +32,6 @@ DRIFT = Told(
     MappingProxyType(dict(zip((ACCELERATION, VELOCITY, POSITION), derived.drift(), strict=True))),
 )
 """From an angle to metres."""
-
-LOST_HALF = Told(
-    (
-        Step(
-            "Whoever multiplies the last velocity by the time believes that it was there all "
-            "along. That is twice the distance.",
-            equation(AT_LAST, VELOCITY * t),
-        ),
-        Step(
-            "On average it was half of that.",
-            equation(AT_LAST, 2 * POSITION),
-        ),
-    ),
-    MappingProxyType(
-        {
-            VELOCITY: derived.drift()[1],
-            POSITION: derived.drift()[2],
-            AT_LAST: derived.position_at_last_velocity(),
-        }
-    ),
-)
-"""How the half gets lost."""
 
 GYRO = Told(
     (
