@@ -26,8 +26,9 @@ from chr_notes.simulation import Trajectory, ideal_readings, minimum_jerk, traje
 
 RANGE_DEG = 500.0
 """Of the gyro, deg/s."""
+FIELD = (20.0, 1.0, 44.0)
+"""Of the Earth in that room, to the north, east and down, microtesla."""
 _STEP = 0.01
-_FIELD = (20.0, 1.0, 44.0)
 _WARM_UP = 60.0  # seconds in which the temperature makes 63 % of its way
 _COLD, _WARM = 21.0, 43.0
 _DEG = np.pi / 180
@@ -117,7 +118,7 @@ def simulated_log(seed: int = 0) -> SimulatedLog:
     written = _clock(generator)
     time = written / 1000
     truth = _motion(time, generator)
-    field = np.asarray(_FIELD) + passing_iron(time, *MAGNET, (25.0, -15.0, 10.0))
+    field = np.asarray(FIELD) + passing_iron(time, *MAGNET, (25.0, -15.0, 10.0))
     ideal = ideal_readings(truth, field)
     warmth = _COLD + (_WARM - _COLD) * (1 - np.exp(-time / _WARM_UP))
     gyro, accel, mag = _sensors(generator)
