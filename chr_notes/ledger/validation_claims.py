@@ -283,7 +283,8 @@ SETTLED = (
                 ),
             ),
         ),
-        remark="E is blind to yaw altogether: yaw does not stand in it. Of an error of tilt it "
-        "sees the part about the horizontal line across the field.",
+        remark="E is blind to yaw altogether: yaw does not stand in it. Roll and pitch it does not "
+        "tell apart: at any moment it tells one combination of the two, the tilt about the "
+        "horizontal line across the field.",
     ),
 )
