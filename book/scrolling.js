@@ -3,15 +3,17 @@
 (() => {
   const WIDE = ".bd-article :is(div.math, pre, table, div.output, .pst-scrollable-table-container)";
   const scrolls = (each) => each.scrollWidth > each.clientWidth && /auto|scroll/.test(getComputedStyle(each).overflowX);
-  const look = () => {
-    const parts = [...document.querySelectorAll(WIDE)];
-    const wide = parts.filter(scrolls); // all are measured before one is changed
+  const look = (within = document) => {
+    // What a closed line hides is laid out by itself for each measure, so it waits until it is opened.
+    const parts = [...within.querySelectorAll(WIDE)].filter((each) => each.checkVisibility());
+    const wide = new Set(parts.filter(scrolls)); // all are measured before one is changed
     for (const each of parts) {
-      if (wide.includes(each)) each.tabIndex = 0;
+      if (wide.has(each)) each.tabIndex = 0;
       else each.removeAttribute("tabindex");
     }
   };
-  addEventListener("load", look);
-  addEventListener("resize", look);
-  document.addEventListener("toggle", look, true);
+  const later = window.requestIdleCallback ?? setTimeout; // not in the task that shows the page
+  addEventListener("load", () => later(() => look()));
+  addEventListener("resize", () => look());
+  document.addEventListener("toggle", (event) => look(event.target), true);
 })();

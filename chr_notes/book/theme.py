@@ -32,6 +32,13 @@ _ICON_RULES: Final = re.compile(
     r"(?<=[}/])(?:(?:\.fa[-\w.:]*(?:>[\w.]+)?,?)+\{[^{}]*\}|:host,:root\{--fa-[^{}]*\})"
     r"|@font-face\{[^{}]*Font Awesome[^{}]*\}"
 )
+# The theme's script finds out light or dark when the page is there, and then all of it is styled
+# again; the lines at its top can say so.
+_LATE_THEME: Final = 'localStorage.getItem("theme") || "auto"'
+_THEME: Final = (
+    '["light", "dark"].find((each) => each === localStorage.getItem("mode")) || '
+    '(matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light")'
+)
 _SHEETS: Final = ("styles/pydata-sphinx-theme.css", "sphinx-design.min.css", "mystnb.*.css")
 _UNUSED: Final = (
     "_static/scripts/fontawesome.js",
@@ -67,7 +74,8 @@ def _lighten(app: Sphinx, error: Exception | None) -> None:
         for name, figure in figures.items():
             (built / "_images").mkdir(exist_ok=True)
             (built / "_images" / name).write_bytes(figure)
-        page.write_text(mended(_without_scripts(text, unused)), encoding="utf-8")
+        text = _without_scripts(text, unused).replace(_LATE_THEME, _THEME)
+        page.write_text(mended(text), encoding="utf-8")
     styles = built / "_static" / "styles" / "pydata-sphinx-theme.css"
     text = styles.read_text(encoding="utf-8")
     styles.write_text(_ICON_RULES.sub("", text), encoding="utf-8")

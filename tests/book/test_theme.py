@@ -4,6 +4,7 @@ import re
 from collections.abc import Callable
 from pathlib import Path
 
+import pytest
 from playwright.sync_api import Page, expect
 
 from chr_notes.book import SOURCES
@@ -42,6 +43,24 @@ def test_icons_are_seen(visit: Visit, address: str) -> None:
     for image, width, height in icons:
         assert image.startswith("url")
         assert width == height > 8
+
+
+THEMES = """window.themes = [];
+new MutationObserver(() => themes.push(document.documentElement.dataset.theme))
+  .observe(document, { attributeFilter: ["data-theme"], subtree: true });"""
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_a_page_is_light_or_dark_from_its_first_lines(
+    visit: Visit, address: str, theme: str
+) -> None:
+    page = visit("about:blank", color_scheme=theme)
+    page.add_init_script(THEMES)
+    page.goto(address + "book/bibliography.html")
+    assert {*page.evaluate("themes")} == {theme}
+    page.evaluate("localStorage.setItem('mode', 'light')")
+    page.reload()
+    assert {*page.evaluate("themes")} == {"light"}
 
 
 def test_the_search_finds(visit: Visit, book: Path, serve: Callable[[Path], str]) -> None:
