@@ -75,7 +75,7 @@ export function words(context, text, [x, y], { colour, size = 12, align = "left"
   context.fillText(text, x, y);
 }
 
-/** Names of curves, [{ text, y, colour }], in a column at x, each as near to its y as they stay apart. */
+/** Names of curves, [{ text, y, colour, aside }], in a column at x or so far aside of it, each as near to its y as they stay apart. */
 export function named(context, x, [top, bottom], names, colours) {
   const apart = 14; // pixels
   const sorted = names.toSorted((a, b) => a.y - b.y).map((each) => ({ ...each, y: Math.min(bottom, Math.max(top, each.y)) }));
@@ -83,7 +83,7 @@ export function named(context, x, [top, bottom], names, colours) {
   for (const each of sorted) next = (each.y = Math.max(each.y, next)) + apart;
   next = bottom;
   for (const each of sorted.toReversed()) next = (each.y = Math.min(each.y, next)) - apart;
-  for (const { text, y, colour } of sorted) words(context, text, [x, y], { colour: colours(colour), weight: 600 });
+  for (const { text, y, colour, aside = 0 } of sorted) words(context, text, [x + aside, y], { colour: colours(colour), weight: 600 });
 }
 
 /** Draw in a part of the picture, as if it were all of it. */

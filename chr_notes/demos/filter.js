@@ -81,8 +81,6 @@ function overTime(context, [left, right, top, bottom], { push, bank }, all, colo
   if (push > 0 || bank > 0) {
     context.fillStyle = colours("surface");
     context.fillRect(x(BEGINS), top, x(ENDS) - x(BEGINS), bottom - top);
-    const names = [push > 0 && "push", bank > 0 && "turn"].filter(Boolean).join(" and ");
-    words(context, names, [x(ENDS), 14], { ...small, align: "right", weight: 600 });
   }
   for (const tick of [0, limit / 2, limit]) {
     line(context, [[left, y(tick)], [right, y(tick)]], { colour: colours("line"), width: 1 });
@@ -98,6 +96,8 @@ function overTime(context, [left, right, top, bottom], { push, bank }, all, colo
     line(context, points, { colour: colours(colour), width, dash });
   }
   context.restore();
+  const event = [push > 0 && "push", bank > 0 && "turn"].filter(Boolean).join(" and ");
+  label(context, [event], [x((BEGINS + ENDS) / 2), top + 10], { colour: colours("muted"), rim: colours("surface"), size: 12, width: right });
   named(context, right + 5, [top + 6, bottom], LINES.map(({ filter, name, colour }) => ({ text: name, colour, y: y(rms(all[filter].slice(-10))) })), colours);
   const most = Math.max(...all.accelerometer);
   if (most > limit) words(context, `↑ ${Math.round(most)}°`, [right + 5, top - 8], { ...small, weight: 600 });
@@ -131,7 +131,7 @@ function overGain(context, size, state, all, colours) {
   const curve = (points) => points.map(([each, error]) => [x(each), y(error)]);
   const level = y(rms(all.averaging));
   line(context, [[left, level], [right, level]], { colour: colours("y"), width: 2.5, dash: [8, 4] });
-  const names = [{ text: "average", colour: "y", y: level }, { text: push > 0 || bank > 0 ? "here" : "both", colour: "ink", y: y(all.valley.at(-1)[1]) }];
+  const names = [{ text: "average", colour: "y", y: level }, { text: push > 0 || bank > 0 ? "here" : "both", colour: "ink", y: y(all.valley.at(-1)[1]), aside: x(gain) > right - 8 ? 8 : 0 }];
   if (push > 0 || bank > 0) {
     line(context, curve(all.rest.valley), { colour: colours("muted"), width: 1.5, dash: [3, 3] });
     names.push({ text: "at rest", colour: "muted", y: y(all.rest.valley.at(-1)[1]) });

@@ -74,7 +74,7 @@ function draw(context, { width, height }, state, colours, viewpoint) {
   context.fillStyle = colours("surface");
   context.fillRect(6, 6, beside - 6, split / 2 - 8);
   inPart(context, [6, 16, beside - 6, split / 2 - 18], (size) => sensor(context, size, now, colours, viewpoint));
-  words(context, "turn the sensor here", [12, 16], small);
+  words(context, "turn it here", [12, 16], small);
   inPart(context, [6, split / 2 + 14, beside - 6, split / 2 - 14], (size) => calibrated(context, size, points, fitted, colours, viewpoint));
   words(context, fitted.refused ? "the fit refuses" : "● calibrated", [12, split / 2 + 14], { ...small, colour: colours(fitted.refused ? "alert" : "y") });
   chart(context, [46, width - 14, split + 28, height - 22], fitted, errors, colours);

@@ -80,8 +80,8 @@ const cut = (corners, of) =>
     return [...(here > 0 ? [corner] : []), ...(here > 0 !== there > 0 ? [between()] : [])];
   });
 
-const [SPLIT, SHOWN] = [0.66, 3.1]; // of the height, for the globe; what it shows, in radii
-const TIP = 1.35; // where the arrows end
+const [SPLIT, SHOWN] = [0.66, 3.3]; // of the height, for the globe; what it shows, in radii
+const TIP = 1.25; // where the arrows end
 
 function draw(context, { width, height }, state, colours, viewpoint) {
   inPart(context, [0, 0, width, SPLIT * height], (size) => scene(context, size, state, colours, viewpoint));
@@ -112,7 +112,7 @@ function scene(context, size, state, colours, viewpoint) {
   context.fill();
   const style = { colours, room: size.width };
   const out = (end, name, colour, dash) =>
-    pointer(context, view, scaled(end, TIP), { ...style, name: [name], colour, dash, width: facing({ point: scaled(end, TIP) }) > 0 ? 4 : 2.5 });
+    pointer(context, view, scaled(end, TIP), { ...style, name: [name], held: name === "axis", colour, dash, width: facing({ point: scaled(end, TIP) }) > 0 ? 4 : 2.5 });
   globe(context, view, colours, size);
   flown(context, view, matrixFromEuler(0, 0, (state.heading * Math.PI) / 180), colours, 0.9);
   out(fieldOf(state), "field", "z", [6, 3]);
