@@ -63,7 +63,7 @@ TOO_WIDE = """() => [...document.querySelectorAll(".bd-article *")].filter((elem
 
 
 OUT_OF_REACH = """() => [...document.querySelectorAll(".bd-article *")].filter((element) =>
-  element.scrollWidth > element.clientWidth + 1
+  element.checkVisibility() && element.scrollWidth > element.clientWidth + 1
   && /auto|scroll/.test(getComputedStyle(element).overflowX)
   && element.tabIndex < 0 && !element.querySelector("a, button, input, [tabindex='0']")
 ).map((element) => element.outerHTML.slice(0, 80))"""
@@ -95,6 +95,12 @@ SLID = """() => new Promise((done) => {
 })"""
 MOST_FOR_THE_PAGE = 1.35
 """What a slider may cost on its page, by what it costs where the demo stands alone."""
+
+
+OPENED = """() => {
+  for (const line of document.querySelectorAll(".bd-article details")) line.open = true;
+}"""
+IDLE = "new Promise((done) => requestAnimationFrame(() => requestIdleCallback(done)))"
 
 
 def test_each_chapter_is_a_page_and_nothing_else_is(book: Path) -> None:
@@ -133,9 +139,12 @@ def test_page_stands_by_itself(
         page.set_viewport_size({"width": width, "height": 900})
         assert page.evaluate("document.documentElement.scrollWidth") <= width
         assert page.evaluate(TOO_WIDE) == []
-        page.evaluate("new Promise(requestAnimationFrame)")  # the page has seen its width
+        page.evaluate(IDLE)  # the page has seen its width
         assert page.evaluate(OUT_OF_REACH) == []
         assert page.evaluate(CUT) == []
+    page.evaluate(OPENED)
+    page.evaluate(IDLE)
+    assert page.evaluate(OUT_OF_REACH) == []
 
 
 @pytest.mark.parametrize("name", ["book/converter", "notebooks/euler"])
