@@ -1,5 +1,6 @@
 """Typesetting of checked objects: the only place where SymPy becomes LaTeX."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from sympy import (
@@ -15,6 +16,7 @@ from sympy import (
     Lt,
     MatMul,
     MatrixBase,
+    Mul,
     Or,
     Symbol,
     ZeroMatrix,
@@ -22,6 +24,7 @@ from sympy import (
     fraction,
 )
 from sympy.core.function import AppliedUndef
+from sympy.functions.elementary.trigonometric import TrigonometricFunction
 from sympy.matrices.expressions.matexpr import MatrixElement
 from sympy.printing.latex import LatexPrinter
 
@@ -52,7 +55,8 @@ class _Printer(LatexPrinter):
             self._print(index + 1 if isinstance(index, Integer) else index)
             for index in (element.i, element.j)
         )
-        return rf"\left[{self._print(element.parent)}\right]_{{{row}{column}}}"
+        place = row if element.parent.shape[1] == 1 else row + column
+        return rf"\left[{self._print(element.parent)}\right]_{{{place}}}"
 
     def _print_And(self, statement: And) -> str:  # noqa: N802 (SymPy's hook)
         chain = _chain(statement.args)
@@ -64,10 +68,10 @@ class _Printer(LatexPrinter):
         # As one writes by hand: a sum begins with a term that has no minus.
         flat = total.func(*_left_opened(total), evaluate=False)
         terms = self._as_ordered_terms(flat, order=order)
-        first = next((term for term in terms if not term.could_extract_minus_sign()), terms[0])
+        first = next((term for term in terms if not _has_minus(term)), terms[0])
         written = ""
         for term in (first, *(term for term in terms if term is not first)):
-            minus = term.could_extract_minus_sign()
+            minus = _has_minus(term)
             size = -term if minus else term
             text = self._print(size)
             text = rf"\left({text}\right)" if self._needs_add_brackets(size) else text
@@ -85,7 +89,14 @@ class _Printer(LatexPrinter):
         return "0"
 
     def _print_Identity(self, _: Identity) -> str:  # noqa: N802 (SymPy's hook)
-        return "I"
+        return "1"
+
+    def _print_MatMul(self, product: MatMul) -> str:  # noqa: N802 (SymPy's hook)
+        # A number needs no brackets, be it a fraction.
+        first, *others = product.args
+        if not (first.is_Rational and first > 0 and others):
+            return str(super()._print_MatMul(product))
+        return f"{self._print(first)} {self._print(MatMul(*others, evaluate=False))}"
 
     def _print_atan2(self, angle: atan2) -> str:
         arguments = ", ".join(self._print(argument) for argument in angle.args)
@@ -141,6 +152,12 @@ def _left_opened(whole: Expr) -> tuple[Expr, ...]:
     """Take a sum or product as one reads it: Python makes of a + b + c the sum of a + b and c."""
     first, *others = whole.args
     return (*_left_opened(first), *others) if first.func == whole.func else whole.args
+
+
+def _has_minus(term: Expr) -> bool:
+    """Whether a term is written with a minus; that of a matrix is in its first factor."""
+    number = term.args[0] if isinstance(term, MatMul) else term
+    return bool(number.could_extract_minus_sign())
 
 
 def _sign(term: Expr) -> tuple[bool, Expr]:
@@ -205,6 +222,26 @@ class Formula:
         return f"$$\n{self.latex}\n$$"
 
 
-def formula(left: Basic | MatrixBase, right: Basic | MatrixBase) -> Formula:
-    """Show `left = right` in a notebook, typeset from the objects themselves."""
-    return Formula(f"{latex(left)} = {latex(right)}")
+def formula(
+    left: Basic | MatrixBase, right: Basic | MatrixBase, angles: Sequence[Symbol] = ()
+) -> Formula:
+    """Show `left = right` in a notebook, typeset from the objects themselves.
+
+    Parameters
+    ----------
+    left, right
+        The two sides.
+    angles
+        In which order their sines and cosines are to stand in each product; else in SymPy's.
+    """
+
+    def ordered(product: Expr) -> Expr:
+        numbers = [factor for factor in product.args if factor.is_Number]
+        others = [factor for factor in product.args if not factor.is_Number]
+        others.sort(key=lambda factor: [not factor.has(angle) for angle in angles])
+        return Mul(*numbers, *others, evaluate=False)
+
+    if not angles:
+        return Formula(f"{latex(left)} = {latex(right)}")
+    right = right.replace(lambda each: each.is_Mul and each.has(TrigonometricFunction), ordered)
+    return Formula(f"{latex(left)} = {latex(right, as_written=True)}")

@@ -1,9 +1,27 @@
 """LaTeX as one writes it by hand."""
 
 import pytest
-from sympy import And, Basic, Eq, Function, Integral, Symbol, atan2, evaluate, pi, sqrt, symbols
+from sympy import (
+    And,
+    Basic,
+    Eq,
+    Function,
+    Integral,
+    MatMul,
+    MatrixSymbol,
+    Rational,
+    Symbol,
+    atan2,
+    cos,
+    evaluate,
+    pi,
+    sin,
+    sqrt,
+    symbols,
+)
+from sympy.matrices.expressions.matexpr import MatrixElement
 
-from chr_notes.typeset import latex
+from chr_notes.typeset import formula, latex
 
 x, y, z = symbols("x y z", real=True)
 
@@ -37,6 +55,25 @@ with evaluate(x=False):
         (z * (-2 * x), r"z \left(- 2 x\right)"),
         (x / sqrt(y), r"\frac{x}{\sqrt{y}}"),
     ]
+
+
+V, W = MatrixSymbol("v", 3, 1), MatrixSymbol("w", 3, 1)
+
+
+def test_sums_products_and_elements_of_columns() -> None:
+    assert latex(V - 2 * W) == "v - 2 w"
+    assert latex(MatMul(Rational(1, 2), V)) == r"\frac{1}{2} v"
+    assert latex(MatMul(-1, V)) == "- v"
+    assert latex(MatrixElement(V, 1, 0)) == r"\left[v\right]_{2}"
+    assert latex(MatrixElement(MatrixSymbol("m", 3, 3), 1, 0)) == r"\left[m\right]_{21}"
+
+
+def test_factors_stand_in_the_order_of_their_angles() -> None:
+    shown = formula(x, sin(x) * sin(z) * sin(y) - cos(x / 2) * cos(y) * sin(z), (z, x, y))
+    assert shown.latex == (
+        r"x = \sin {z} \sin {x} \sin {y} - \sin {z} \cos {\frac{1}{2} x} \cos {y}"
+    )
+    assert formula(x, sin(z) * sin(y)).latex == r"x = \sin {y} \sin {z}"
 
 
 @pytest.mark.parametrize(("expression", "expected"), AS_WRITTEN)

@@ -6,7 +6,7 @@ from types import MappingProxyType
 from typing import Final
 
 from chr_notes.ledger.difference import boxed_alike, unboxed
-from chr_notes.ledger.entry import Entry, Verdict
+from chr_notes.ledger.entry import Entry, Verdict, Witness
 from chr_notes.ledger.harm import HARM
 from chr_notes.ledger.roots import ROOTS
 
@@ -56,7 +56,20 @@ def is_small(entry: Entry) -> bool:
     return entry.weight == "small print" or agreed
 
 
-def chip(entry: Entry, *, opened: bool = False, derived: bool = False) -> Iterator[str]:
+def computed(entry: Entry) -> str | None:
+    """Return an equation with the function that it is read with, where it is printed with another.
+
+    An arctangent of a quotient that holds as atan2 of its two parts.
+    """
+    derived = entry.derived_latex or ""
+    if entry.verdict != "proved" or "atan2" not in derived or "atan2" in entry.printed_latex:
+        return None
+    return entry.printed_latex.partition(EQUALS)[0] + EQUALS + derived
+
+
+def chip(
+    entry: Entry, *, opened: bool = False, derived: bool = False, alone: bool = True
+) -> Iterator[str]:
     """Show an entry on a line that a click opens."""
     state = " open" if opened else ""
     yield f'<details class="entry chip" id="entry-{entry.id}"{state}>\n<summary>'
@@ -64,7 +77,7 @@ def chip(entry: Entry, *, opened: bool = False, derived: bool = False) -> Iterat
     words = "" if "$" in entry.says or "`" in entry.says else html.escape(entry.says, quote=False)
     yield f'<span class="chip-says">{words}</span></summary>\n<div class="entry-body">\n'
     yield f'<p class="entry-term">{_where(entry)}</p>\n'
-    yield from _body(entry, derived=derived)
+    yield from _body(entry, derived=derived, alone=alone)
     yield "</div>\n</details>\n"
 
 
@@ -93,8 +106,11 @@ def together(entries: Sequence[Entry], *, derived: bool = False) -> Iterator[str
     yield '</p></div>\n<div class="entry-body">\n'
     yield f"{ROOTS[root]}\n"
     yield from _harm(root)
+    alone = len({entry.readings for entry in entries}) > 1
+    if not alone:
+        yield from _readings(entries[0])
     for place, entry in enumerate(entries):
-        yield from chip(entry, opened=place == 0, derived=derived)
+        yield from chip(entry, opened=place == 0, derived=derived, alone=alone)
     yield "</div>\n</div>\n"
 
 
@@ -102,19 +118,11 @@ def _harm(root: str | None) -> Iterator[str]:
     yield f'<p class="entry-term">On a device</p>\n\n{HARM[root or ""]}\n'
 
 
-def _body(entry: Entry, *, derived: bool = False) -> Iterator[str]:
+def _body(entry: Entry, *, derived: bool = False, alone: bool = True) -> Iterator[str]:
     yield f"{entry.says}\n"
-    # Words have no formula to print: what stands here is how they are read.
-    term = "Read as" if entry.kind == "claim" else "As printed" if entry.witness else ""
-    printed = boxed_alike(entry.printed_latex, entry.correction_latex or entry.printed_latex)
-    term += "; what is wrong is in a box" if term and printed != entry.printed_latex else ""
-    yield from _formula(term, printed, "wrong" if entry.correction_latex else "")
+    yield from _as_printed(entry)
     if entry.given is not None:
         yield from _formula("Given", entry.given)
-    if entry.correction_latex is not None:
-        boxed = r"\boxed" in entry.correction_latex
-        term = "Right; what differs is in a box" if boxed else "Right"
-        yield from _formula(term, entry.correction_latex, "right")
     if entry.condition is not None:
         yield from _formula("Holds exactly when" if entry.exact else "Holds if", entry.condition)
         if entry.weight == "misleads" and entry.kind == "equation":
@@ -122,8 +130,9 @@ def _body(entry: Entry, *, derived: bool = False) -> Iterator[str]:
     if entry.undefined is not None:
         yield from _formula("Not defined where", entry.undefined)
     if entry.witness is not None:
-        yield from _witness(entry)
-    yield from _readings(entry)
+        yield _witness(entry, entry.witness)
+    if alone:
+        yield from _readings(entry)
     if entry.remark is not None:
         yield f"{entry.remark}\n"
     if entry.derivation and not derived:
@@ -134,19 +143,38 @@ def _body(entry: Entry, *, derived: bool = False) -> Iterator[str]:
         yield "</details>\n"
 
 
+def _as_printed(entry: Entry) -> Iterator[str]:
+    # Words have no formula to print: what stands here is how they are read.
+    read = computed(entry)
+    term = "Read as" if entry.kind == "claim" else "As printed" if entry.witness or read else ""
+    printed = boxed_alike(entry.printed_latex, entry.correction_latex or entry.printed_latex)
+    term += "; what is wrong is in a box" if term and printed != entry.printed_latex else ""
+    yield from _formula(term, printed, "wrong" if entry.correction_latex else "")
+    if read is not None:
+        yield from _formula("Proved as it is read", read, "right")
+    if entry.correction_latex is not None:
+        boxed = r"\boxed" in entry.correction_latex
+        term = "Right; what differs is in a box" if boxed else "Right"
+        yield from _formula(term, entry.correction_latex, "right")
+
+
 def _where(entry: Entry) -> str:
     """Say what it is and where it stands; a numbered equation says both at once."""
     return entry.place if entry.place.startswith(entry.kind) else f"{entry.kind}, {entry.place}"
 
 
 def _readings(entry: Entry) -> Iterator[str]:
-    if not entry.readings:
+    # What holds by all of them needs no word of it.
+    if all(holds for _, holds in entry.readings):
         return
-    found = ", ".join(
-        f"as ${convention}$ it is {'right' if holds else 'wrong'}"
-        for convention, holds in entry.readings
-    )
-    yield f"Read {found}. This book reads it the first way.\n"
+    (ours, holds), *others = entry.readings
+    found = [f"By this book's reading, ${ours}$, it is {_fits(holds)}"]
+    found += [f"by ${convention}$ {_fits(holds)}" for convention, holds in others]
+    yield f"{'; '.join(found)}.\n"
+
+
+def _fits(holds: bool) -> str:  # noqa: FBT001 (one of two words)
+    return "right" if holds else "wrong"
 
 
 def _formula(term: str, latex: str, kind: str = "") -> Iterator[str]:
@@ -165,10 +193,16 @@ def _once(latex: str) -> str:
     return latex[:half] if latex[:half] + EQUALS + latex[:half] == latex else latex
 
 
-def _witness(entry: Entry) -> Iterator[str]:
-    witness = entry.witness
-    if witness is None:
-        return
+def _witness(entry: Entry, witness: Witness) -> str:
     point = ", ".join(f"${symbol} = {value}$" for symbol, value in witness.at)
     at = f" at {point}" if point else ""
-    yield f"Witness{at}: printed ${witness.printed}$, right ${witness.right}$.\n"
+    if witness.symbol:
+        found = (
+            f"the printed symbol means ${witness.right}$, the formula after it gives "
+            f"${witness.printed}$"
+        )
+    else:
+        # Of words nothing is printed but the words.
+        wrong = "so read" if entry.kind == "claim" else "printed"
+        found = f"{wrong} ${witness.printed}$, right ${witness.right}$"
+    return f"Witness{at}: {found}.\n"

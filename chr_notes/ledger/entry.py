@@ -17,11 +17,15 @@ class Witness:
         Pairs of LaTeX symbol and value; angles in degrees.
     printed, right
         What the printed and the right form give there, in LaTeX.
+    symbol
+        Whether it is the symbol on the left that is wrong, and the formula after it is kept:
+        `right` is then the value of what that symbol means, `printed` the formula's.
     """
 
     at: tuple[tuple[str, str], ...]
     printed: str
     right: str
+    symbol: bool = False
 
 
 @dataclass(frozen=True)

@@ -42,8 +42,8 @@ PROJECTIONS = ImmutableMatrix(
 TURNS = (
     Step(
         "Each Euler rate is a turn about one known axis. Roll's is x of the body. Pitch's is y of "
-        "vehicle-2, so that only roll has still to turn it. Yaw's is down, and both pitch and roll "
-        "come after it.",
+        "vehicle-2, from where roll's matrix leads to the body. Yaw's is down, and both pitch and "
+        "roll come after it.",
         InOrder(
             equation(ROLL_TURN, ImmutableMatrix([roll_rate, 0, 0])),
             equation(PITCH_TURN, MatMul(printed.R_ROLL, ImmutableMatrix([0, pitch_rate, 0]))),

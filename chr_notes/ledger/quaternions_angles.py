@@ -29,9 +29,8 @@ ELEMENTS = Step(
     Eq(ImmutableMatrix(OWN_ELEMENTS), ImmutableMatrix(BY_TURNS), evaluate=False),
 )
 ATAN = (
-    "The arctangent of the quotient is read as the note says two sentences later: by atan2, which "
-    "takes numerator and denominator apart and so finds the whole range. Taken at its word, atan "
-    "gives angles from −90° to 90° only, and any other comes out wrong by 180°."
+    "Read as the note says two sentences later, by atan2. Taken at its word, atan gives angles "
+    "from −90° to 90° only, and any other comes out wrong by 180°."
 )
 
 

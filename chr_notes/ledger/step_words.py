@@ -17,7 +17,7 @@ from chr_notes.typeset import latex
 OPERATIONS: Final[Mapping[str, str]] = MappingProxyType(
     {
         "transpose": r"\^\{T\}",
-        "undo|undoes|undone|inverse": r"\^\{-1\}|\^\{T\}|= I|\\left\(- \\|= -1",
+        "undo|undoes|undone|inverse": r"\^\{-1\}|\^\{T\}|= 1(?!\d)|\\left\(- \\|= -1",
         "conjugate": r"\*\}",
         "divided|quotient|per unit|per mass": r"\\frac",
         "squares?|squared": r"\^\{2\}",

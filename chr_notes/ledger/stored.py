@@ -121,5 +121,5 @@ def _entry(row: dict[str, Any]) -> Entry:
     )
     if witness is not None:
         at = tuple((symbol, value) for symbol, value in witness["at"])
-        witness = Witness(at, witness["printed"], witness["right"])
+        witness = Witness(**witness | {"at": at})
     return Entry(**row, witness=witness, derivation=derivation, readings=readings)

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from chr_notes.ledger import entries
-from chr_notes.ledger.card import badge, display
+from chr_notes.ledger.card import badge, computed, display
 from chr_notes.ledger.entry import Entry
 from chr_notes.ledger.table import Table
 
@@ -12,6 +12,8 @@ __all__ = ["show_summary"]
 
 def show_summary(document: str) -> Table:
     """Show all equations of a document in one table: the right form of each, and its verdict.
+
+    What is printed with another function than it is read with stands as it is read.
 
     Parameters
     ----------
@@ -37,7 +39,7 @@ def _lines(equations: list[Entry]) -> Iterator[str]:
         link = f'<a href="#entry-{entry.id}">{entry.id}</a>'
         yield f"<tr>\n<th>{link}<br>{badge(entry.verdict)}</th>\n<td>\n"
         yield f"{entry.says}\n"
-        yield display(entry.correction_latex or entry.printed_latex)
+        yield display(entry.correction_latex or computed(entry) or entry.printed_latex)
         if entry.condition is not None:
             yield f"{'Exactly when' if entry.exact else 'If'}\n"
             yield display(entry.condition)

@@ -145,13 +145,24 @@ def witness(case: Case) -> Witness:
         row, column = divmod(where, right.cols)
         place = rf"(\ldots)_{{{row + 1}{column + 1}}}"
         return Witness(
-            at, f"{place} = {number(printed[where])}", f"{place} = {number(right[where])}"
+            at,
+            f"{place} = {number(printed[where])}",
+            f"{place} = {number(right[where])}",
+            symbol=_is_of_a_symbol(case, failing),
         )
     if isinstance(right, Set):
-        shown = [latex(Eq(failing.lhs, each, evaluate=False)) for each in (printed, right)]
-        return Witness(at, *shown)
+        shown = (latex(Eq(failing.lhs, each, evaluate=False)) for each in (printed, right))
+        return Witness(at, next(shown), next(shown))
     of = failing.rhs if isinstance(failing.rhs, Angle) else failing.lhs
     return Witness(at, number(printed, of), number(right, of))
+
+
+def _is_of_a_symbol(case: Case, failing: Eq) -> bool:
+    """Whether the correction changes the left side of what fails, and keeps the right side."""
+    if case.right is None:
+        return False
+    mended = dict(zip(parts(case.printed.statement), parts(case.right), strict=True))[failing]
+    return isinstance(mended, Eq) and mended.lhs != failing.lhs and mended.rhs == failing.rhs
 
 
 def _names(case: Case, relation: Eq) -> Basic:

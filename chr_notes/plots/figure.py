@@ -57,9 +57,13 @@ def show(figure: Figure, alt: str, caption: str) -> Picture:
         What stands below it: the point of the figure, in one sentence or two.
     """
     buffer = io.StringIO()
+    # Axes that are larger than their figure, and so not in its layout, are cut off at its edges.
+    whole = all(axes.get_in_layout() for axes in figure.axes)
     # Without a date and with a fixed salt the same figure gives the same file.
     with mpl.rc_context({"svg.hashsalt": "chr_notes", "svg.fonttype": "path"}):
-        figure.savefig(buffer, format="svg", metadata={"Date": None}, bbox_inches="tight")
+        figure.savefig(
+            buffer, format="svg", metadata={"Date": None}, bbox_inches="tight" if whole else None
+        )
     plt.close(figure)
     return Picture(buffer.getvalue(), alt, caption)
 

@@ -17,16 +17,20 @@ from chr_notes.palette import PALETTE
 from chr_notes.plots.figure import line_style
 
 AXES = ("x", "y", "z")
+HEIGHT = 3.6
 _DRAWN_FROM_NED = np.diag([1.0, -1.0, -1.0])
 
 
-def world(axes: Any = None) -> Any:  # noqa: ANN401 (matplotlib's 3D axes are untyped)
+def world(axes: Any = None, *, height: float = HEIGHT) -> Any:  # noqa: ANN401 (3D axes are untyped)
     """Prepare axes to draw frames in.
 
     Parameters
     ----------
     axes
         Three-dimensional matplotlib axes; new ones are made without it.
+    height
+        Of a new figure, in inches. The axes need a square; a lower figure cuts off white above
+        and below it.
 
     Returns
     -------
@@ -34,7 +38,10 @@ def world(axes: Any = None) -> Any:  # noqa: ANN401 (matplotlib's 3D axes are un
         Cleared, equal in all directions, without box.
     """
     if axes is None:
-        axes = plt.figure(figsize=(5.4, 3.6)).add_axes((0, 0, 1, 1), projection="3d")
+        room = HEIGHT / height
+        figure = plt.figure(figsize=(5.4, height))
+        axes = figure.add_axes((0, 0.4 * (1 - room), 1, room), projection="3d")
+        axes.set_in_layout(height >= HEIGHT)
     axes.set_axis_off()
     axes.set_proj_type("ortho")
     # Room for the axes, which point north, east and down, and a little for wings and fin.

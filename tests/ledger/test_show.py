@@ -6,12 +6,14 @@ import pytest
 
 from chr_notes.derivations.told.estimation import TILT
 from chr_notes.ledger import entries
-from chr_notes.ledger.card import AND, LONG, display
+from chr_notes.ledger import entry as judged
+from chr_notes.ledger.card import AND, LONG, computed, display
 from chr_notes.ledger.cases import CASES
 from chr_notes.ledger.difference import boxed_alike, unboxed
 from chr_notes.ledger.harm import HARM
 from chr_notes.ledger.proof import proves
 from chr_notes.ledger.show import show, show_additions, show_together
+from chr_notes.ledger.summary import show_summary
 from chr_notes.ledger.told import show_steps
 from chr_notes.printed import ADDITIONS
 
@@ -116,3 +118,28 @@ def test_places_of_one_error_stand_on_one_card() -> None:
     for names in (("validation.6", "validation.4"), ("euler.4.b",), ("euler.3.1",)):
         with pytest.raises(ValueError, match="places of one error that misleads"):
             show_together(*names)
+
+
+def test_what_is_read_with_another_function_shows_it_as_read() -> None:
+    other = [each.id for each in entries() if computed(each)]
+    assert other == ["quaternions.4.1", "quaternions.4.3"]
+    summary = show_summary("quaternions")._repr_markdown_()
+    for name in other:
+        text, read = show(name).markdown(), computed(judged(name))
+        assert read is not None
+        assert read.startswith((r"\phi = \mathrm{atan2}", r"\psi = \mathrm{atan2}"))
+        assert text.index("As printed") < text.index("Proved as it is read") < text.index(read)
+        assert read in summary
+    assert r"\arctan" not in summary
+
+
+def test_readings_are_told_where_they_differ_and_once_a_card() -> None:
+    assert "reading" not in show("quaternions.3.c").markdown()
+    both = show_together("quaternions.3.1", "quaternions.3.3")._repr_markdown_()
+    for text, ours, other in (
+        (both, "wrong", "right"),
+        (show("quaternions.4.2").markdown(), "right", "wrong"),
+    ):
+        (first, _), (second, _) = judged("quaternions.3.1").readings
+        told = f"By this book's reading, ${first}$, it is {ours}; by ${second}$ {other}.\n"
+        assert text.count(told) == text.count("By this book's reading") == 1

@@ -18,12 +18,16 @@ from sympy import (
     symbols,
 )
 
+from chr_notes.ledger import entry
 from chr_notes.ledger.case import CannotJudgeError, Case
 from chr_notes.ledger.cases import CASES
 from chr_notes.ledger.condition import Condition
 from chr_notes.ledger.edits import Edit
-from chr_notes.ledger.identities import shape_of
+from chr_notes.ledger.evaluation import parts, sides
+from chr_notes.ledger.identities import equal, shape_of
 from chr_notes.ledger.judgement import judge
+from chr_notes.ledger.proof import fails
+from chr_notes.ledger.show import show
 from chr_notes.ledger.witness import check_witness
 from chr_notes.printed import estimation, euler, quaternions, validation
 from chr_notes.printed.statement import Rotation
@@ -131,6 +135,23 @@ def test_a_witness_without_a_value_there_is_refused() -> None:
         for name in case.witness
     }
     assert "has no value" in refused(case, nothing)
+
+
+@pytest.mark.parametrize("name", [name for name, case in OF_NUMBERS.items() if case.edits])
+def test_printed_and_right_numbers_are_those_of_the_formulas_above_them(name: str) -> None:
+    case, found, text = CASES[name], entry(name).witness, show(name).markdown()
+    pairs = zip(parts(case.printed.statement), parts(case.right), strict=True)
+    wrong, mended = next(pair for pair in pairs if fails(pair[0], case.reading, case.witness))
+    formulas = [sides(each, case.reading, case.witness)[1] for each in (wrong, mended)]
+    assert found is not None
+    assert found.symbol == equal(*formulas)
+    assert ("the printed symbol means" in text) == found.symbol
+    if found.symbol:
+        at, at_symbol = (str(each).split(" = ")[1] for each in (found.printed, found.right))
+        assert f"after it gives ${found.printed}$" in text
+        assert float(at) in [pytest.approx(float(each), abs=1e-4) for each in formulas[1]]
+        meant = sides(wrong, case.reading, case.witness)[0]
+        assert float(at_symbol) in [pytest.approx(float(each), abs=1e-4) for each in meant]
 
 
 def test_a_refusal_names_the_files_to_mend() -> None:

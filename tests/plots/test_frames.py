@@ -20,6 +20,17 @@ def test_a_figure_is_the_same_each_time_and_has_words() -> None:
     assert not plt.get_fignums()
 
 
+def test_a_lower_figure_cuts_off_white_and_keeps_its_size() -> None:
+    sizes = []
+    for height in (3.6, 2.8):
+        axes = plots.world(height=height)
+        axes.figure.canvas.draw()
+        sizes.append(axes.get_window_extent().height)
+        svg = plots.show(axes.figure, "nothing", "Nothing.").svg
+    assert sizes[0] == pytest.approx(sizes[1])
+    assert f'height="{2.8 * 72:g}pt"' in svg
+
+
 def test_letters_stand_beyond_the_ends_of_the_axes() -> None:
     matrix = chr_notes.matrix_from_euler([0.1, 0.2, 0.3])
     axes = plots.draw_frame(plots.world(), matrix, "B")

@@ -57,8 +57,9 @@ HALF_ANGLE = Told(
             equation(BOTH, s**2 * V + MatMul(s * t, NV - VN) - t**2 * NVN),
         ),
         Step(
-            "By the first two steps the bracket is twice the vector product. In n v n the "
-            "product n × (n × v) comes up, which is (n·v) n − v. There is no scalar left.",
+            "By the first two steps the bracket is twice the vector product. For n v n multiply "
+            "the first step by n from the right: n × v is at right angles to n, so it gives no "
+            "scalar, and (n × v) × n, which is v − (n·v) n; the scalar gives − (n·v) n.",
             equation(NVN, V - 2 * ALONG),
         ),
         Step(
