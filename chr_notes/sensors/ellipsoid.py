@@ -33,6 +33,7 @@ _FEWEST = _UNKNOWNS + 1  # with one to spare, the residuals say something of the
 _FLATTEST = 1e-3  # thickness of the cloud over its extent; a sensor's axes never differ by so much
 WIDEST_GAP = np.radians(100.0)  # a hemisphere leaves a gap of 90°
 LARGEST_ERROR = 0.1  # of the norm, where it is worst
+_RING = 0.1  # thickness of a cloud over its extent, that is taken for a ring with noise
 _HARDLY = 0.05  # of their size, that readings at rest may vary by
 _MOST_OUTLIERS = 0.25  # of the rows
 _ALL_AROUND = np.radians(60.0)  # a gap that no far point can pretend to close
@@ -186,8 +187,8 @@ def _extent(points: Floats, middle: Floats) -> float:
         msg = (
             "samples: expected readings all around, got points in one plane "
             f"(thickness {extents.S[2] / extents.S[0]:.1e} of the extent); turn the sensor so "
-            f"that the field comes from {named(extents.Vh[2])} and from {named(-extents.Vh[2])} "
-            "too, or fit_hard_iron where it cannot be turned over"
+            f"that the field comes from {_both_sides(extents.Vh[2])} too, or fit_hard_iron where "
+            "it cannot be turned over"
         )
         raise ValueError(msg)
     directions = count_directions(points, _UNKNOWNS)
@@ -202,20 +203,27 @@ def _extent(points: Floats, middle: Floats) -> float:
 
 def _what_is_missing(points: Floats, centre: Floats, matrix: Floats) -> str:
     """Say where the largest gap is, and what to do about it."""
-    directions = outward(points, centre, matrix)
-    gap, direction = widest_gap(directions)
-    opposite = np.arccos(np.clip(np.max(directions @ -direction), -1, 1))
-    if opposite > _ALL_AROUND:
+    gap, direction = widest_gap(outward(points, centre, matrix))
+    extents = np.linalg.svd(points - points.mean(axis=0), full_matrices=False)
+    if extents.S[2] < _RING * extents.S[0]:
         # On a ring the middle is not known, and so not on which side of it the readings lie.
         return (
-            f"the readings lie near one plane: turn the sensor so that the field comes from "
-            f"{named(direction)} and from {named(-direction)} too, or fit_hard_iron where it "
-            "cannot be turned over"
+            "the readings lie near one plane: which side they lack it does not tell, so turn the "
+            f"sensor so that the field comes from {_both_sides(extents.Vh[2])} too, or "
+            "fit_hard_iron where it cannot be turned over"
         )
+    enough = "" if gap > WIDEST_GAP else ", which would do if they were less noisy"
     return (
-        f"no reading comes from within {np.degrees(gap):.0f}° of {named(direction)} of the sensor: "
-        "turn that side along the field too, or fit_hard_iron where it cannot be turned over"
+        f"no reading comes from within {np.degrees(gap):.0f}° of {named(direction)} of the sensor"
+        f"{enough}: turn that side along the field too, or "
+        f"{'take many more' if enough else 'fit_hard_iron where it cannot be turned over'}"
     )
+
+
+def _both_sides(normal: Floats) -> str:
+    """Name the two sides of a plane, the same one first whichever way the normal points."""
+    first = normal * np.sign(normal[np.abs(normal).argmax()])
+    return f"{named(first)} and from {named(-first)}"
 
 
 def _outliers(points: Floats) -> NDArray[np.bool_]:
