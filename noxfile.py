@@ -87,7 +87,7 @@ def newest(session: nox.Session) -> None:
     extensions = ("book-theme", "comments", "copybutton", "design", "external-toc", "togglebutton")
     names = ("sphinx", "myst-nb", "sphinxcontrib-bibtex", *(f"sphinx-{e}" for e in extensions))
     session.install("--upgrade", "-e", ".", *names, *drawn)
-    pages = "from chr_notes import book; book._write_generated(book.SOURCES, 'sphinx-build')"
+    pages = "from chr_notes import book; book.write_generated(book.SOURCES, 'sphinx-build')"
     session.run("python", "-c", pages)
     out = str(Path(session.create_tmp()) / "html")
     options = ("-W", "-n", "--keep-going", "-q", "-c", "tools/plain_sphinx")

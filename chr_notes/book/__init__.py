@@ -12,12 +12,18 @@ from pathlib import Path
 
 from chr_notes.book import sources
 
-__all__ = ["build"]
+__all__ = ["build", "write_generated"]
 
 ROOT = sources.CLONE
 SOURCES = ROOT / "book"
 
-_JUPYTER_BOOK = "from jupyter_book.cli.main import main; main()"
+# Where the pages are it does not say, for it builds them aside; we do. What went wrong it says.
+JUPYTER_BOOK = """\
+from jupyter_book.cli import main
+box = main._message_box
+main._message_box = lambda text, color="green", **how: color == "green" or box(text, color, **how)
+main.main()
+"""
 _NEEDED = ("jupyter_book", "anywidget", "math_core", "fontTools", "brotli", "ziamath")
 _INSTALL = 'python -m pip install -e ".[book]", or "chr-notes[book]" without a clone'
 _MAKERS = ("jupyter-book", "matplotlib", "myst-nb", "sphinx", "sphinx-book-theme", "sympy")
@@ -61,7 +67,7 @@ def build(
     made_by = _made_by(root / "book")
     if not _is_from(root / "book" / "_generated", made_by):
         _say("Writing the pages that come from data …")
-        _write_generated(root / "book", made_by)
+        write_generated(root / "book", made_by)
     output = output or root / "book"
     output.mkdir(parents=True, exist_ok=True)
     built = output / "_build"
@@ -107,7 +113,16 @@ def _is_from(built: Path, made_by: str) -> bool:
     return stamp.is_file() and stamp.read_text(encoding="utf-8") == made_by
 
 
-def _write_generated(book: Path, made_by: str) -> None:
+def write_generated(book: Path, made_by: str) -> None:
+    """Write what of the sources is made: pages from data, style sheets and scripts.
+
+    Parameters
+    ----------
+    book
+        The folder of the sources, which gets one called ``_generated``.
+    made_by
+        Stamp of what makes them.
+    """
     # Imported here, so that a missing package is reported in our words and not as an ImportError.
     from chr_notes import lesson  # noqa: PLC0415
     from chr_notes.book import pages, search  # noqa: PLC0415
@@ -141,7 +156,7 @@ def _write(path: Path, text: str) -> None:
 
 def _run_jupyter_book(root: Path, output: Path, *, whole: bool) -> None:
     command = [
-        sys.executable, "-c", _JUPYTER_BOOK, "build", ".",
+        sys.executable, "-c", JUPYTER_BOOK, "build", ".",
         "--config", "book/_config.yml", "--toc", "book/_toc.yml",
         "--path-output", str(output.resolve()), "-W", "-n", "--keep-going",
         *(["--all"] if whole else []),

@@ -106,8 +106,13 @@ def _link(
     from_docstring(lines)
 
 
+def _leave_place_unsaid(app: Sphinx) -> None:
+    app.builder.epilog = ""  # it is built aside
+
+
 def setup(app: Sphinx) -> dict[str, Any]:
     """Register with Sphinx."""
+    app.connect("builder-inited", _leave_place_unsaid)
     app.connect("build-finished", _lighten)
     app.connect("autodoc-process-docstring", _link)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

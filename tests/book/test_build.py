@@ -3,6 +3,8 @@
 import errno
 import importlib.util
 import os
+import subprocess
+import sys
 from collections import Counter
 from pathlib import Path
 
@@ -38,6 +40,15 @@ def test_the_command_says_what_is_missing_in_a_line(
     assert said.err.count("\n") == 1
 
 
+def test_jupyter_book_names_no_folder_that_goes_away_and_says_what_is_wrong() -> None:
+    begun, ended = chr_notes.book.JUPYTER_BOOK.rsplit("main.main()", 1)
+    said = "main._message_box('here'); main._message_box('wrong', color='red')"
+    run = [sys.executable, "-c", f"{begun}{said}{ended}"]
+    out = subprocess.run(run, check=True, capture_output=True, text=True).stdout
+    assert "wrong" in out
+    assert "here" not in out
+
+
 @pytest.fixture
 def runs(monkeypatch: pytest.MonkeyPatch) -> list[bool]:
     """Put a page of one word in place of the book's, and note whether each run is a whole one."""
@@ -54,7 +65,7 @@ def runs(monkeypatch: pytest.MonkeyPatch) -> list[bool]:
             raise RuntimeError(msg)
 
     monkeypatch.setattr(chr_notes.book, "_run_jupyter_book", run)
-    monkeypatch.setattr(chr_notes.book, "_write_generated", lambda *_: None)
+    monkeypatch.setattr(chr_notes.book, "write_generated", lambda *_: None)
     return whole_ones
 
 
@@ -86,7 +97,7 @@ def test_pages_from_data_are_written_where_their_makers_changed(
     written = []
     monkeypatch.setattr(sources, "find", lambda _: tmp_path)
     monkeypatch.setattr(chr_notes.book, "_made_by", lambda _: "of today")
-    monkeypatch.setattr(chr_notes.book, "_write_generated", lambda *given: written.append(given))
+    monkeypatch.setattr(chr_notes.book, "write_generated", lambda *given: written.append(given))
     for made_by, times in (("of yesterday", 1), ("of today", 1)):
         (generated / "made_by").write_text(made_by, encoding="utf-8")
         build(output=tmp_path)
@@ -102,7 +113,7 @@ def test_a_folder_that_cannot_be_written_is_told_in_a_line(
     def full(*_: object, **__: object) -> None:
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), "page.html")
 
-    monkeypatch.setattr(chr_notes.book, "_write_generated", full)
+    monkeypatch.setattr(chr_notes.book, "write_generated", full)
     assert main(["book"]) == 1
     assert capsys.readouterr().err == "book: No space left on device: page.html\n"
     assert runs == []
