@@ -39,7 +39,8 @@ def world(axes: Any = None, *, height: float = HEIGHT) -> Any:  # noqa: ANN401 (
     """
     if axes is None:
         room = HEIGHT / height
-        figure = plt.figure(figsize=(5.4, height))
+        # A lower figure is narrower, too, so that its letters are read on a phone.
+        figure = plt.figure(figsize=(5.4 if room <= 1 else 4.8, height))
         axes = figure.add_axes((0, 0.4 * (1 - room), 1, room), projection="3d")
         axes.set_in_layout(height >= HEIGHT)
     axes.set_axis_off()
