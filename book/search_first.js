@@ -17,3 +17,6 @@ document.addEventListener("DOMContentLoaded", () => {
   }
   results.before(list);
 });
+
+/* A page from the disk may not fetch the others, of which a result would show a few words. */
+if (location.protocol === "file:") DOCUMENTATION_OPTIONS.SHOW_SEARCH_SUMMARY = false;
