@@ -137,9 +137,9 @@ SETTLED = (
         ),
         remark="Right where the note's assumption holds that there is no net force. Otherwise the "
         "reading has not the magnitude g: in a lift that starts upwards with 1 m/s² it is "
-        "10.8 m/s², and a pitch of 30° comes out as 33.4°; a little above g the arcsine has no "
-        "value at all. An error of scale does the same. The last step shows a form that needs "
-        "no g.",
+        "10.8 m/s², and a pitch of 30° comes out as 33.4°; where the x component comes out "
+        "above g the arcsine has no value at all. An error of scale does the same. The last step "
+        "shows a form that needs no g.",
     ),
     Case(
         "estimation.2.6",

@@ -2,7 +2,18 @@
 
 from types import MappingProxyType
 
-from sympy import Function, ImmutableMatrix, Integral, MatrixSymbol, Symbol, exp, oo, sin
+from sympy import (
+    Function,
+    ImmutableMatrix,
+    Integral,
+    MatrixSymbol,
+    Symbol,
+    exp,
+    oo,
+    pi,
+    sin,
+    sqrt,
+)
 
 from chr_notes.derivations import averaging as derived
 from chr_notes.derivations import dead_reckoning
@@ -19,6 +30,7 @@ LEAN, BIAS_LEAN = (
     Symbol(rf"\epsilon_{{\text{{{name}}}}}", positive=True) for name in ("mean", "bias")
 )
 WEIGHT, MEAN_AGE = Symbol("h(u)"), Symbol(r"\overline{u}")
+HILL, NEXT_HILL = Symbol("h_1", positive=True), Symbol("h_2", negative=True)
 NOISE = Symbol(r"\operatorname{var}_{\text{accel}}", positive=True)
 BEST = Symbol(r"\tau_{\text{best}}", positive=True)
 _AGE = Symbol("u", positive=True)
@@ -54,16 +66,48 @@ MEAN_OF_MOTION = Told(
 )
 """Why motion averages out in a frame at rest."""
 
-TIME_CONSTANT = Told(
+WEIGHTED_MOTION = Told(
     (
         Step(
-            "The frame is held still by gyros, and their bias turns it. So what is old must be "
-            "forgotten. The flattest low-pass of second order gives this weight to what came in a "
-            "time u ago,",
+            "The filter gives this weight to what came in a time u ago. (Of all of second order "
+            "it lets the slow pass most evenly.)",
             equation(WEIGHT, 2 / tau * exp(-_AGE / tau) * sin(_AGE / tau)),
         ),
         Step(
-            "so that on average it is as old as the time constant.",
+            "It goes up to a hill at u = π τ/4 and down to a smaller one below zero at 5 π τ/4, "
+            "and so on. Each is smaller than the last by this factor.",
+            equation(NEXT_HILL / HILL, -exp(-pi)),
+        ),
+        Step(
+            "The first hill is so high.",
+            equation(HILL, sqrt(2) * exp(-pi / 4) / tau),
+        ),
+        Step(
+            "By parts, weights on an acceleration are their slopes on its velocity. So the mean "
+            "is at most V times all the way that the weights go up and down: twice the sum of "
+            "all hills, a geometric series.",
+            equation(LEAN, 2 * speed * HILL / (g * (1 - exp(-pi)))),
+        ),
+        Step(
+            "In numbers the factor is 1.35.",
+            equation(LEAN, 2 * sqrt(2) * exp(-pi / 4) / (1 - exp(-pi)) * speed / (g * tau)),
+        ),
+    ),
+    MappingProxyType(
+        {
+            WEIGHT: _WEIGHTS,
+            HILL: _WEIGHTS.subs(_AGE, pi * tau / 4),
+            NEXT_HILL: _WEIGHTS.subs(_AGE, 5 * pi * tau / 4),
+            LEAN: derived.motion_error(),
+        }
+    ),
+)
+"""How much of a motion in bounds the weights of the filter let through."""
+
+TIME_CONSTANT = Told(
+    (
+        Step(
+            "By these weights, what is averaged is on average as old as the time constant.",
             equation(MEAN_AGE, tau),
         ),
         Step(
@@ -84,7 +128,6 @@ TIME_CONSTANT = Told(
     ),
     MappingProxyType(
         {
-            WEIGHT: _WEIGHTS,
             MEAN_AGE: Integral(_AGE * _WEIGHTS, (_AGE, 0, oo)),
             BIAS_LEAN: derived.bias_error(),
             NOISE: accel_noise**2 * derived.noise_share(),

@@ -116,10 +116,11 @@ BEST_GAIN = Told(
     (
         Step(
             "Where the settled variance is least, its slope by L is zero. By the quotient's rule, "
-            "and halved:",
+            "halved and sorted:",
             equation(
-                (BEST * accel_noise**2 - (1 - BEST) * T**2 * gyro_noise**2) * BEST * (2 - BEST),
-                (1 - BEST) * ((1 - BEST) ** 2 * T**2 * gyro_noise**2 + BEST**2 * accel_noise**2),
+                (BEST * accel_noise**2 - (1 - BEST) * T**2 * gyro_noise**2) / (1 - BEST),
+                ((1 - BEST) ** 2 * T**2 * gyro_noise**2 + BEST**2 * accel_noise**2)
+                / (BEST * (2 - BEST)),
             ),
         ),
         Step(
