@@ -4,13 +4,11 @@ The kernels are left out, without an error, where there is no compiler.
 """
 
 import bz2
-import io
 import json
 import lzma
 import shutil
-import tarfile
+from collections.abc import Iterable
 from pathlib import Path
-from typing import IO
 
 import numpy as np
 from setuptools import Extension, setup
@@ -41,7 +39,7 @@ class WithBook(build_py):
         if self.editable_mode:
             return
         package = Path(self.build_lib) / "chr_notes"
-        for name in MAKERS:
+        for name in (*MAKERS, "prose.bz2", "code.xz"):  # the archives of a build before
             remove(package / name)
         texts = sources_of_the_book()
         for path in [*package.rglob("*.*")]:
@@ -50,10 +48,10 @@ class WithBook(build_py):
                 path.unlink()
         prose = {name for name in texts if Path(name).suffix in PROSE}
         code = [{"id": lzma.FILTER_LZMA2, "preset": 9 | lzma.PRESET_EXTREME, "lc": 4, "pb": 0}]
-        with bz2.open(package / "prose.tar.bz2", "wb") as file:
-            write_archive(file, {name: texts[name] for name in prose})
-        with lzma.open(package / "code.tar.xz", "wb", filters=code) as file:
-            write_archive(file, {name: texts[name] for name in texts.keys() - prose})
+        prose_packed = bz2.compress(archive(texts, prose))
+        (package / "prose.bz2").write_bytes(prose_packed)
+        code_packed = lzma.compress(archive(texts, texts.keys() - prose), filters=code)
+        (package / "code.xz").write_bytes(code_packed)
 
 
 def remove(path: Path) -> None:
@@ -64,14 +62,11 @@ def remove(path: Path) -> None:
         path.unlink(missing_ok=True)
 
 
-def write_archive(file: IO[bytes], texts: dict[str, bytes]) -> None:
-    """Write texts into an archive, which is the same for the same texts."""
-    with tarfile.open(fileobj=file, mode="w") as archive:
-        # Like after like: it takes less.
-        for name in sorted(texts, key=lambda name: (Path(name).suffix, name)):
-            member = tarfile.TarInfo(name)
-            member.size = len(texts[name])
-            archive.addfile(member, io.BytesIO(texts[name]))
+def archive(texts: dict[str, bytes], names: Iterable[str]) -> bytes:
+    """Write texts one after the other, as chr_notes/_texts.py reads them."""
+    # Like after like: it takes less.
+    ordered = sorted(names, key=lambda name: (Path(name).suffix, name))
+    return b"\0".join(part for name in ordered for part in (name.encode(), texts[name]))
 
 
 def sources_of_the_book() -> dict[str, bytes]:

@@ -1,6 +1,6 @@
 """The sources of the book where there is no clone: copied, run, and nobody's work overwritten."""
 
-import tarfile
+import bz2
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -23,9 +23,9 @@ def write(folder: Path, **cells: nbformat.NotebookNode) -> None:
     for name, cell in cells.items():
         path = folder / "packed" / "notebooks" / f"{name}.ipynb"
         nbformat.write(new_notebook(cells=[cell]), path)
-    with tarfile.open(_texts.ARCHIVES[0], "w:bz2") as archive:
-        for path in sorted(folder.rglob("*.*")):
-            archive.add(path, str(path.relative_to(folder)))
+    files = {path.relative_to(folder): path.read_bytes() for path in folder.rglob("*.*")}
+    parts = [part for path, content in files.items() for part in (str(path).encode(), content)]
+    next(iter(_texts.ARCHIVES)).write_bytes(bz2.compress(b"\0".join(parts)))
     _texts.archived.cache_clear()
 
 
@@ -34,7 +34,7 @@ def packed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
     """An installed package with one page and two notebooks, of which one has run."""
     folder = tmp_path / "package"
     folder.mkdir()
-    monkeypatch.setattr(_texts, "ARCHIVES", [tmp_path / "prose.tar.bz2"])
+    monkeypatch.setattr(_texts, "ARCHIVES", {tmp_path / "prose.bz2": bz2.decompress})
     monkeypatch.setattr(sources, "ORIGIN", sources.PACKED)
     run = new_code_cell("1", execution_count=1)
     write(folder, fresh=new_code_cell("print(6 * 7)"), run=run)
