@@ -160,6 +160,9 @@ def browser(program: Callable[[str], str]) -> Browser:
 
 Visit = Callable[..., Page]
 
+# Demos come one after the other, when the page is there already.
+TO_COME = "[data-demo]:not([data-failed]):not(:has(> .chr-demo))"
+
 
 @pytest.fixture
 def visit(browser: Browser) -> Iterator[Visit]:
@@ -194,6 +197,7 @@ def visit(browser: Browser) -> Iterator[Visit]:
             ),
         )
         page.goto(address)
+        expect(page.locator(TO_COME)).to_have_count(0)
         return page
 
     yield opened

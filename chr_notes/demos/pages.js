@@ -34,44 +34,42 @@ function mountOne(demos, element, address) {
   return meant;
 }
 
-function mountNow(demos) {
-  const address = addressed();
-  for (const element of document.querySelectorAll("[data-demo]"))
-    try {
-      if (mountOne(demos, element, address)) {
-        element.scrollIntoView();
-        address.name = ""; // the first one of the name is meant
-      }
-    } catch (error) {
-      // What stood there for readers without scripts stays, and the other demos start.
-      element.dataset.failed = String(error);
-    }
-}
-
 /**
  * Beside the page's link that skips what stands before its text, one to each demo, in their order:
  * so many presses of Tab lead there, however much there is before it.
  */
-function linkToEach() {
+function linkTo(demo) {
   const skips = document.querySelector(".skip-link");
-  for (const demo of skips ? document.querySelectorAll("[data-demo] > .chr-demo") : []) {
-    const link = node("a", { href: `#${demo.parentElement.dataset.demo}` }, `Skip to the demo “${demo.ariaLabel}”`);
-    link.addEventListener("click", (event) => {
-      event.preventDefault(); // the second demo of a name is not the one that an address means
-      demo.tabIndex = -1;
-      demo.focus();
-      demo.scrollIntoView();
-    });
-    skips.append(" ", link);
+  if (!skips || !demo) return;
+  const link = node("a", { href: `#${demo.parentElement.dataset.demo}` }, `Skip to the demo “${demo.ariaLabel}”`);
+  link.addEventListener("click", (event) => {
+    event.preventDefault(); // the second demo of a name is not the one that an address means
+    demo.tabIndex = -1;
+    demo.focus();
+    demo.scrollIntoView();
+  });
+  skips.append(" ", link);
+}
+
+/** Mount them in their order, each in a task of its own: between two of them the page answers. */
+function mountInTurn(demos, [element, ...others], address) {
+  if (!element) return;
+  try {
+    if (mountOne(demos, element, address)) {
+      element.scrollIntoView();
+      address.name = ""; // the first one of the name is meant
+    }
+    linkTo(element.querySelector(":scope > .chr-demo"));
+  } catch (error) {
+    // What stood there for readers without scripts stays, and the other demos start.
+    element.dataset.failed = String(error);
   }
+  setTimeout(() => mountInTurn(demos, others, address));
 }
 
 /** Mount them, by { name: mount }, once the page is there. */
 export function mountOn(demos) {
-  const mount = () => {
-    mountNow(demos);
-    linkToEach();
-  };
+  const mount = () => setTimeout(() => mountInTurn(demos, document.querySelectorAll("[data-demo]"), addressed()));
   if (document.readyState === "loading") document.addEventListener("DOMContentLoaded", mount);
   else mount();
 }

@@ -203,6 +203,7 @@ def test_few_presses_of_tab_lead_to_each_demo(
     assert demos == 3
     for nth in range(demos):
         page.reload()
+        expect(page.locator(".chr-demo")).to_have_count(demos)
         for _ in range(nth + 2):
             page.keyboard.press("Tab")
         page.keyboard.press("Enter")
@@ -212,6 +213,7 @@ def test_few_presses_of_tab_lead_to_each_demo(
         assert page.evaluate(FOCUSED) == nth
     # Without the links too: a formula is a stop only where it must be scrolled.
     page.reload()
+    expect(page.locator(".chr-demo")).to_have_count(demos)
     presses = 0
     while page.evaluate(FOCUSED) < 0:
         presses += 1

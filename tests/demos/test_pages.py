@@ -36,6 +36,25 @@ def test_a_demo_that_fails_leaves_the_others_alone(visit: Visit, page_of: PageOf
     expect(page.get_by_text("An aircraft in three rings: yaw 0°")).to_have_count(1)
 
 
+COUNT = """<script>
+  window.mounted = [];
+  new MutationObserver((changes) => {
+    const added = changes.flatMap((change) => [...change.addedNodes]);
+    window.mounted.push(added.filter((each) => each.className === "chr-demo").length);
+  }).observe(document, { childList: true, subtree: true });
+</script>"""
+
+
+def test_each_demo_comes_in_a_task_of_its_own(visit: Visit, page_of: PageOf) -> None:
+    address = page_of(GimbalLockDemo(), TiltDemo(), DriftDemo())
+    path = Path(address.removeprefix("file://"))
+    text = path.read_text(encoding="utf-8").replace("<body>", f"<body>{COUNT}", 1)
+    path.write_text(text, encoding="utf-8")
+    page = visit(address)
+    # What changes in one task is told of at once.
+    assert [count for count in page.evaluate("mounted") if count] == [1, 1, 1]
+
+
 @each_kind
 def test_a_state_can_be_kept_and_copied(visit: Visit, page_of: PageOf, demo: type[Demo]) -> None:
     page = visit(page_of(demo(), demo()))
