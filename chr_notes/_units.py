@@ -125,10 +125,9 @@ def warn_of_rates(
 
 def warn_of_turn(rates: Sequence[float], step: float, longest: float = inf) -> None:
     """Notice one sample of a stream that turns farther than the sampling can follow."""
-    if step <= longest and all(abs(rate) < WILD_RATE for rate in rates):
-        turn = hypot(*rates) * step
-        if turn > pi:
-            _warn(_turn(turn, ""))
+    size = hypot(*rates)
+    if step <= longest and size < WILD_RATE and size * step > pi:
+        _warn(_turn(size * step, ""))
 
 
 def _turn(turn: float, where: str) -> str:

@@ -164,7 +164,7 @@ def test_a_state_is_moved_on_by_a_sample() -> None:
         assert take(state, wrong, force, 0.2, 0.0) is None
         assert_array_equal(state, level)
     assert take(level.tolist(), still, force, 0.2, 0.0) is None  # nowhere to go on from
-    for rates, dt in ((np.full(3, nan), 0.2), (np.full(3, 2.0), 0.6), (still, -0.1), (still, nan)):
+    for rates, dt in ((np.full(3, nan), 0.2), (np.full(3, 4.0), 0.6), (still, -0.1), (still, nan)):
         assert take(level.copy(), rates, force, dt, 0.0) is False
     assert take(level.copy(), still, still, 0.2, 0.0) is False
     up = np.array([1.0, 0.0, 1.0, 0.0]) / np.sqrt(2)

@@ -123,7 +123,7 @@ def _observed(
                 quick, advance = sampled(generated, euler_from_quaternion), of_arrays(generated)
             elif euler is None:
                 state = advance(state, turning, force, *mag, step, *constants, None)
-            euler = angles(state[:4])
+            euler = angles(state[:4].tolist())
         averaged = state.item(AVERAGED)
         heading = state.item(HEADING_AVERAGED) if field else 0.0
         if averaged != last:  # once it has run in, it is the same each time

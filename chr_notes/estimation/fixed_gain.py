@@ -59,11 +59,11 @@ class _Way:
     quick_sample: Callable[..., Any] | None
     begin: Callable[..., Sequence[float]]
     end: Callable[[Floats], Floats]
-    angles: Callable[[Sequence[float] | Floats], Floats]
+    angles: Callable[[Sequence[float]], Floats]
 
 
-def _angles(quaternion: Sequence[float] | Floats) -> Floats:
-    a, b, c, d = quaternion.tolist() if isinstance(quaternion, np.ndarray) else quaternion
+def _angles(quaternion: Sequence[float]) -> Floats:
+    a, b, c, d = quaternion
     roll, pitch, yaw, _ = euler_from_quaternion(a, b, c, d)
     return np.array((roll if roll < pi else -pi, pitch, yaw if yaw < pi else -pi))
 
@@ -76,7 +76,8 @@ def is_in_range(roll: float, pitch: float, yaw: float) -> bool:
 def angles_in_range(euler: Sequence[float] | Floats) -> Floats:
     """Write three angles in these ranges."""
     roll, pitch, yaw = euler
-    if is_in_range(roll, pitch, yaw):
+    # As is_in_range, to call which takes as long as to see it.
+    if _LEAST <= roll < pi and _LEAST <= yaw < pi and _STEEP <= pitch <= -_STEEP:
         return np.array(euler)
     return np.asarray(in_range(np.array([euler]))[0])
 

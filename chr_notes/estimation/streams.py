@@ -4,7 +4,7 @@ A sample with NaN or infinity, or with a rate of 1e12 rad/s and more, which no g
 out, and the estimate goes on without it.
 """
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from math import hypot, inf, isfinite, pi
 from typing import Any, NamedTuple
 
@@ -78,7 +78,10 @@ def observe_sample(  # noqa: PLR0913 (a state and a sample)
     >>> np.degrees(euler).round(4)
     array([0.0561, 0.    , 0.    ])
     """
-    way, share, step = way_of(method), check_gain("gain", gain), period(dt)
+    way = way_of(method)
+    # The usual case is looked at here: to call another function takes as long as to see it.
+    share = gain if type(gain) is float and 0 <= gain <= 1 else check_gain("gain", gain)
+    step = dt if type(dt) is float and 0 <= dt < inf else period(dt)
     take = way.quick_sample
     if take is not None:
         found = take(euler, body_rates, accel, step, share, None)
@@ -186,33 +189,44 @@ def observe(  # noqa: PLR0913 (as for a recording)
     alone = way.quick_advance, way.step, (share,)
     with_mag = sampled(heading, euler_from_quaternion), heading, (share, turning, *level)
     keep: Callable[..., Any] = tuple if way.quick_advance is None else np.array
-    state = None if initial is None else keep(way.begin(*canonical("initial", initial)))
+    state: Any = None if initial is None else keep(way.begin(*canonical("initial", initial)))
     angles, incomplete = way.angles, 0
+    by_hand = way.quick_advance is None and method == "quaternion"
     for body_rates, accel, dt, *field in stream:
         quick, advance, constants = with_mag if field else alone
         euler = None
-        if state is not None and quick is not None:
+        if quick is not None and state is not None:
             euler = quick(state, body_rates, accel, *field, dt, *constants)
         if euler is None or euler is False:
-            if field:
-                refuse_magnetometer(method)
-            force, rates = one_sample("accel", accel), one_sample("body_rates", body_rates)
-            mag = one_sample("mag", field[0]) if field else ()
+            p, q, r = rates = one_sample("body_rates", body_rates)
+            x, y, z = force = one_sample("accel", accel)
             step = dt if type(dt) is float and 0 <= dt < inf else period(dt)
-            heard, size = 0 < hypot(*force) < inf, hypot(*rates)
+            heard, size = 0 < hypot(x, y, z) < inf, hypot(p, q, r)
             if not (heard and size < WILD_RATE and size * step < pi):
                 heard = any(force) and all(map(isfinite, force))
-                incomplete += not (heard and all(abs(rate) < WILD_RATE for rate in rates))
+                incomplete += not (heard and size < WILD_RATE)
                 warn_of_turn(rates, step)
+            mag = _field(method, *field) if field else ()
             if state is None:
                 if not heard:
                     continue
-                first = (*steps.tilt_from_accelerometer(*force), 0.0)
-                state = keep(way.begin(*(with_heading(first, mag, level) if field else first)))
+                first = (*steps.tilt_from_accelerometer(x, y, z), 0.0)
+                begin = way.begin(*(with_heading(first, mag, level) if field else first))
+                state, euler = keep(begin), angles(begin)
+            elif by_hand and not field:  # as below, where arguments take a while to be put together
+                a, b, c, d = state
+                state = advance(a, b, c, d, p, q, r, x, y, z, step, share)
+                euler = angles(state)
             elif quick is None:
                 state = advance(*state, *rates, *force, *mag, step, *constants)
-            elif euler is None:
-                given = [each for each in (rates, force, mag) if each]
-                euler = quick(state, *given, step, *constants)
-            euler = euler if isinstance(euler, np.ndarray) else angles(state)
-        yield Estimate(euler, incomplete)
+                euler = angles(state)
+            else:
+                if euler is None:
+                    euler = quick(state, rates, force, *([mag] if field else []), step, *constants)
+                euler = angles(state.tolist()) if euler is False else euler
+        yield tuple.__new__(Estimate, (euler, incomplete))  # in half the time of Estimate(...)
+
+
+def _field(method: Method, mag: ArrayLike) -> Sequence[float]:
+    refuse_magnetometer(method)
+    return one_sample("mag", mag)

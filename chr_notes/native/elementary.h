@@ -201,27 +201,39 @@ INLINE double step_sinc_of_root(double factor, double square)
 /*
  * And of share * atan2(sqrt(square), x), with a share of at most 1/2: the cosine, and the sine
  * divided by the root. A root of zero counts as no angle, whatever x is.
+ *
+ * Up to 7 degrees both are series in the squared sine of the whole angle. Each factor is the one
+ * before times (n * n - share * share) / ((n + 1) * (n + 2)), with n = 0, 2, 4... for the cosine
+ * and 1, 3, 5... for the sine divided by that of the whole angle. None of them waits for the angle.
  */
 INLINE int is_narrow(double square, double x)
 {
-    return x > 0.0 && square <= TAN_SIXTEENTH * TAN_SIXTEENTH * (x * x);
+    return x > 0.0 && square <= 0x1p-6 * (square + x * x);
+}
+
+/* Such a series at z, from the first factor and the first n. */
+INLINE double in_squared_sine(double first, double n, double share, double z)
+{
+    const double z2 = z * z;
+    double by[8] = {first};
+    for (int k = 1; k < 8; k++, n += 2.0)
+        by[k] = by[k - 1] * ((n * n - share * share) * (1.0 / ((n + 1.0) * (n + 2.0))));
+    return ((by[0] + z * by[1]) + z2 * (by[2] + z * by[3]))
+        + z2 * z2 * ((by[4] + z * by[5]) + z2 * (by[6] + z * by[7]));
 }
 
 INLINE double step_cos_of_share(double share, double square, double x)
 {
-    if (is_narrow(square, x)) {
-        const double z = square / (x * x), ratio = 1.0 + z * arctangent_tail(z);
-        return cosine_of_square(share * share * z * (ratio * ratio));
-    }
+    if (is_narrow(square, x))
+        return in_squared_sine(1.0, 0.0, share, square / (square + x * x));
     return square > 0.0 ? step_cos(share * step_atan2(sqrt(square), x)) : 1.0;
 }
 
 INLINE double step_sin_of_share(double share, double square, double x)
 {
     if (is_narrow(square, x)) {
-        const double z = square / (x * x), ratio = 1.0 + z * arctangent_tail(z);
-        const double turn = share * share * z * (ratio * ratio);
-        return share / x * ratio * (1.0 + turn * sine_tail(turn));
+        const double whole = square + x * x;
+        return in_squared_sine(share, 1.0, share, square / whole) / sqrt(whole);
     }
     return square > 0.0 ? step_sin(share * step_atan2(sqrt(square), x)) / sqrt(square) : 0.0;
 }

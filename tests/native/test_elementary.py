@@ -23,6 +23,8 @@ double angle(double y, double x) {{ return column_atan2(y, x); }}
 double any_sine(double x) {{ return step_sin(x); }}
 double any_cosine(double x) {{ return step_cos(x); }}
 double any_angle(double y, double x) {{ return step_atan2(y, x); }}
+double share_cosine(double s, double y, double x) {{ return step_cos_of_share(s, y, x); }}
+double share_sine(double s, double y, double x) {{ return step_sin_of_share(s, y, x); }}
 """
 MP = mpmath.mp.clone()
 MP.prec = 200
@@ -39,10 +41,10 @@ def functions(
     subprocess.run(command, check=True)
     loaded = ctypes.CDLL(str(library))
     found = {}
-    for name in re.findall(r"^double (\w+)", SOURCE, re.MULTILINE):
+    for name, arguments in re.findall(r"^double (\w+)\((.*?)\)", SOURCE, re.MULTILINE):
         function = getattr(loaded, name)
         function.restype = ctypes.c_double
-        function.argtypes = [ctypes.c_double] * (2 if "angle" in name else 1)
+        function.argtypes = [ctypes.c_double] * arguments.count("double")
         found[name] = function
     return found
 
@@ -86,6 +88,20 @@ def test_arctangent(functions: dict[str, Callable[..., float]]) -> None:
     pairs = generator.normal(size=(2000, 2)) * 10.0 ** generator.uniform(-8, 8, (2000, 2))
     for y, x in pairs.tolist():
         assert ulps_off(functions["angle"](y, x), MP.atan2(MP.mpf(y), MP.mpf(x))) < 1.8, (y, x)
+
+
+@pytest.mark.parametrize("share", [0.0, 1e-9, 0.01, 0.25, 0.5])
+def test_a_share_of_an_angle(functions: dict[str, Callable[..., float]], share: float) -> None:
+    generator = np.random.default_rng(2)
+    few = generator.uniform(0, np.arcsin(0.125), 300)  # about where the series ends, and up to it
+    all_of_them = [*few, *generator.uniform(0, np.pi, 100), np.arcsin(0.125), 1e-9, 1e-160]
+    for angle in all_of_them:
+        square, x = float(np.sin(angle) ** 2), float(np.cos(angle))
+        root = MP.sqrt(MP.mpf(square))
+        part = MP.mpf(share) * MP.atan2(root, MP.mpf(x))
+        assert ulps_off(functions["share_cosine"](share, square, x), MP.cos(part)) < 1.6, angle
+        sine = MP.sin(part) / root if square else 0
+        assert ulps_off(functions["share_sine"](share, square, x), MP.mpf(sine)) < 4, angle
 
 
 @pytest.mark.parametrize("y", [0.0, -0.0, 1.0, -1.0])

@@ -6,7 +6,8 @@ body had not turned. A reading of the accelerometer without a direction is not h
 
 from functools import cache
 
-from sympy import Abs, And, Ge, ImmutableMatrix, Symbol, atan2, cos, pi, sqrt, symbols
+from sympy import Abs, And, Expr, Ge, ImmutableMatrix, Symbol, atan2, cos, pi, sqrt, symbols
+from sympy.core.relational import Relational
 
 from chr_notes.derivations import estimation, hamilton, quaternions
 from chr_notes.derivations.computation import (
@@ -14,6 +15,7 @@ from chr_notes.derivations.computation import (
     Choice,
     Computation,
     Let,
+    map_step,
     otherwise,
     step_names,
 )
@@ -26,23 +28,32 @@ from chr_notes.symbols import ACCELEROMETER, BODY_RATES, EULER, QUATERNION, VECT
 WILD_RATE = 10**12
 """No gyro reads as much, rad/s: such rates come from damaged logs, and leave angles no digits."""
 RATES = symbols("rate_x rate_y rate_z", real=True)
-WHOLE, MOVES, USUAL = symbols("whole_turn moves usual", real=True)
+SPEED, WHOLE, TURN = symbols("speed_squared whole_turn_squared turn_squared", real=True)
+MOVES, USUAL = symbols("moves usual", real=True)
+SPEED_SQUARED = sum(rate**2 for rate in BODY_RATES)
 
 
-def _steps_of_rates() -> tuple[Let | Choice, ...]:
-    """Take the rates where they are rates, none elsewhere."""
-    within = [Abs(rate) < WILD_RATE for rate in BODY_RATES]
+def are_rates(speed_squared: Expr) -> Relational:
+    """Say whether a gyro's reading can be one."""
+    return speed_squared < WILD_RATE**2
+
+
+def _steps_of_rates(*more: tuple[Symbol, Expr]) -> tuple[Let | Choice, ...]:
+    """Take the rates where they are rates, none elsewhere, and so what more depends on them."""
+    taken = (*zip(RATES, BODY_RATES, strict=True), *more)
+    names, values = zip(*taken, strict=True)
     return (
-        Let(WHOLE, T * sum(map(Abs, BODY_RATES))),
-        Let(MOVES, And(*within, WHOLE <= LARGEST)),
-        Choice(RATES, ((MOVES, BODY_RATES), otherwise(*(0 * rate for rate in BODY_RATES)))),
+        Let(SPEED, SPEED_SQUARED),
+        Let(WHOLE, T**2 * SPEED),
+        Let(MOVES, And(are_rates(SPEED), WHOLE <= LARGEST)),
+        Choice(names, ((MOVES, values), otherwise(*(0 * value for value in values)))),
     )
 
 
 def is_usual(heard: Symbol | And) -> Let:
     """Say of a sample that all of it is heard, and that it turns by less than half a turn."""
     forward = Ge(T, 0, evaluate=False)  # of a symbol that is positive, which a number may not be
-    return Let(USUAL, And(forward, MOVES, pi > WHOLE, heard))
+    return Let(USUAL, And(forward, MOVES, pi**2 > WHOLE, heard))
 
 
 @cache
@@ -50,7 +61,10 @@ def gyro_turn() -> Computation:
     """Attitude quaternion one period later: an exact turn by rates that are held for it."""
     rates = dict(zip(BODY_RATES, RATES, strict=True))
     turn = quaternion_forms.constant_rate_step().of(rates)
-    return Computation((*_steps_of_rates(), *turn.steps), turn.results)
+    # The squares are added up once.
+    speed = sqrt(sum(rate**2 for rate in RATES))
+    steps = (map_step(step, lambda value: value.subs(T * speed, sqrt(TURN))) for step in turn.steps)
+    return Computation((*_steps_of_rates((TURN, WHOLE)), *steps), turn.results)
 
 
 @cache

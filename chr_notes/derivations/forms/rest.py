@@ -53,7 +53,7 @@ def bias() -> Computation:
             Let(
                 known,
                 And(
-                    *(Abs(rate) < filters.WILD_RATE for rate in BODY_RATES),
+                    filters.are_rates(filters.SPEED_SQUARED),
                     size > 1 / WILD_FORCE,
                     size < WILD_FORCE,
                 ),

@@ -2107,12 +2107,9 @@ void attitude_gyro_step(double roll, double pitch, double yaw, double p, double 
     const double sec_pitch = 1.0/cos_pitch;
     const double sin_roll = sin(roll);
     const double cos_roll = cos(roll);
-    const double abs_p = fabs(p);
-    const double abs_q = fabs(q);
-    const double abs_r = fabs(r);
-    const double whole_turn = dt*(abs_p + abs_q + abs_r);
-    const int moves = whole_turn <= 1.7976931348623157e+308 && abs_p < 1000000000000.0 && abs_q <
-        1000000000000.0 && abs_r < 1000000000000.0;
+    const double speed_squared = p*p + q*q + r*r;
+    const double whole_turn_squared = speed_squared*(dt*dt);
+    const int moves = whole_turn_squared <= 1.7976931348623157e+308 && speed_squared < 1e+24;
     double rate_x, rate_y, rate_z;
     if (moves) {
         rate_x = p;
@@ -2137,12 +2134,9 @@ void attitude_gyro_step_f(float roll, float pitch, float yaw, float p, float q, 
     const float sec_pitch = 1.0f/cos_pitch;
     const float sin_roll = sinf(roll);
     const float cos_roll = cosf(roll);
-    const float abs_p = fabsf(p);
-    const float abs_q = fabsf(q);
-    const float abs_r = fabsf(r);
-    const float whole_turn = dt*(abs_p + abs_q + abs_r);
-    const int moves = whole_turn <= 3.4028234663852886e+38f && abs_p < 1000000000000.0f && abs_q <
-        1000000000000.0f && abs_r < 1000000000000.0f;
+    const float speed_squared = p*p + q*q + r*r;
+    const float whole_turn_squared = speed_squared*(dt*dt);
+    const int moves = whole_turn_squared <= 3.4028234663852886e+38f && speed_squared < 1e+24f;
     float rate_x, rate_y, rate_z;
     if (moves) {
         rate_x = p;
@@ -2162,30 +2156,29 @@ void attitude_gyro_step_f(float roll, float pitch, float yaw, float p, float q, 
 void attitude_gyro_turn(double a, double b, double c, double d, double p, double q, double r,
     double dt, double out[4])
 {
-    const double abs_p = fabs(p);
-    const double abs_q = fabs(q);
-    const double abs_r = fabs(r);
-    const double whole_turn = dt*(abs_p + abs_q + abs_r);
-    const int moves = whole_turn <= 1.7976931348623157e+308 && abs_p < 1000000000000.0 && abs_q <
-        1000000000000.0 && abs_r < 1000000000000.0;
-    double rate_x, rate_y, rate_z;
+    const double speed_squared = p*p + q*q + r*r;
+    const double whole_turn_squared = speed_squared*(dt*dt);
+    const int moves = whole_turn_squared <= 1.7976931348623157e+308 && speed_squared < 1e+24;
+    double rate_x, rate_y, rate_z, turn_squared;
     if (moves) {
         rate_x = p;
         rate_y = q;
         rate_z = r;
+        turn_squared = whole_turn_squared;
     } else {
         rate_x = 0.0;
         rate_y = 0.0;
         rate_z = 0.0;
+        turn_squared = 0.0;
     }
-    const double half_turn = 0.5*dt*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
+    const double half_turn = 0.5*sqrt(turn_squared);
     const double sin_half_turn = sin(half_turn);
     const double ratio = half_turn > 0.0 ? sin_half_turn/half_turn : 1.0;
     const double turn_a = cos(half_turn);
-    const double common_5 = 0.5*dt*ratio;
-    const double turn_b = common_5*rate_x;
-    const double turn_c = common_5*rate_y;
-    const double turn_d = common_5*rate_z;
+    const double common_2 = 0.5*dt*ratio;
+    const double turn_b = common_2*rate_x;
+    const double turn_c = common_2*rate_y;
+    const double turn_d = common_2*rate_z;
     out[0] = a*turn_a - b*turn_b - c*turn_c - d*turn_d;
     out[1] = a*turn_b + b*turn_a + c*turn_d - d*turn_c;
     out[2] = a*turn_c - b*turn_d + c*turn_a + d*turn_b;
@@ -2195,30 +2188,29 @@ void attitude_gyro_turn(double a, double b, double c, double d, double p, double
 void attitude_gyro_turn_f(float a, float b, float c, float d, float p, float q, float r, float dt,
     float out[4])
 {
-    const float abs_p = fabsf(p);
-    const float abs_q = fabsf(q);
-    const float abs_r = fabsf(r);
-    const float whole_turn = dt*(abs_p + abs_q + abs_r);
-    const int moves = whole_turn <= 3.4028234663852886e+38f && abs_p < 1000000000000.0f && abs_q <
-        1000000000000.0f && abs_r < 1000000000000.0f;
-    float rate_x, rate_y, rate_z;
+    const float speed_squared = p*p + q*q + r*r;
+    const float whole_turn_squared = speed_squared*(dt*dt);
+    const int moves = whole_turn_squared <= 3.4028234663852886e+38f && speed_squared < 1e+24f;
+    float rate_x, rate_y, rate_z, turn_squared;
     if (moves) {
         rate_x = p;
         rate_y = q;
         rate_z = r;
+        turn_squared = whole_turn_squared;
     } else {
         rate_x = 0.0f;
         rate_y = 0.0f;
         rate_z = 0.0f;
+        turn_squared = 0.0f;
     }
-    const float half_turn = 0.5f*dt*sqrtf(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
+    const float half_turn = 0.5f*sqrtf(turn_squared);
     const float sin_half_turn = sinf(half_turn);
     const float ratio = half_turn > 0.0f ? sin_half_turn/half_turn : 1.0f;
     const float turn_a = cosf(half_turn);
-    const float common_5 = 0.5f*dt*ratio;
-    const float turn_b = common_5*rate_x;
-    const float turn_c = common_5*rate_y;
-    const float turn_d = common_5*rate_z;
+    const float common_2 = 0.5f*dt*ratio;
+    const float turn_b = common_2*rate_x;
+    const float turn_c = common_2*rate_y;
+    const float turn_d = common_2*rate_z;
     out[0] = a*turn_a - b*turn_b - c*turn_c - d*turn_d;
     out[1] = a*turn_b + b*turn_a + c*turn_d - d*turn_c;
     out[2] = a*turn_c - b*turn_d + c*turn_a + d*turn_b;
@@ -2228,30 +2220,29 @@ void attitude_gyro_turn_f(float a, float b, float c, float d, float p, float q, 
 void attitude_observer_turn(double a, double b, double c, double d, double p, double q, double r,
     double accel_x, double accel_y, double accel_z, double dt, double gain, double out[4])
 {
-    const double abs_p = fabs(p);
-    const double abs_q = fabs(q);
-    const double abs_r = fabs(r);
-    const double whole_turn = dt*(abs_p + abs_q + abs_r);
-    const int moves = whole_turn <= 1.7976931348623157e+308 && abs_p < 1000000000000.0 && abs_q <
-        1000000000000.0 && abs_r < 1000000000000.0;
-    double rate_x, rate_y, rate_z;
+    const double speed_squared = p*p + q*q + r*r;
+    const double whole_turn_squared = speed_squared*(dt*dt);
+    const int moves = whole_turn_squared <= 1.7976931348623157e+308 && speed_squared < 1e+24;
+    double rate_x, rate_y, rate_z, turn_squared;
     if (moves) {
         rate_x = p;
         rate_y = q;
         rate_z = r;
+        turn_squared = whole_turn_squared;
     } else {
         rate_x = 0.0;
         rate_y = 0.0;
         rate_z = 0.0;
+        turn_squared = 0.0;
     }
-    const double half_turn = 0.5*dt*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
+    const double half_turn = 0.5*sqrt(turn_squared);
     const double sin_half_turn = sin(half_turn);
     const double ratio = half_turn > 0.0 ? sin_half_turn/half_turn : 1.0;
     const double turn_a = cos(half_turn);
-    const double common_7 = 0.5*dt*ratio;
-    const double turn_b = common_7*rate_x;
-    const double turn_c = common_7*rate_y;
-    const double turn_d = common_7*rate_z;
+    const double common_4 = 0.5*dt*ratio;
+    const double turn_b = common_4*rate_x;
+    const double turn_c = common_4*rate_y;
+    const double turn_d = common_4*rate_z;
     const double predicted_a = a*turn_a - b*turn_b - c*turn_c - d*turn_d;
     const double predicted_b = a*turn_b + b*turn_a + c*turn_d - d*turn_c;
     const double predicted_c = a*turn_c - b*turn_d + c*turn_a + d*turn_b;
@@ -2301,30 +2292,29 @@ void attitude_observer_turn(double a, double b, double c, double d, double p, do
 void attitude_observer_turn_f(float a, float b, float c, float d, float p, float q, float r,
     float accel_x, float accel_y, float accel_z, float dt, float gain, float out[4])
 {
-    const float abs_p = fabsf(p);
-    const float abs_q = fabsf(q);
-    const float abs_r = fabsf(r);
-    const float whole_turn = dt*(abs_p + abs_q + abs_r);
-    const int moves = whole_turn <= 3.4028234663852886e+38f && abs_p < 1000000000000.0f && abs_q <
-        1000000000000.0f && abs_r < 1000000000000.0f;
-    float rate_x, rate_y, rate_z;
+    const float speed_squared = p*p + q*q + r*r;
+    const float whole_turn_squared = speed_squared*(dt*dt);
+    const int moves = whole_turn_squared <= 3.4028234663852886e+38f && speed_squared < 1e+24f;
+    float rate_x, rate_y, rate_z, turn_squared;
     if (moves) {
         rate_x = p;
         rate_y = q;
         rate_z = r;
+        turn_squared = whole_turn_squared;
     } else {
         rate_x = 0.0f;
         rate_y = 0.0f;
         rate_z = 0.0f;
+        turn_squared = 0.0f;
     }
-    const float half_turn = 0.5f*dt*sqrtf(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
+    const float half_turn = 0.5f*sqrtf(turn_squared);
     const float sin_half_turn = sinf(half_turn);
     const float ratio = half_turn > 0.0f ? sin_half_turn/half_turn : 1.0f;
     const float turn_a = cosf(half_turn);
-    const float common_7 = 0.5f*dt*ratio;
-    const float turn_b = common_7*rate_x;
-    const float turn_c = common_7*rate_y;
-    const float turn_d = common_7*rate_z;
+    const float common_4 = 0.5f*dt*ratio;
+    const float turn_b = common_4*rate_x;
+    const float turn_c = common_4*rate_y;
+    const float turn_d = common_4*rate_z;
     const float predicted_a = a*turn_a - b*turn_b - c*turn_c - d*turn_d;
     const float predicted_b = a*turn_b + b*turn_a + c*turn_d - d*turn_c;
     const float predicted_c = a*turn_c - b*turn_d + c*turn_a + d*turn_b;
@@ -2392,30 +2382,29 @@ void attitude_observer_step(double roll, double pitch, double yaw, double p, dou
         cos_half_roll*cos_half_yaw_sin_half_pitch;
     const double start_d = cos_half_pitch_sin_half_yaw*cos_half_roll -
         cos_half_yaw_sin_half_pitch*sin_half_roll;
-    const double abs_p = fabs(p);
-    const double abs_q = fabs(q);
-    const double abs_r = fabs(r);
-    const double whole_turn = dt*(abs_p + abs_q + abs_r);
-    const int moves = whole_turn <= 1.7976931348623157e+308 && abs_p < 1000000000000.0 && abs_q <
-        1000000000000.0 && abs_r < 1000000000000.0;
-    double rate_x, rate_y, rate_z;
+    const double speed_squared = p*p + q*q + r*r;
+    const double whole_turn_squared = speed_squared*(dt*dt);
+    const int moves = whole_turn_squared <= 1.7976931348623157e+308 && speed_squared < 1e+24;
+    double rate_x, rate_y, rate_z, turn_squared;
     if (moves) {
         rate_x = p;
         rate_y = q;
         rate_z = r;
+        turn_squared = whole_turn_squared;
     } else {
         rate_x = 0.0;
         rate_y = 0.0;
         rate_z = 0.0;
+        turn_squared = 0.0;
     }
-    const double half_turn = 0.5*dt*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
+    const double half_turn = 0.5*sqrt(turn_squared);
     const double sin_half_turn = sin(half_turn);
     const double ratio = half_turn > 0.0 ? sin_half_turn/half_turn : 1.0;
     const double turn_a = cos(half_turn);
-    const double common_17 = 0.5*dt*ratio;
-    const double turn_b = common_17*rate_x;
-    const double turn_c = common_17*rate_y;
-    const double turn_d = common_17*rate_z;
+    const double common_14 = 0.5*dt*ratio;
+    const double turn_b = common_14*rate_x;
+    const double turn_c = common_14*rate_y;
+    const double turn_d = common_14*rate_z;
     const double predicted_a = start_a*turn_a - start_b*turn_b - start_c*turn_c - start_d*turn_d;
     const double predicted_b = start_a*turn_b + start_b*turn_a + start_c*turn_d - start_d*turn_c;
     const double predicted_c = start_a*turn_c - start_b*turn_d + start_c*turn_a + start_d*turn_b;
@@ -2508,30 +2497,29 @@ void attitude_observer_step_f(float roll, float pitch, float yaw, float p, float
         cos_half_roll*cos_half_yaw_sin_half_pitch;
     const float start_d = cos_half_pitch_sin_half_yaw*cos_half_roll -
         cos_half_yaw_sin_half_pitch*sin_half_roll;
-    const float abs_p = fabsf(p);
-    const float abs_q = fabsf(q);
-    const float abs_r = fabsf(r);
-    const float whole_turn = dt*(abs_p + abs_q + abs_r);
-    const int moves = whole_turn <= 3.4028234663852886e+38f && abs_p < 1000000000000.0f && abs_q <
-        1000000000000.0f && abs_r < 1000000000000.0f;
-    float rate_x, rate_y, rate_z;
+    const float speed_squared = p*p + q*q + r*r;
+    const float whole_turn_squared = speed_squared*(dt*dt);
+    const int moves = whole_turn_squared <= 3.4028234663852886e+38f && speed_squared < 1e+24f;
+    float rate_x, rate_y, rate_z, turn_squared;
     if (moves) {
         rate_x = p;
         rate_y = q;
         rate_z = r;
+        turn_squared = whole_turn_squared;
     } else {
         rate_x = 0.0f;
         rate_y = 0.0f;
         rate_z = 0.0f;
+        turn_squared = 0.0f;
     }
-    const float half_turn = 0.5f*dt*sqrtf(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
+    const float half_turn = 0.5f*sqrtf(turn_squared);
     const float sin_half_turn = sinf(half_turn);
     const float ratio = half_turn > 0.0f ? sin_half_turn/half_turn : 1.0f;
     const float turn_a = cosf(half_turn);
-    const float common_17 = 0.5f*dt*ratio;
-    const float turn_b = common_17*rate_x;
-    const float turn_c = common_17*rate_y;
-    const float turn_d = common_17*rate_z;
+    const float common_14 = 0.5f*dt*ratio;
+    const float turn_b = common_14*rate_x;
+    const float turn_c = common_14*rate_y;
+    const float turn_d = common_14*rate_z;
     const float predicted_a = start_a*turn_a - start_b*turn_b - start_c*turn_c - start_d*turn_d;
     const float predicted_b = start_a*turn_b + start_b*turn_a + start_c*turn_d - start_d*turn_c;
     const float predicted_c = start_a*turn_c - start_b*turn_d + start_c*turn_a + start_d*turn_b;
@@ -2611,12 +2599,9 @@ void attitude_euler_observer_step(double roll, double pitch, double yaw, double 
     const double sec_pitch = 1.0/cos_pitch;
     const double sin_roll = sin(roll);
     const double cos_roll = cos(roll);
-    const double abs_p = fabs(p);
-    const double abs_q = fabs(q);
-    const double abs_r = fabs(r);
-    const double whole_turn = dt*(abs_p + abs_q + abs_r);
-    const int moves = whole_turn <= 1.7976931348623157e+308 && abs_p < 1000000000000.0 && abs_q <
-        1000000000000.0 && abs_r < 1000000000000.0;
+    const double speed_squared = p*p + q*q + r*r;
+    const double whole_turn_squared = speed_squared*(dt*dt);
+    const int moves = whole_turn_squared <= 1.7976931348623157e+308 && speed_squared < 1e+24;
     double rate_x, rate_y, rate_z;
     if (moves) {
         rate_x = p;
@@ -2675,12 +2660,9 @@ void attitude_euler_observer_step_f(float roll, float pitch, float yaw, float p,
     const float sec_pitch = 1.0f/cos_pitch;
     const float sin_roll = sinf(roll);
     const float cos_roll = cosf(roll);
-    const float abs_p = fabsf(p);
-    const float abs_q = fabsf(q);
-    const float abs_r = fabsf(r);
-    const float whole_turn = dt*(abs_p + abs_q + abs_r);
-    const int moves = whole_turn <= 3.4028234663852886e+38f && abs_p < 1000000000000.0f && abs_q <
-        1000000000000.0f && abs_r < 1000000000000.0f;
+    const float speed_squared = p*p + q*q + r*r;
+    const float whole_turn_squared = speed_squared*(dt*dt);
+    const int moves = whole_turn_squared <= 3.4028234663852886e+38f && speed_squared < 1e+24f;
     float rate_x, rate_y, rate_z;
     if (moves) {
         rate_x = p;
@@ -2899,30 +2881,29 @@ void attitude_monitored_turn(double a, double b, double c, double d, double abov
     } else {
         chosen_gain = gain;
     }
-    const double abs_p = fabs(p);
-    const double abs_q = fabs(q);
-    const double abs_r = fabs(r);
-    const double whole_turn = dt*(abs_p + abs_q + abs_r);
-    const int moves = whole_turn <= 1.7976931348623157e+308 && abs_p < 1000000000000.0 && abs_q <
-        1000000000000.0 && abs_r < 1000000000000.0;
-    double rate_x, rate_y, rate_z;
+    const double speed_squared = p*p + q*q + r*r;
+    const double whole_turn_squared = speed_squared*(dt*dt);
+    const int moves = whole_turn_squared <= 1.7976931348623157e+308 && speed_squared < 1e+24;
+    double rate_x, rate_y, rate_z, turn_squared;
     if (moves) {
         rate_x = p;
         rate_y = q;
         rate_z = r;
+        turn_squared = whole_turn_squared;
     } else {
         rate_x = 0.0;
         rate_y = 0.0;
         rate_z = 0.0;
+        turn_squared = 0.0;
     }
-    const double half_turn = 0.5*dt*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
+    const double half_turn = 0.5*sqrt(turn_squared);
     const double sin_half_turn = sin(half_turn);
     const double ratio = half_turn > 0.0 ? sin_half_turn/half_turn : 1.0;
     const double turn_a = cos(half_turn);
-    const double common_7 = 0.5*dt*ratio;
-    const double turn_b = common_7*rate_x;
-    const double turn_c = common_7*rate_y;
-    const double turn_d = common_7*rate_z;
+    const double common_4 = 0.5*dt*ratio;
+    const double turn_b = common_4*rate_x;
+    const double turn_c = common_4*rate_y;
+    const double turn_d = common_4*rate_z;
     const double predicted_a = a*turn_a - b*turn_b - c*turn_c - d*turn_d;
     const double predicted_b = a*turn_b + b*turn_a + c*turn_d - d*turn_c;
     const double predicted_c = a*turn_c - b*turn_d + c*turn_a + d*turn_b;
@@ -3021,30 +3002,29 @@ void attitude_monitored_turn_f(float a, float b, float c, float d, float above, 
     } else {
         chosen_gain = gain;
     }
-    const float abs_p = fabsf(p);
-    const float abs_q = fabsf(q);
-    const float abs_r = fabsf(r);
-    const float whole_turn = dt*(abs_p + abs_q + abs_r);
-    const int moves = whole_turn <= 3.4028234663852886e+38f && abs_p < 1000000000000.0f && abs_q <
-        1000000000000.0f && abs_r < 1000000000000.0f;
-    float rate_x, rate_y, rate_z;
+    const float speed_squared = p*p + q*q + r*r;
+    const float whole_turn_squared = speed_squared*(dt*dt);
+    const int moves = whole_turn_squared <= 3.4028234663852886e+38f && speed_squared < 1e+24f;
+    float rate_x, rate_y, rate_z, turn_squared;
     if (moves) {
         rate_x = p;
         rate_y = q;
         rate_z = r;
+        turn_squared = whole_turn_squared;
     } else {
         rate_x = 0.0f;
         rate_y = 0.0f;
         rate_z = 0.0f;
+        turn_squared = 0.0f;
     }
-    const float half_turn = 0.5f*dt*sqrtf(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
+    const float half_turn = 0.5f*sqrtf(turn_squared);
     const float sin_half_turn = sinf(half_turn);
     const float ratio = half_turn > 0.0f ? sin_half_turn/half_turn : 1.0f;
     const float turn_a = cosf(half_turn);
-    const float common_7 = 0.5f*dt*ratio;
-    const float turn_b = common_7*rate_x;
-    const float turn_c = common_7*rate_y;
-    const float turn_d = common_7*rate_z;
+    const float common_4 = 0.5f*dt*ratio;
+    const float turn_b = common_4*rate_x;
+    const float turn_c = common_4*rate_y;
+    const float turn_d = common_4*rate_z;
     const float predicted_a = a*turn_a - b*turn_b - c*turn_c - d*turn_d;
     const float predicted_b = a*turn_b + b*turn_a + c*turn_d - d*turn_c;
     const float predicted_c = a*turn_c - b*turn_d + c*turn_a + d*turn_b;
@@ -3422,30 +3402,29 @@ void attitude_averaging_turn(double a, double b, double c, double d, double mean
         step_seen = 0.0;
         step_counted = longest_step;
     }
-    const double abs_p = fabs(p);
-    const double abs_q = fabs(q);
-    const double abs_r = fabs(r);
-    const double whole_turn = step_seen*(abs_p + abs_q + abs_r);
-    const int moves = whole_turn <= 1.7976931348623157e+308 && abs_p < 1000000000000.0 && abs_q <
-        1000000000000.0 && abs_r < 1000000000000.0;
-    double rate_x, rate_y, rate_z;
+    const double speed_squared = p*p + q*q + r*r;
+    const double whole_turn_squared = speed_squared*(step_seen*step_seen);
+    const int moves = whole_turn_squared <= 1.7976931348623157e+308 && speed_squared < 1e+24;
+    double rate_x, rate_y, rate_z, turn_squared;
     if (moves) {
         rate_x = p;
         rate_y = q;
         rate_z = r;
+        turn_squared = whole_turn_squared;
     } else {
         rate_x = 0.0;
         rate_y = 0.0;
         rate_z = 0.0;
+        turn_squared = 0.0;
     }
-    const double half_turn = 0.5*step_seen*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
+    const double half_turn = 0.5*sqrt(turn_squared);
     const double sin_half_turn = sin(half_turn);
     const double ratio = half_turn > 0.0 ? sin_half_turn/half_turn : 1.0;
     const double turn_a = cos(half_turn);
-    const double common_7 = 0.5*ratio*step_seen;
-    const double turn_b = common_7*rate_x;
-    const double turn_c = common_7*rate_y;
-    const double turn_d = common_7*rate_z;
+    const double common_4 = 0.5*ratio*step_seen;
+    const double turn_b = common_4*rate_x;
+    const double turn_c = common_4*rate_y;
+    const double turn_d = common_4*rate_z;
     const int rates_known = moves && dt <= longest_step;
     const double predicted_a = a*turn_a - b*turn_b - c*turn_c - d*turn_d;
     const double predicted_b = a*turn_b + b*turn_a + c*turn_d - d*turn_c;
@@ -3624,30 +3603,29 @@ void attitude_averaging_turn_f(float a, float b, float c, float d, float mean_le
         step_seen = 0.0f;
         step_counted = longest_step;
     }
-    const float abs_p = fabsf(p);
-    const float abs_q = fabsf(q);
-    const float abs_r = fabsf(r);
-    const float whole_turn = step_seen*(abs_p + abs_q + abs_r);
-    const int moves = whole_turn <= 3.4028234663852886e+38f && abs_p < 1000000000000.0f && abs_q <
-        1000000000000.0f && abs_r < 1000000000000.0f;
-    float rate_x, rate_y, rate_z;
+    const float speed_squared = p*p + q*q + r*r;
+    const float whole_turn_squared = speed_squared*(step_seen*step_seen);
+    const int moves = whole_turn_squared <= 3.4028234663852886e+38f && speed_squared < 1e+24f;
+    float rate_x, rate_y, rate_z, turn_squared;
     if (moves) {
         rate_x = p;
         rate_y = q;
         rate_z = r;
+        turn_squared = whole_turn_squared;
     } else {
         rate_x = 0.0f;
         rate_y = 0.0f;
         rate_z = 0.0f;
+        turn_squared = 0.0f;
     }
-    const float half_turn = 0.5f*step_seen*sqrtf(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
+    const float half_turn = 0.5f*sqrtf(turn_squared);
     const float sin_half_turn = sinf(half_turn);
     const float ratio = half_turn > 0.0f ? sin_half_turn/half_turn : 1.0f;
     const float turn_a = cosf(half_turn);
-    const float common_7 = 0.5f*ratio*step_seen;
-    const float turn_b = common_7*rate_x;
-    const float turn_c = common_7*rate_y;
-    const float turn_d = common_7*rate_z;
+    const float common_4 = 0.5f*ratio*step_seen;
+    const float turn_b = common_4*rate_x;
+    const float turn_c = common_4*rate_y;
+    const float turn_d = common_4*rate_z;
     const int rates_known = moves && dt <= longest_step;
     const float predicted_a = a*turn_a - b*turn_b - c*turn_c - d*turn_d;
     const float predicted_b = a*turn_b + b*turn_a + c*turn_d - d*turn_c;
@@ -3829,30 +3807,29 @@ void attitude_averaging_heading_turn(double a, double b, double c, double d, dou
         step_seen = 0.0;
         step_counted = longest_step;
     }
-    const double abs_p = fabs(p);
-    const double abs_q = fabs(q);
-    const double abs_r = fabs(r);
-    const double whole_turn = step_seen*(abs_p + abs_q + abs_r);
-    const int moves = whole_turn <= 1.7976931348623157e+308 && abs_p < 1000000000000.0 && abs_q <
-        1000000000000.0 && abs_r < 1000000000000.0;
-    double rate_x, rate_y, rate_z;
+    const double speed_squared = p*p + q*q + r*r;
+    const double whole_turn_squared = speed_squared*(step_seen*step_seen);
+    const int moves = whole_turn_squared <= 1.7976931348623157e+308 && speed_squared < 1e+24;
+    double rate_x, rate_y, rate_z, turn_squared;
     if (moves) {
         rate_x = p;
         rate_y = q;
         rate_z = r;
+        turn_squared = whole_turn_squared;
     } else {
         rate_x = 0.0;
         rate_y = 0.0;
         rate_z = 0.0;
+        turn_squared = 0.0;
     }
-    const double half_turn = 0.5*step_seen*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
+    const double half_turn = 0.5*sqrt(turn_squared);
     const double sin_half_turn = sin(half_turn);
     const double ratio = half_turn > 0.0 ? sin_half_turn/half_turn : 1.0;
     const double turn_a = cos(half_turn);
-    const double common_9 = 0.5*ratio*step_seen;
-    const double turn_b = common_9*rate_x;
-    const double turn_c = common_9*rate_y;
-    const double turn_d = common_9*rate_z;
+    const double common_6 = 0.5*ratio*step_seen;
+    const double turn_b = common_6*rate_x;
+    const double turn_c = common_6*rate_y;
+    const double turn_d = common_6*rate_z;
     const int rates_known = moves && dt <= longest_step;
     const double predicted_a = a*turn_a - b*turn_b - c*turn_c - d*turn_d;
     const double predicted_b = a*turn_b + b*turn_a + c*turn_d - d*turn_c;
@@ -4166,30 +4143,29 @@ void attitude_averaging_heading_turn_f(float a, float b, float c, float d, float
         step_seen = 0.0f;
         step_counted = longest_step;
     }
-    const float abs_p = fabsf(p);
-    const float abs_q = fabsf(q);
-    const float abs_r = fabsf(r);
-    const float whole_turn = step_seen*(abs_p + abs_q + abs_r);
-    const int moves = whole_turn <= 3.4028234663852886e+38f && abs_p < 1000000000000.0f && abs_q <
-        1000000000000.0f && abs_r < 1000000000000.0f;
-    float rate_x, rate_y, rate_z;
+    const float speed_squared = p*p + q*q + r*r;
+    const float whole_turn_squared = speed_squared*(step_seen*step_seen);
+    const int moves = whole_turn_squared <= 3.4028234663852886e+38f && speed_squared < 1e+24f;
+    float rate_x, rate_y, rate_z, turn_squared;
     if (moves) {
         rate_x = p;
         rate_y = q;
         rate_z = r;
+        turn_squared = whole_turn_squared;
     } else {
         rate_x = 0.0f;
         rate_y = 0.0f;
         rate_z = 0.0f;
+        turn_squared = 0.0f;
     }
-    const float half_turn = 0.5f*step_seen*sqrtf(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
+    const float half_turn = 0.5f*sqrtf(turn_squared);
     const float sin_half_turn = sinf(half_turn);
     const float ratio = half_turn > 0.0f ? sin_half_turn/half_turn : 1.0f;
     const float turn_a = cosf(half_turn);
-    const float common_9 = 0.5f*ratio*step_seen;
-    const float turn_b = common_9*rate_x;
-    const float turn_c = common_9*rate_y;
-    const float turn_d = common_9*rate_z;
+    const float common_6 = 0.5f*ratio*step_seen;
+    const float turn_b = common_6*rate_x;
+    const float turn_c = common_6*rate_y;
+    const float turn_d = common_6*rate_z;
     const int rates_known = moves && dt <= longest_step;
     const float predicted_a = a*turn_a - b*turn_b - c*turn_c - d*turn_d;
     const float predicted_b = a*turn_b + b*turn_a + c*turn_d - d*turn_c;
@@ -4493,30 +4469,29 @@ void attitude_observer_heading_turn(double a, double b, double c, double d, doub
     double mag_z, double dt, double gain, double heading_gain, double north, double east,
     double out[4])
 {
-    const double abs_p = fabs(p);
-    const double abs_q = fabs(q);
-    const double abs_r = fabs(r);
-    const double whole_turn = dt*(abs_p + abs_q + abs_r);
-    const int moves = whole_turn <= 1.7976931348623157e+308 && abs_p < 1000000000000.0 && abs_q <
-        1000000000000.0 && abs_r < 1000000000000.0;
-    double rate_x, rate_y, rate_z;
+    const double speed_squared = p*p + q*q + r*r;
+    const double whole_turn_squared = speed_squared*(dt*dt);
+    const int moves = whole_turn_squared <= 1.7976931348623157e+308 && speed_squared < 1e+24;
+    double rate_x, rate_y, rate_z, turn_squared;
     if (moves) {
         rate_x = p;
         rate_y = q;
         rate_z = r;
+        turn_squared = whole_turn_squared;
     } else {
         rate_x = 0.0;
         rate_y = 0.0;
         rate_z = 0.0;
+        turn_squared = 0.0;
     }
-    const double half_turn = 0.5*dt*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
+    const double half_turn = 0.5*sqrt(turn_squared);
     const double sin_half_turn = sin(half_turn);
     const double ratio = half_turn > 0.0 ? sin_half_turn/half_turn : 1.0;
     const double turn_a = cos(half_turn);
-    const double common_9 = 0.5*dt*ratio;
-    const double turn_b = common_9*rate_x;
-    const double turn_c = common_9*rate_y;
-    const double turn_d = common_9*rate_z;
+    const double common_6 = 0.5*dt*ratio;
+    const double turn_b = common_6*rate_x;
+    const double turn_c = common_6*rate_y;
+    const double turn_d = common_6*rate_z;
     const double predicted_a = a*turn_a - b*turn_b - c*turn_c - d*turn_d;
     const double predicted_b = a*turn_b + b*turn_a + c*turn_d - d*turn_c;
     const double predicted_c = a*turn_c - b*turn_d + c*turn_a + d*turn_b;
@@ -4607,30 +4582,29 @@ void attitude_observer_heading_turn_f(float a, float b, float c, float d, float 
     float accel_x, float accel_y, float accel_z, float mag_x, float mag_y, float mag_z, float dt,
     float gain, float heading_gain, float north, float east, float out[4])
 {
-    const float abs_p = fabsf(p);
-    const float abs_q = fabsf(q);
-    const float abs_r = fabsf(r);
-    const float whole_turn = dt*(abs_p + abs_q + abs_r);
-    const int moves = whole_turn <= 3.4028234663852886e+38f && abs_p < 1000000000000.0f && abs_q <
-        1000000000000.0f && abs_r < 1000000000000.0f;
-    float rate_x, rate_y, rate_z;
+    const float speed_squared = p*p + q*q + r*r;
+    const float whole_turn_squared = speed_squared*(dt*dt);
+    const int moves = whole_turn_squared <= 3.4028234663852886e+38f && speed_squared < 1e+24f;
+    float rate_x, rate_y, rate_z, turn_squared;
     if (moves) {
         rate_x = p;
         rate_y = q;
         rate_z = r;
+        turn_squared = whole_turn_squared;
     } else {
         rate_x = 0.0f;
         rate_y = 0.0f;
         rate_z = 0.0f;
+        turn_squared = 0.0f;
     }
-    const float half_turn = 0.5f*dt*sqrtf(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z);
+    const float half_turn = 0.5f*sqrtf(turn_squared);
     const float sin_half_turn = sinf(half_turn);
     const float ratio = half_turn > 0.0f ? sin_half_turn/half_turn : 1.0f;
     const float turn_a = cosf(half_turn);
-    const float common_9 = 0.5f*dt*ratio;
-    const float turn_b = common_9*rate_x;
-    const float turn_c = common_9*rate_y;
-    const float turn_d = common_9*rate_z;
+    const float common_6 = 0.5f*dt*ratio;
+    const float turn_b = common_6*rate_x;
+    const float turn_c = common_6*rate_y;
+    const float turn_d = common_6*rate_z;
     const float predicted_a = a*turn_a - b*turn_b - c*turn_c - d*turn_d;
     const float predicted_b = a*turn_b + b*turn_a + c*turn_d - d*turn_c;
     const float predicted_c = a*turn_c - b*turn_d + c*turn_a + d*turn_b;
@@ -4723,8 +4697,8 @@ void attitude_bias_at_rest(double rest_rate_x, double rest_rate_y, double rest_r
     double accel_z, double dt, double rest, double longest_step, double out[10])
 {
     const double force_size = fabs(accel_x) + fabs(accel_y) + fabs(accel_z);
-    const int sample_known = force_size > 1e-12 && force_size < 1000000000000.0 && fabs(p) <
-        1000000000000.0 && fabs(q) < 1000000000000.0 && fabs(r) < 1000000000000.0;
+    const int sample_known = force_size > 1e-12 && force_size < 1000000000000.0 && p*p + q*q + r*r <
+        1e+24;
     const int stays = sample_known && dt <= longest_step && fabs(accel_x - rest_force_x) +
         fabs(accel_y - rest_force_y) + fabs(accel_z - rest_force_z) <= 0.05*fabs(rest_force_x) +
         0.05*fabs(rest_force_y) + 0.05*fabs(rest_force_z) && fabs(p - rest_rate_x) + fabs(q -
@@ -4795,8 +4769,8 @@ void attitude_bias_at_rest_f(float rest_rate_x, float rest_rate_y, float rest_ra
     float accel_z, float dt, float rest, float longest_step, float out[10])
 {
     const float force_size = fabsf(accel_x) + fabsf(accel_y) + fabsf(accel_z);
-    const int sample_known = force_size > 1e-12f && force_size < 1000000000000.0f && fabsf(p) <
-        1000000000000.0f && fabsf(q) < 1000000000000.0f && fabsf(r) < 1000000000000.0f;
+    const int sample_known = force_size > 1e-12f && force_size < 1000000000000.0f && p*p + q*q + r*r
+        < 1e+24f;
     const int stays = sample_known && dt <= longest_step && fabsf(accel_x - rest_force_x) +
         fabsf(accel_y - rest_force_y) + fabsf(accel_z - rest_force_z) <= 0.05f*fabsf(rest_force_x) +
         0.05f*fabsf(rest_force_y) + 0.05f*fabsf(rest_force_z) && fabsf(p - rest_rate_x) + fabsf(q -

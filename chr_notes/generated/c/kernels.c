@@ -2487,12 +2487,9 @@ static int64_t gyro_step
         const double sec_pitch = 1.0/cos_pitch;
         const double sin_roll = step_sin(roll);
         const double cos_roll = step_cos(roll);
-        const double abs_p = fabs(p);
-        const double abs_q = fabs(q);
-        const double abs_r = fabs(r);
-        const double whole_turn = dt*(abs_p + abs_q + abs_r);
-        const int moves = (whole_turn <= 1.7976931348623157e+308) & (abs_p < 1000000000000.0) &
-            (abs_q < 1000000000000.0) & (abs_r < 1000000000000.0);
+        const double speed_squared = p*p + q*q + r*r;
+        const double whole_turn_squared = speed_squared*(dt*dt);
+        const int moves = (whole_turn_squared <= 1.7976931348623157e+308) & (speed_squared < 1e+24);
         const double rate_x = moves ? p : 0.0;
         const double rate_y = moves ? q : 0.0;
         const double rate_z = moves ? r : 0.0;
@@ -2521,22 +2518,19 @@ static int64_t gyro_turn
         const double q = in[1][row * step[1] + 1];
         const double r = in[1][row * step[1] + 2];
         const double dt = in[2][row * step[2] + 0];
-        const double abs_p = fabs(p);
-        const double abs_q = fabs(q);
-        const double abs_r = fabs(r);
-        const double whole_turn = dt*(abs_p + abs_q + abs_r);
-        const int moves = (whole_turn <= 1.7976931348623157e+308) & (abs_p < 1000000000000.0) &
-            (abs_q < 1000000000000.0) & (abs_r < 1000000000000.0);
+        const double speed_squared = p*p + q*q + r*r;
+        const double whole_turn_squared = speed_squared*(dt*dt);
+        const int moves = (whole_turn_squared <= 1.7976931348623157e+308) & (speed_squared < 1e+24);
         const double rate_x = moves ? p : 0.0;
         const double rate_y = moves ? q : 0.0;
         const double rate_z = moves ? r : 0.0;
-        const double common_3 = rate_x*rate_x + rate_y*rate_y + rate_z*rate_z;
-        const double ratio = step_sinc_of_root(0.5*dt, common_3);
-        const double turn_a = step_cos_of_root(0.5*dt, common_3);
-        const double common_4 = 0.5*dt*ratio;
-        const double turn_b = common_4*rate_x;
-        const double turn_c = common_4*rate_y;
-        const double turn_d = common_4*rate_z;
+        const double turn_squared = moves ? whole_turn_squared : 0.0;
+        const double ratio = step_sinc_of_root(0.5, turn_squared);
+        const double turn_a = step_cos_of_root(0.5, turn_squared);
+        const double common_0 = 0.5*dt*ratio;
+        const double turn_b = common_0*rate_x;
+        const double turn_c = common_0*rate_y;
+        const double turn_d = common_0*rate_z;
         const double next_a = (a*turn_a - b*turn_b) + (-c*turn_c - d*turn_d);
         const double next_b = (a*turn_b + b*turn_a) + (c*turn_d - d*turn_c);
         const double next_c = (a*turn_c - b*turn_d) + (c*turn_a + d*turn_b);
@@ -2567,22 +2561,19 @@ static int64_t observer_turn
         const double accel_z = in[2][row * step[2] + 2];
         const double dt = in[3][row * step[3] + 0];
         const double gain = in[4][row * step[4] + 0];
-        const double abs_p = fabs(p);
-        const double abs_q = fabs(q);
-        const double abs_r = fabs(r);
-        const double whole_turn = dt*(abs_p + abs_q + abs_r);
-        const int moves = (whole_turn <= 1.7976931348623157e+308) & (abs_p < 1000000000000.0) &
-            (abs_q < 1000000000000.0) & (abs_r < 1000000000000.0);
+        const double speed_squared = p*p + q*q + r*r;
+        const double whole_turn_squared = speed_squared*(dt*dt);
+        const int moves = (whole_turn_squared <= 1.7976931348623157e+308) & (speed_squared < 1e+24);
         const double rate_x = moves ? p : 0.0;
         const double rate_y = moves ? q : 0.0;
         const double rate_z = moves ? r : 0.0;
-        const double common_3 = rate_x*rate_x + rate_y*rate_y + rate_z*rate_z;
-        const double ratio = step_sinc_of_root(0.5*dt, common_3);
-        const double turn_a = step_cos_of_root(0.5*dt, common_3);
-        const double common_4 = 0.5*dt*ratio;
-        const double turn_b = common_4*rate_x;
-        const double turn_c = common_4*rate_y;
-        const double turn_d = common_4*rate_z;
+        const double turn_squared = moves ? whole_turn_squared : 0.0;
+        const double ratio = step_sinc_of_root(0.5, turn_squared);
+        const double turn_a = step_cos_of_root(0.5, turn_squared);
+        const double common_0 = 0.5*dt*ratio;
+        const double turn_b = common_0*rate_x;
+        const double turn_c = common_0*rate_y;
+        const double turn_d = common_0*rate_z;
         const double predicted_a = (a*turn_a - b*turn_b) + (-c*turn_c - d*turn_d);
         const double predicted_b = (a*turn_b + b*turn_a) + (c*turn_d - d*turn_c);
         const double predicted_c = (a*turn_c - b*turn_d) + (c*turn_a + d*turn_b);
@@ -2603,12 +2594,12 @@ static int64_t observer_turn
         const double moved_b = across_x*predicted_a - across_y*predicted_d + across_z*predicted_c;
         const double moved_c = across_x*predicted_d + across_y*predicted_a - across_z*predicted_b;
         const double moved_d = across_y*predicted_b - across_x*predicted_c + across_z*predicted_a;
-        const double common_5 = across_x*across_x + across_y*across_y + across_z*across_z;
-        const double common_6 = e_x*reading_x + e_y*reading_y + e_z*reading_z;
-        const double turn_back_a = step_cos_of_share(0.5*gain, common_5, common_6);
-        const double factor = step_sin_of_share(0.5*gain, common_5, common_6);
-        const int usual = (has_direction) & (moves) & (3.141592653589793 > whole_turn) & (dt >=
-            0.0);
+        const double common_1 = across_x*across_x + across_y*across_y + across_z*across_z;
+        const double common_2 = e_x*reading_x + e_y*reading_y + e_z*reading_z;
+        const double turn_back_a = step_cos_of_share(0.5*gain, common_1, common_2);
+        const double factor = step_sin_of_share(0.5*gain, common_1, common_2);
+        const int usual = (has_direction) & (moves) & (9.869604401089358 > whole_turn_squared) & (dt
+            >= 0.0);
         const double next_a = factor*moved_a + predicted_a*turn_back_a;
         const double next_b = factor*moved_b + predicted_b*turn_back_a;
         const double next_c = factor*moved_c + predicted_c*turn_back_a;
@@ -2658,22 +2649,19 @@ static int64_t observer_step
             cos_half_roll*cos_half_yaw_sin_half_pitch;
         const double start_d = cos_half_pitch_sin_half_yaw*cos_half_roll -
             cos_half_yaw_sin_half_pitch*sin_half_roll;
-        const double abs_p = fabs(p);
-        const double abs_q = fabs(q);
-        const double abs_r = fabs(r);
-        const double whole_turn = dt*(abs_p + abs_q + abs_r);
-        const int moves = (whole_turn <= 1.7976931348623157e+308) & (abs_p < 1000000000000.0) &
-            (abs_q < 1000000000000.0) & (abs_r < 1000000000000.0);
+        const double speed_squared = p*p + q*q + r*r;
+        const double whole_turn_squared = speed_squared*(dt*dt);
+        const int moves = (whole_turn_squared <= 1.7976931348623157e+308) & (speed_squared < 1e+24);
         const double rate_x = moves ? p : 0.0;
         const double rate_y = moves ? q : 0.0;
         const double rate_z = moves ? r : 0.0;
-        const double common_13 = rate_x*rate_x + rate_y*rate_y + rate_z*rate_z;
-        const double ratio = step_sinc_of_root(0.5*dt, common_13);
-        const double turn_a = step_cos_of_root(0.5*dt, common_13);
-        const double common_14 = 0.5*dt*ratio;
-        const double turn_b = common_14*rate_x;
-        const double turn_c = common_14*rate_y;
-        const double turn_d = common_14*rate_z;
+        const double turn_squared = moves ? whole_turn_squared : 0.0;
+        const double ratio = step_sinc_of_root(0.5, turn_squared);
+        const double turn_a = step_cos_of_root(0.5, turn_squared);
+        const double common_10 = 0.5*dt*ratio;
+        const double turn_b = common_10*rate_x;
+        const double turn_c = common_10*rate_y;
+        const double turn_d = common_10*rate_z;
         const double predicted_a = (start_a*turn_a - start_b*turn_b) + (-start_c*turn_c -
             start_d*turn_d);
         const double predicted_b = (start_a*turn_b + start_b*turn_a) + (start_c*turn_d -
@@ -2698,12 +2686,12 @@ static int64_t observer_step
         const double moved_b = across_x*predicted_a - across_y*predicted_d + across_z*predicted_c;
         const double moved_c = across_x*predicted_d + across_y*predicted_a - across_z*predicted_b;
         const double moved_d = across_y*predicted_b - across_x*predicted_c + across_z*predicted_a;
-        const double common_15 = across_x*across_x + across_y*across_y + across_z*across_z;
-        const double common_16 = e_x*reading_x + e_y*reading_y + e_z*reading_z;
-        const double turn_back_a = step_cos_of_share(0.5*gain, common_15, common_16);
-        const double factor = step_sin_of_share(0.5*gain, common_15, common_16);
-        const int usual = (has_direction) & (moves) & (3.141592653589793 > whole_turn) & (dt >=
-            0.0);
+        const double common_11 = across_x*across_x + across_y*across_y + across_z*across_z;
+        const double common_12 = e_x*reading_x + e_y*reading_y + e_z*reading_z;
+        const double turn_back_a = step_cos_of_share(0.5*gain, common_11, common_12);
+        const double factor = step_sin_of_share(0.5*gain, common_11, common_12);
+        const int usual = (has_direction) & (moves) & (9.869604401089358 > whole_turn_squared) & (dt
+            >= 0.0);
         const double end_a = factor*moved_a + predicted_a*turn_back_a;
         const double end_b = factor*moved_b + predicted_b*turn_back_a;
         const double end_c = factor*moved_c + predicted_c*turn_back_a;
@@ -2760,12 +2748,9 @@ static int64_t euler_observer_step
         const double sec_pitch = 1.0/cos_pitch;
         const double sin_roll = step_sin(roll);
         const double cos_roll = step_cos(roll);
-        const double abs_p = fabs(p);
-        const double abs_q = fabs(q);
-        const double abs_r = fabs(r);
-        const double whole_turn = dt*(abs_p + abs_q + abs_r);
-        const int moves = (whole_turn <= 1.7976931348623157e+308) & (abs_p < 1000000000000.0) &
-            (abs_q < 1000000000000.0) & (abs_r < 1000000000000.0);
+        const double speed_squared = p*p + q*q + r*r;
+        const double whole_turn_squared = speed_squared*(dt*dt);
+        const int moves = (whole_turn_squared <= 1.7976931348623157e+308) & (speed_squared < 1e+24);
         const double rate_x = moves ? p : 0.0;
         const double rate_y = moves ? q : 0.0;
         const double rate_z = moves ? r : 0.0;
@@ -2786,8 +2771,8 @@ static int64_t euler_observer_step
             6.283185307179586*floor(0.15915494309189535*roll_to_measured + 0.5)) : 0.0;
         const double pitch_off = seen_has_direction ? gain*(pitch_to_measured -
             6.283185307179586*floor(0.15915494309189535*pitch_to_measured + 0.5)) : 0.0;
-        const int usual = (moves) & (seen_has_direction) & (3.141592653589793 > whole_turn) & (dt >=
-            0.0);
+        const int usual = (moves) & (seen_has_direction) & (9.869604401089358 > whole_turn_squared)
+            & (dt >= 0.0);
         const double next_roll = predicted_roll + roll_off;
         const double next_pitch = pitch_off + predicted_pitch;
         const double next_yaw = dt*rate_across*sec_pitch + yaw;
@@ -2829,22 +2814,19 @@ static int64_t monitored_turn
         const double highest = in[10][row * step[10] + 0];
         const double chosen_gain = (above <= patience) & (above > 0.0) ? highest : (above >
             patience) & (above <= 2.0*patience) ? lowest : gain;
-        const double abs_p = fabs(p);
-        const double abs_q = fabs(q);
-        const double abs_r = fabs(r);
-        const double whole_turn = dt*(abs_p + abs_q + abs_r);
-        const int moves = (whole_turn <= 1.7976931348623157e+308) & (abs_p < 1000000000000.0) &
-            (abs_q < 1000000000000.0) & (abs_r < 1000000000000.0);
+        const double speed_squared = p*p + q*q + r*r;
+        const double whole_turn_squared = speed_squared*(dt*dt);
+        const int moves = (whole_turn_squared <= 1.7976931348623157e+308) & (speed_squared < 1e+24);
         const double rate_x = moves ? p : 0.0;
         const double rate_y = moves ? q : 0.0;
         const double rate_z = moves ? r : 0.0;
-        const double common_3 = rate_x*rate_x + rate_y*rate_y + rate_z*rate_z;
-        const double ratio = step_sinc_of_root(0.5*dt, common_3);
-        const double turn_a = step_cos_of_root(0.5*dt, common_3);
-        const double common_4 = 0.5*dt*ratio;
-        const double turn_b = common_4*rate_x;
-        const double turn_c = common_4*rate_y;
-        const double turn_d = common_4*rate_z;
+        const double turn_squared = moves ? whole_turn_squared : 0.0;
+        const double ratio = step_sinc_of_root(0.5, turn_squared);
+        const double turn_a = step_cos_of_root(0.5, turn_squared);
+        const double common_0 = 0.5*dt*ratio;
+        const double turn_b = common_0*rate_x;
+        const double turn_c = common_0*rate_y;
+        const double turn_d = common_0*rate_z;
         const double predicted_a = (a*turn_a - b*turn_b) + (-c*turn_c - d*turn_d);
         const double predicted_b = (a*turn_b + b*turn_a) + (c*turn_d - d*turn_c);
         const double predicted_c = (a*turn_c - b*turn_d) + (c*turn_a + d*turn_b);
@@ -2865,10 +2847,10 @@ static int64_t monitored_turn
         const double moved_b = across_x*predicted_a - across_y*predicted_d + across_z*predicted_c;
         const double moved_c = across_x*predicted_d + across_y*predicted_a - across_z*predicted_b;
         const double moved_d = across_y*predicted_b - across_x*predicted_c + across_z*predicted_a;
-        const double common_5 = across_x*across_x + across_y*across_y + across_z*across_z;
-        const double common_6 = e_x*reading_x + e_y*reading_y + e_z*reading_z;
-        const double turn_back_a = step_cos_of_share(0.5*chosen_gain, common_5, common_6);
-        const double factor = step_sin_of_share(0.5*chosen_gain, common_5, common_6);
+        const double common_1 = across_x*across_x + across_y*across_y + across_z*across_z;
+        const double common_2 = e_x*reading_x + e_y*reading_y + e_z*reading_z;
+        const double turn_back_a = step_cos_of_share(0.5*chosen_gain, common_1, common_2);
+        const double factor = step_sin_of_share(0.5*chosen_gain, common_1, common_2);
         const double after_a = factor*moved_a + predicted_a*turn_back_a;
         const double after_b = factor*moved_b + predicted_b*turn_back_a;
         const double after_c = factor*moved_c + predicted_c*turn_back_a;
@@ -2969,22 +2951,19 @@ static int64_t averaging_turn
         const double longest_step = in[5][row * step[5] + 0];
         const double step_seen = dt <= longest_step ? dt : 0.0;
         const double step_counted = dt <= longest_step ? dt : longest_step;
-        const double abs_p = fabs(p);
-        const double abs_q = fabs(q);
-        const double abs_r = fabs(r);
-        const double whole_turn = step_seen*(abs_p + abs_q + abs_r);
-        const int moves = (whole_turn <= 1.7976931348623157e+308) & (abs_p < 1000000000000.0) &
-            (abs_q < 1000000000000.0) & (abs_r < 1000000000000.0);
+        const double speed_squared = p*p + q*q + r*r;
+        const double whole_turn_squared = speed_squared*(step_seen*step_seen);
+        const int moves = (whole_turn_squared <= 1.7976931348623157e+308) & (speed_squared < 1e+24);
         const double rate_x = moves ? p : 0.0;
         const double rate_y = moves ? q : 0.0;
         const double rate_z = moves ? r : 0.0;
-        const double common_5 = rate_x*rate_x + rate_y*rate_y + rate_z*rate_z;
-        const double ratio = step_sinc_of_root(0.5*step_seen, common_5);
-        const double turn_a = step_cos_of_root(0.5*step_seen, common_5);
-        const double common_6 = 0.5*ratio*step_seen;
-        const double turn_b = common_6*rate_x;
-        const double turn_c = common_6*rate_y;
-        const double turn_d = common_6*rate_z;
+        const double turn_squared = moves ? whole_turn_squared : 0.0;
+        const double ratio = step_sinc_of_root(0.5, turn_squared);
+        const double turn_a = step_cos_of_root(0.5, turn_squared);
+        const double common_2 = 0.5*ratio*step_seen;
+        const double turn_b = common_2*rate_x;
+        const double turn_c = common_2*rate_y;
+        const double turn_d = common_2*rate_z;
         const int rates_known = (moves) & (dt <= longest_step);
         const double predicted_a = (a*turn_a - b*turn_b) + (-c*turn_c - d*turn_d);
         const double predicted_b = (a*turn_b + b*turn_a) + (c*turn_d - d*turn_c);
@@ -3068,8 +3047,8 @@ static int64_t averaging_turn
         const double settled_after = (force_heard) & (low_pass > 0.0) & (length_of_low_pass <
             0.99*time_constant) ? 1.0 : (force_heard) & ((length_of_mean >= time_constant) ||
             (low_pass > 0.0)) ? 1.0 : force_heard ? 0.0 : low_pass;
-        const int usual = (force_heard) & (moves) & (rates_known) & (3.141592653589793 > whole_turn)
-            & (dt >= 0.0);
+        const int usual = (force_heard) & (moves) & (rates_known) & (9.869604401089358 >
+            whole_turn_squared) & (dt >= 0.0);
         const double level_a_squared = level_a*level_a;
         const double level_b_squared = level_b*level_b;
         const double level_a_slope_after_d = level_a*slope_after_d;
@@ -3146,22 +3125,19 @@ static int64_t averaging_heading_turn
         const double field_patience = in[11][row * step[11] + 0];
         const double step_seen = dt <= longest_step ? dt : 0.0;
         const double step_counted = dt <= longest_step ? dt : longest_step;
-        const double abs_p = fabs(p);
-        const double abs_q = fabs(q);
-        const double abs_r = fabs(r);
-        const double whole_turn = step_seen*(abs_p + abs_q + abs_r);
-        const int moves = (whole_turn <= 1.7976931348623157e+308) & (abs_p < 1000000000000.0) &
-            (abs_q < 1000000000000.0) & (abs_r < 1000000000000.0);
+        const double speed_squared = p*p + q*q + r*r;
+        const double whole_turn_squared = speed_squared*(step_seen*step_seen);
+        const int moves = (whole_turn_squared <= 1.7976931348623157e+308) & (speed_squared < 1e+24);
         const double rate_x = moves ? p : 0.0;
         const double rate_y = moves ? q : 0.0;
         const double rate_z = moves ? r : 0.0;
-        const double common_7 = rate_x*rate_x + rate_y*rate_y + rate_z*rate_z;
-        const double ratio = step_sinc_of_root(0.5*step_seen, common_7);
-        const double turn_a = step_cos_of_root(0.5*step_seen, common_7);
-        const double common_8 = 0.5*ratio*step_seen;
-        const double turn_b = common_8*rate_x;
-        const double turn_c = common_8*rate_y;
-        const double turn_d = common_8*rate_z;
+        const double turn_squared = moves ? whole_turn_squared : 0.0;
+        const double ratio = step_sinc_of_root(0.5, turn_squared);
+        const double turn_a = step_cos_of_root(0.5, turn_squared);
+        const double common_4 = 0.5*ratio*step_seen;
+        const double turn_b = common_4*rate_x;
+        const double turn_c = common_4*rate_y;
+        const double turn_d = common_4*rate_z;
         const int rates_known = (moves) & (dt <= longest_step);
         const double predicted_a = (a*turn_a - b*turn_b) + (-c*turn_c - d*turn_d);
         const double predicted_b = (a*turn_b + b*turn_a) + (c*turn_d - d*turn_c);
@@ -3245,8 +3221,8 @@ static int64_t averaging_heading_turn
         const double settled_after = (force_heard) & (low_pass > 0.0) & (length_of_low_pass <
             0.99*time_constant) ? 1.0 : (force_heard) & ((length_of_mean >= time_constant) ||
             (low_pass > 0.0)) ? 1.0 : force_heard ? 0.0 : low_pass;
-        const int usual = (force_heard) & (moves) & (rates_known) & (3.141592653589793 > whole_turn)
-            & (dt >= 0.0);
+        const int usual = (force_heard) & (moves) & (rates_known) & (9.869604401089358 >
+            whole_turn_squared) & (dt >= 0.0);
         const double level_attitude_a = level_a*predicted_a - level_b*predicted_b -
             level_c*predicted_c;
         const double level_attitude_b = level_a*predicted_b + level_b*predicted_a +
@@ -3398,22 +3374,19 @@ static int64_t observer_heading_turn
         const double heading_gain = in[6][row * step[6] + 0];
         const double north = in[7][row * step[7] + 0];
         const double east = in[8][row * step[8] + 0];
-        const double abs_p = fabs(p);
-        const double abs_q = fabs(q);
-        const double abs_r = fabs(r);
-        const double whole_turn = dt*(abs_p + abs_q + abs_r);
-        const int moves = (whole_turn <= 1.7976931348623157e+308) & (abs_p < 1000000000000.0) &
-            (abs_q < 1000000000000.0) & (abs_r < 1000000000000.0);
+        const double speed_squared = p*p + q*q + r*r;
+        const double whole_turn_squared = speed_squared*(dt*dt);
+        const int moves = (whole_turn_squared <= 1.7976931348623157e+308) & (speed_squared < 1e+24);
         const double rate_x = moves ? p : 0.0;
         const double rate_y = moves ? q : 0.0;
         const double rate_z = moves ? r : 0.0;
-        const double common_5 = rate_x*rate_x + rate_y*rate_y + rate_z*rate_z;
-        const double ratio = step_sinc_of_root(0.5*dt, common_5);
-        const double turn_a = step_cos_of_root(0.5*dt, common_5);
-        const double common_6 = 0.5*dt*ratio;
-        const double turn_b = common_6*rate_x;
-        const double turn_c = common_6*rate_y;
-        const double turn_d = common_6*rate_z;
+        const double turn_squared = moves ? whole_turn_squared : 0.0;
+        const double ratio = step_sinc_of_root(0.5, turn_squared);
+        const double turn_a = step_cos_of_root(0.5, turn_squared);
+        const double common_2 = 0.5*dt*ratio;
+        const double turn_b = common_2*rate_x;
+        const double turn_c = common_2*rate_y;
+        const double turn_d = common_2*rate_z;
         const double predicted_a = (a*turn_a - b*turn_b) + (-c*turn_c - d*turn_d);
         const double predicted_b = (a*turn_b + b*turn_a) + (c*turn_d - d*turn_c);
         const double predicted_c = (a*turn_c - b*turn_d) + (c*turn_a + d*turn_b);
@@ -3434,12 +3407,12 @@ static int64_t observer_heading_turn
         const double moved_b = across_x*predicted_a - across_y*predicted_d + across_z*predicted_c;
         const double moved_c = across_x*predicted_d + across_y*predicted_a - across_z*predicted_b;
         const double moved_d = across_y*predicted_b - across_x*predicted_c + across_z*predicted_a;
-        const double common_7 = across_x*across_x + across_y*across_y + across_z*across_z;
-        const double common_8 = e_x*reading_x + e_y*reading_y + e_z*reading_z;
-        const double turn_back_a = step_cos_of_share(0.5*gain, common_7, common_8);
-        const double factor = step_sin_of_share(0.5*gain, common_7, common_8);
-        const int usual = (has_direction) & (moves) & (3.141592653589793 > whole_turn) & (dt >=
-            0.0);
+        const double common_3 = across_x*across_x + across_y*across_y + across_z*across_z;
+        const double common_4 = e_x*reading_x + e_y*reading_y + e_z*reading_z;
+        const double turn_back_a = step_cos_of_share(0.5*gain, common_3, common_4);
+        const double factor = step_sin_of_share(0.5*gain, common_3, common_4);
+        const int usual = (has_direction) & (moves) & (9.869604401089358 > whole_turn_squared) & (dt
+            >= 0.0);
         const double level_attitude_a = factor*moved_a + predicted_a*turn_back_a;
         const double level_attitude_b = factor*moved_b + predicted_b*turn_back_a;
         const double level_attitude_c = factor*moved_c + predicted_c*turn_back_a;
@@ -3514,8 +3487,8 @@ static int64_t bias_at_rest
         const double rest = in[4][row * step[4] + 0];
         const double longest_step = in[5][row * step[5] + 0];
         const double force_size = fabs(accel_x) + fabs(accel_y) + fabs(accel_z);
-        const int sample_known = (force_size > 1e-12) & (force_size < 1000000000000.0) & (fabs(p) <
-            1000000000000.0) & (fabs(q) < 1000000000000.0) & (fabs(r) < 1000000000000.0);
+        const int sample_known = (force_size > 1e-12) & (force_size < 1000000000000.0) & (p*p + q*q
+            + r*r < 1e+24);
         const int stays = (sample_known) & (dt <= longest_step) & (fabs(p - rest_rate_x) + fabs(q -
             rest_rate_y) + fabs(r - rest_rate_z) <= 0.035) & (fabs(accel_x - rest_force_x) +
             fabs(accel_y - rest_force_y) + fabs(accel_z - rest_force_z) <= 0.05*fabs(rest_force_x) +

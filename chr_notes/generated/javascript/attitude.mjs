@@ -1611,12 +1611,10 @@ export function gyroStep(roll, pitch, yaw, p, q, r, dt) {
   const secPitch = 1/cosPitch;
   const sinRoll = Math.sin(roll);
   const cosRoll = Math.cos(roll);
-  const absP = Math.abs(p);
-  const absQ = Math.abs(q);
-  const absR = Math.abs(r);
-  const wholeTurn = dt*(absP + absQ + absR);
-  const moves = wholeTurn <= 1.7976931348623157e+308 && absP < 1000000000000 && absQ < 1000000000000
-      && absR < 1000000000000;
+  const speedSquared = p*p + q*q + r*r;
+  const wholeTurnSquared = speedSquared*(dt*dt);
+  const moves = wholeTurnSquared <= 1.7976931348623157e+308 && speedSquared <
+      1000000000000000000000000;
   let rateX, rateY, rateZ;
   if (moves) {
     rateX = p;
@@ -1649,30 +1647,30 @@ export function gyroStep(roll, pitch, yaw, p, q, r, dt) {
  * @returns {[number, number, number, number]}
  */
 export function gyroTurn(a, b, c, d, p, q, r, dt) {
-  const absP = Math.abs(p);
-  const absQ = Math.abs(q);
-  const absR = Math.abs(r);
-  const wholeTurn = dt*(absP + absQ + absR);
-  const moves = wholeTurn <= 1.7976931348623157e+308 && absP < 1000000000000 && absQ < 1000000000000
-      && absR < 1000000000000;
-  let rateX, rateY, rateZ;
+  const speedSquared = p*p + q*q + r*r;
+  const wholeTurnSquared = speedSquared*(dt*dt);
+  const moves = wholeTurnSquared <= 1.7976931348623157e+308 && speedSquared <
+      1000000000000000000000000;
+  let rateX, rateY, rateZ, turnSquared;
   if (moves) {
     rateX = p;
     rateY = q;
     rateZ = r;
+    turnSquared = wholeTurnSquared;
   } else {
     rateX = 0;
     rateY = 0;
     rateZ = 0;
+    turnSquared = 0;
   }
-  const halfTurn = 0.5*dt*Math.sqrt(rateX*rateX + rateY*rateY + rateZ*rateZ);
+  const halfTurn = 0.5*Math.sqrt(turnSquared);
   const sinHalfTurn = Math.sin(halfTurn);
   const ratio = halfTurn > 0 ? sinHalfTurn/halfTurn : 1;
   const turnA = Math.cos(halfTurn);
-  const common5 = 0.5*dt*ratio;
-  const turnB = common5*rateX;
-  const turnC = common5*rateY;
-  const turnD = common5*rateZ;
+  const common2 = 0.5*dt*ratio;
+  const turnB = common2*rateX;
+  const turnC = common2*rateY;
+  const turnD = common2*rateZ;
   return [
     a*turnA - b*turnB - c*turnC - d*turnD,
     a*turnB + b*turnA + c*turnD - d*turnC,
@@ -1700,30 +1698,30 @@ export function gyroTurn(a, b, c, d, p, q, r, dt) {
  * @returns {[number, number, number, number]}
  */
 export function observerTurn(a, b, c, d, p, q, r, accelX, accelY, accelZ, dt, gain) {
-  const absP = Math.abs(p);
-  const absQ = Math.abs(q);
-  const absR = Math.abs(r);
-  const wholeTurn = dt*(absP + absQ + absR);
-  const moves = wholeTurn <= 1.7976931348623157e+308 && absP < 1000000000000 && absQ < 1000000000000
-      && absR < 1000000000000;
-  let rateX, rateY, rateZ;
+  const speedSquared = p*p + q*q + r*r;
+  const wholeTurnSquared = speedSquared*(dt*dt);
+  const moves = wholeTurnSquared <= 1.7976931348623157e+308 && speedSquared <
+      1000000000000000000000000;
+  let rateX, rateY, rateZ, turnSquared;
   if (moves) {
     rateX = p;
     rateY = q;
     rateZ = r;
+    turnSquared = wholeTurnSquared;
   } else {
     rateX = 0;
     rateY = 0;
     rateZ = 0;
+    turnSquared = 0;
   }
-  const halfTurn = 0.5*dt*Math.sqrt(rateX*rateX + rateY*rateY + rateZ*rateZ);
+  const halfTurn = 0.5*Math.sqrt(turnSquared);
   const sinHalfTurn = Math.sin(halfTurn);
   const ratio = halfTurn > 0 ? sinHalfTurn/halfTurn : 1;
   const turnA = Math.cos(halfTurn);
-  const common7 = 0.5*dt*ratio;
-  const turnB = common7*rateX;
-  const turnC = common7*rateY;
-  const turnD = common7*rateZ;
+  const common4 = 0.5*dt*ratio;
+  const turnB = common4*rateX;
+  const turnC = common4*rateY;
+  const turnD = common4*rateZ;
   const predictedA = a*turnA - b*turnB - c*turnC - d*turnD;
   const predictedB = a*turnB + b*turnA + c*turnD - d*turnC;
   const predictedC = a*turnC - b*turnD + c*turnA + d*turnB;
@@ -1805,30 +1803,30 @@ export function observerStep(roll, pitch, yaw, p, q, r, accelX, accelY, accelZ, 
   const cosHalfYawSinHalfPitch = cosHalfYaw*sinHalfPitch;
   const startC = cosHalfPitchSinHalfYaw*sinHalfRoll + cosHalfRoll*cosHalfYawSinHalfPitch;
   const startD = cosHalfPitchSinHalfYaw*cosHalfRoll - cosHalfYawSinHalfPitch*sinHalfRoll;
-  const absP = Math.abs(p);
-  const absQ = Math.abs(q);
-  const absR = Math.abs(r);
-  const wholeTurn = dt*(absP + absQ + absR);
-  const moves = wholeTurn <= 1.7976931348623157e+308 && absP < 1000000000000 && absQ < 1000000000000
-      && absR < 1000000000000;
-  let rateX, rateY, rateZ;
+  const speedSquared = p*p + q*q + r*r;
+  const wholeTurnSquared = speedSquared*(dt*dt);
+  const moves = wholeTurnSquared <= 1.7976931348623157e+308 && speedSquared <
+      1000000000000000000000000;
+  let rateX, rateY, rateZ, turnSquared;
   if (moves) {
     rateX = p;
     rateY = q;
     rateZ = r;
+    turnSquared = wholeTurnSquared;
   } else {
     rateX = 0;
     rateY = 0;
     rateZ = 0;
+    turnSquared = 0;
   }
-  const halfTurn = 0.5*dt*Math.sqrt(rateX*rateX + rateY*rateY + rateZ*rateZ);
+  const halfTurn = 0.5*Math.sqrt(turnSquared);
   const sinHalfTurn = Math.sin(halfTurn);
   const ratio = halfTurn > 0 ? sinHalfTurn/halfTurn : 1;
   const turnA = Math.cos(halfTurn);
-  const common17 = 0.5*dt*ratio;
-  const turnB = common17*rateX;
-  const turnC = common17*rateY;
-  const turnD = common17*rateZ;
+  const common14 = 0.5*dt*ratio;
+  const turnB = common14*rateX;
+  const turnC = common14*rateY;
+  const turnD = common14*rateZ;
   const predictedA = startA*turnA - startB*turnB - startC*turnC - startD*turnD;
   const predictedB = startA*turnB + startB*turnA + startC*turnD - startD*turnC;
   const predictedC = startA*turnC - startB*turnD + startC*turnA + startD*turnB;
@@ -1922,12 +1920,10 @@ export function eulerObserverStep(roll, pitch, yaw, p, q, r, accelX, accelY, acc
   const secPitch = 1/cosPitch;
   const sinRoll = Math.sin(roll);
   const cosRoll = Math.cos(roll);
-  const absP = Math.abs(p);
-  const absQ = Math.abs(q);
-  const absR = Math.abs(r);
-  const wholeTurn = dt*(absP + absQ + absR);
-  const moves = wholeTurn <= 1.7976931348623157e+308 && absP < 1000000000000 && absQ < 1000000000000
-      && absR < 1000000000000;
+  const speedSquared = p*p + q*q + r*r;
+  const wholeTurnSquared = speedSquared*(dt*dt);
+  const moves = wholeTurnSquared <= 1.7976931348623157e+308 && speedSquared <
+      1000000000000000000000000;
   let rateX, rateY, rateZ;
   if (moves) {
     rateX = p;
@@ -2151,30 +2147,30 @@ export function monitoredTurn(
   } else {
     chosenGain = gain;
   }
-  const absP = Math.abs(p);
-  const absQ = Math.abs(q);
-  const absR = Math.abs(r);
-  const wholeTurn = dt*(absP + absQ + absR);
-  const moves = wholeTurn <= 1.7976931348623157e+308 && absP < 1000000000000 && absQ < 1000000000000
-      && absR < 1000000000000;
-  let rateX, rateY, rateZ;
+  const speedSquared = p*p + q*q + r*r;
+  const wholeTurnSquared = speedSquared*(dt*dt);
+  const moves = wholeTurnSquared <= 1.7976931348623157e+308 && speedSquared <
+      1000000000000000000000000;
+  let rateX, rateY, rateZ, turnSquared;
   if (moves) {
     rateX = p;
     rateY = q;
     rateZ = r;
+    turnSquared = wholeTurnSquared;
   } else {
     rateX = 0;
     rateY = 0;
     rateZ = 0;
+    turnSquared = 0;
   }
-  const halfTurn = 0.5*dt*Math.sqrt(rateX*rateX + rateY*rateY + rateZ*rateZ);
+  const halfTurn = 0.5*Math.sqrt(turnSquared);
   const sinHalfTurn = Math.sin(halfTurn);
   const ratio = halfTurn > 0 ? sinHalfTurn/halfTurn : 1;
   const turnA = Math.cos(halfTurn);
-  const common7 = 0.5*dt*ratio;
-  const turnB = common7*rateX;
-  const turnC = common7*rateY;
-  const turnD = common7*rateZ;
+  const common4 = 0.5*dt*ratio;
+  const turnB = common4*rateX;
+  const turnC = common4*rateY;
+  const turnD = common4*rateZ;
   const predictedA = a*turnA - b*turnB - c*turnC - d*turnD;
   const predictedB = a*turnB + b*turnA + c*turnD - d*turnC;
   const predictedC = a*turnC - b*turnD + c*turnA + d*turnB;
@@ -2567,30 +2563,30 @@ export function averagingTurn(
     stepSeen = 0;
     stepCounted = longestStep;
   }
-  const absP = Math.abs(p);
-  const absQ = Math.abs(q);
-  const absR = Math.abs(r);
-  const wholeTurn = stepSeen*(absP + absQ + absR);
-  const moves = wholeTurn <= 1.7976931348623157e+308 && absP < 1000000000000 && absQ < 1000000000000
-      && absR < 1000000000000;
-  let rateX, rateY, rateZ;
+  const speedSquared = p*p + q*q + r*r;
+  const wholeTurnSquared = speedSquared*(stepSeen*stepSeen);
+  const moves = wholeTurnSquared <= 1.7976931348623157e+308 && speedSquared <
+      1000000000000000000000000;
+  let rateX, rateY, rateZ, turnSquared;
   if (moves) {
     rateX = p;
     rateY = q;
     rateZ = r;
+    turnSquared = wholeTurnSquared;
   } else {
     rateX = 0;
     rateY = 0;
     rateZ = 0;
+    turnSquared = 0;
   }
-  const halfTurn = 0.5*stepSeen*Math.sqrt(rateX*rateX + rateY*rateY + rateZ*rateZ);
+  const halfTurn = 0.5*Math.sqrt(turnSquared);
   const sinHalfTurn = Math.sin(halfTurn);
   const ratio = halfTurn > 0 ? sinHalfTurn/halfTurn : 1;
   const turnA = Math.cos(halfTurn);
-  const common7 = 0.5*ratio*stepSeen;
-  const turnB = common7*rateX;
-  const turnC = common7*rateY;
-  const turnD = common7*rateZ;
+  const common4 = 0.5*ratio*stepSeen;
+  const turnB = common4*rateX;
+  const turnC = common4*rateY;
+  const turnD = common4*rateZ;
   const ratesKnown = moves && dt <= longestStep;
   const predictedA = a*turnA - b*turnB - c*turnC - d*turnD;
   const predictedB = a*turnB + b*turnA + c*turnD - d*turnC;
@@ -2822,30 +2818,30 @@ export function averagingHeadingTurn(
     stepSeen = 0;
     stepCounted = longestStep;
   }
-  const absP = Math.abs(p);
-  const absQ = Math.abs(q);
-  const absR = Math.abs(r);
-  const wholeTurn = stepSeen*(absP + absQ + absR);
-  const moves = wholeTurn <= 1.7976931348623157e+308 && absP < 1000000000000 && absQ < 1000000000000
-      && absR < 1000000000000;
-  let rateX, rateY, rateZ;
+  const speedSquared = p*p + q*q + r*r;
+  const wholeTurnSquared = speedSquared*(stepSeen*stepSeen);
+  const moves = wholeTurnSquared <= 1.7976931348623157e+308 && speedSquared <
+      1000000000000000000000000;
+  let rateX, rateY, rateZ, turnSquared;
   if (moves) {
     rateX = p;
     rateY = q;
     rateZ = r;
+    turnSquared = wholeTurnSquared;
   } else {
     rateX = 0;
     rateY = 0;
     rateZ = 0;
+    turnSquared = 0;
   }
-  const halfTurn = 0.5*stepSeen*Math.sqrt(rateX*rateX + rateY*rateY + rateZ*rateZ);
+  const halfTurn = 0.5*Math.sqrt(turnSquared);
   const sinHalfTurn = Math.sin(halfTurn);
   const ratio = halfTurn > 0 ? sinHalfTurn/halfTurn : 1;
   const turnA = Math.cos(halfTurn);
-  const common9 = 0.5*ratio*stepSeen;
-  const turnB = common9*rateX;
-  const turnC = common9*rateY;
-  const turnD = common9*rateZ;
+  const common6 = 0.5*ratio*stepSeen;
+  const turnB = common6*rateX;
+  const turnC = common6*rateY;
+  const turnD = common6*rateZ;
   const ratesKnown = moves && dt <= longestStep;
   const predictedA = a*turnA - b*turnB - c*turnC - d*turnD;
   const predictedB = a*turnB + b*turnA + c*turnD - d*turnC;
@@ -3143,30 +3139,30 @@ export function averagingHeadingTurn(
 export function observerHeadingTurn(
   a, b, c, d, p, q, r, accelX, accelY, accelZ, magX, magY, magZ, dt, gain, headingGain, north, east
 ) {
-  const absP = Math.abs(p);
-  const absQ = Math.abs(q);
-  const absR = Math.abs(r);
-  const wholeTurn = dt*(absP + absQ + absR);
-  const moves = wholeTurn <= 1.7976931348623157e+308 && absP < 1000000000000 && absQ < 1000000000000
-      && absR < 1000000000000;
-  let rateX, rateY, rateZ;
+  const speedSquared = p*p + q*q + r*r;
+  const wholeTurnSquared = speedSquared*(dt*dt);
+  const moves = wholeTurnSquared <= 1.7976931348623157e+308 && speedSquared <
+      1000000000000000000000000;
+  let rateX, rateY, rateZ, turnSquared;
   if (moves) {
     rateX = p;
     rateY = q;
     rateZ = r;
+    turnSquared = wholeTurnSquared;
   } else {
     rateX = 0;
     rateY = 0;
     rateZ = 0;
+    turnSquared = 0;
   }
-  const halfTurn = 0.5*dt*Math.sqrt(rateX*rateX + rateY*rateY + rateZ*rateZ);
+  const halfTurn = 0.5*Math.sqrt(turnSquared);
   const sinHalfTurn = Math.sin(halfTurn);
   const ratio = halfTurn > 0 ? sinHalfTurn/halfTurn : 1;
   const turnA = Math.cos(halfTurn);
-  const common9 = 0.5*dt*ratio;
-  const turnB = common9*rateX;
-  const turnC = common9*rateY;
-  const turnD = common9*rateZ;
+  const common6 = 0.5*dt*ratio;
+  const turnB = common6*rateX;
+  const turnC = common6*rateY;
+  const turnD = common6*rateZ;
   const predictedA = a*turnA - b*turnB - c*turnC - d*turnD;
   const predictedB = a*turnB + b*turnA + c*turnD - d*turnC;
   const predictedC = a*turnC - b*turnD + c*turnA + d*turnB;
@@ -3297,8 +3293,8 @@ export function biasAtRest(
   longestStep,
 ) {
   const forceSize = Math.abs(accelX) + Math.abs(accelY) + Math.abs(accelZ);
-  const sampleKnown = forceSize > 1e-12 && forceSize < 1000000000000 && Math.abs(p) < 1000000000000
-      && Math.abs(q) < 1000000000000 && Math.abs(r) < 1000000000000;
+  const sampleKnown = forceSize > 1e-12 && forceSize < 1000000000000 && p*p + q*q + r*r <
+      1000000000000000000000000;
   const stays = sampleKnown && dt <= longestStep && Math.abs(accelX - restForceX) + Math.abs(accelY
       - restForceY) + Math.abs(accelZ - restForceZ) <= 0.05*Math.abs(restForceX) +
       0.05*Math.abs(restForceY) + 0.05*Math.abs(restForceZ) && Math.abs(p - restRateX) + Math.abs(q

@@ -53,14 +53,9 @@ def gyro_step(
     sec_pitch = 1.0/cos_pitch
     sin_roll = sin(roll)
     cos_roll = cos(roll)
-    abs_p = abs(p)
-    abs_q = abs(q)
-    abs_r = abs(r)
-    whole_turn = dt*(abs_p + abs_q + abs_r)
-    moves = (
-        whole_turn <= 1.7976931348623157e+308 and abs_p < 1000000000000.0 and abs_q <
-            1000000000000.0 and abs_r < 1000000000000.0
-    )
+    speed_squared = p*p + q*q + r*r
+    whole_turn_squared = speed_squared*(dt*dt)
+    moves = whole_turn_squared <= 1.7976931348623157e+308 and speed_squared < 1e+24
     if moves:
         rate_x = p
         rate_y = q
@@ -91,33 +86,30 @@ def gyro_turn(
     r: body rate about z, rad/s
     dt: time that passes, s
     """
-    abs_p = abs(p)
-    abs_q = abs(q)
-    abs_r = abs(r)
-    whole_turn = dt*(abs_p + abs_q + abs_r)
-    moves = (
-        whole_turn <= 1.7976931348623157e+308 and abs_p < 1000000000000.0 and abs_q <
-            1000000000000.0 and abs_r < 1000000000000.0
-    )
+    speed_squared = p*p + q*q + r*r
+    whole_turn_squared = speed_squared*(dt*dt)
+    moves = whole_turn_squared <= 1.7976931348623157e+308 and speed_squared < 1e+24
     if moves:
         rate_x = p
         rate_y = q
         rate_z = r
+        turn_squared = whole_turn_squared
     else:
         rate_x = 0.0
         rate_y = 0.0
         rate_z = 0.0
-    half_turn = 0.5*dt*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z)
+        turn_squared = 0.0
+    half_turn = 0.5*sqrt(turn_squared)
     sin_half_turn = sin(half_turn)
     if half_turn > 0.0:
         ratio = sin_half_turn/half_turn
     else:
         ratio = 1.0
     turn_a = cos(half_turn)
-    common_5 = 0.5*dt*ratio
-    turn_b = common_5*rate_x
-    turn_c = common_5*rate_y
-    turn_d = common_5*rate_z
+    common_2 = 0.5*dt*ratio
+    turn_b = common_2*rate_x
+    turn_c = common_2*rate_y
+    turn_d = common_2*rate_z
     return (
         a*turn_a - b*turn_b - c*turn_c - d*turn_d,
         a*turn_b + b*turn_a + c*turn_d - d*turn_c,
@@ -155,33 +147,30 @@ def observer_turn(
     dt: time that passes, s
     gain: weight of the accelerometer, from 0 to 1
     """
-    abs_p = abs(p)
-    abs_q = abs(q)
-    abs_r = abs(r)
-    whole_turn = dt*(abs_p + abs_q + abs_r)
-    moves = (
-        whole_turn <= 1.7976931348623157e+308 and abs_p < 1000000000000.0 and abs_q <
-            1000000000000.0 and abs_r < 1000000000000.0
-    )
+    speed_squared = p*p + q*q + r*r
+    whole_turn_squared = speed_squared*(dt*dt)
+    moves = whole_turn_squared <= 1.7976931348623157e+308 and speed_squared < 1e+24
     if moves:
         rate_x = p
         rate_y = q
         rate_z = r
+        turn_squared = whole_turn_squared
     else:
         rate_x = 0.0
         rate_y = 0.0
         rate_z = 0.0
-    half_turn = 0.5*dt*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z)
+        turn_squared = 0.0
+    half_turn = 0.5*sqrt(turn_squared)
     sin_half_turn = sin(half_turn)
     if half_turn > 0.0:
         ratio = sin_half_turn/half_turn
     else:
         ratio = 1.0
     turn_a = cos(half_turn)
-    common_7 = 0.5*dt*ratio
-    turn_b = common_7*rate_x
-    turn_c = common_7*rate_y
-    turn_d = common_7*rate_z
+    common_4 = 0.5*dt*ratio
+    turn_b = common_4*rate_x
+    turn_c = common_4*rate_y
+    turn_d = common_4*rate_z
     predicted_a = a*turn_a - b*turn_b - c*turn_c - d*turn_d
     predicted_b = a*turn_b + b*turn_a + c*turn_d - d*turn_c
     predicted_c = a*turn_c - b*turn_d + c*turn_a + d*turn_b
@@ -268,33 +257,30 @@ def observer_step(
     cos_half_yaw_sin_half_pitch = cos_half_yaw*sin_half_pitch
     start_c = cos_half_pitch_sin_half_yaw*sin_half_roll + cos_half_roll*cos_half_yaw_sin_half_pitch
     start_d = cos_half_pitch_sin_half_yaw*cos_half_roll - cos_half_yaw_sin_half_pitch*sin_half_roll
-    abs_p = abs(p)
-    abs_q = abs(q)
-    abs_r = abs(r)
-    whole_turn = dt*(abs_p + abs_q + abs_r)
-    moves = (
-        whole_turn <= 1.7976931348623157e+308 and abs_p < 1000000000000.0 and abs_q <
-            1000000000000.0 and abs_r < 1000000000000.0
-    )
+    speed_squared = p*p + q*q + r*r
+    whole_turn_squared = speed_squared*(dt*dt)
+    moves = whole_turn_squared <= 1.7976931348623157e+308 and speed_squared < 1e+24
     if moves:
         rate_x = p
         rate_y = q
         rate_z = r
+        turn_squared = whole_turn_squared
     else:
         rate_x = 0.0
         rate_y = 0.0
         rate_z = 0.0
-    half_turn = 0.5*dt*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z)
+        turn_squared = 0.0
+    half_turn = 0.5*sqrt(turn_squared)
     sin_half_turn = sin(half_turn)
     if half_turn > 0.0:
         ratio = sin_half_turn/half_turn
     else:
         ratio = 1.0
     turn_a = cos(half_turn)
-    common_17 = 0.5*dt*ratio
-    turn_b = common_17*rate_x
-    turn_c = common_17*rate_y
-    turn_d = common_17*rate_z
+    common_14 = 0.5*dt*ratio
+    turn_b = common_14*rate_x
+    turn_c = common_14*rate_y
+    turn_d = common_14*rate_z
     predicted_a = start_a*turn_a - start_b*turn_b - start_c*turn_c - start_d*turn_d
     predicted_b = start_a*turn_b + start_b*turn_a + start_c*turn_d - start_d*turn_c
     predicted_c = start_a*turn_c - start_b*turn_d + start_c*turn_a + start_d*turn_b
@@ -395,14 +381,9 @@ def euler_observer_step(
     sec_pitch = 1.0/cos_pitch
     sin_roll = sin(roll)
     cos_roll = cos(roll)
-    abs_p = abs(p)
-    abs_q = abs(q)
-    abs_r = abs(r)
-    whole_turn = dt*(abs_p + abs_q + abs_r)
-    moves = (
-        whole_turn <= 1.7976931348623157e+308 and abs_p < 1000000000000.0 and abs_q <
-            1000000000000.0 and abs_r < 1000000000000.0
-    )
+    speed_squared = p*p + q*q + r*r
+    whole_turn_squared = speed_squared*(dt*dt)
+    moves = whole_turn_squared <= 1.7976931348623157e+308 and speed_squared < 1e+24
     if moves:
         rate_x = p
         rate_y = q
@@ -520,33 +501,30 @@ def averaging_turn(
     else:
         step_seen = 0.0
         step_counted = longest_step
-    abs_p = abs(p)
-    abs_q = abs(q)
-    abs_r = abs(r)
-    whole_turn = step_seen*(abs_p + abs_q + abs_r)
-    moves = (
-        whole_turn <= 1.7976931348623157e+308 and abs_p < 1000000000000.0 and abs_q <
-            1000000000000.0 and abs_r < 1000000000000.0
-    )
+    speed_squared = p*p + q*q + r*r
+    whole_turn_squared = speed_squared*(step_seen*step_seen)
+    moves = whole_turn_squared <= 1.7976931348623157e+308 and speed_squared < 1e+24
     if moves:
         rate_x = p
         rate_y = q
         rate_z = r
+        turn_squared = whole_turn_squared
     else:
         rate_x = 0.0
         rate_y = 0.0
         rate_z = 0.0
-    half_turn = 0.5*step_seen*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z)
+        turn_squared = 0.0
+    half_turn = 0.5*sqrt(turn_squared)
     sin_half_turn = sin(half_turn)
     if half_turn > 0.0:
         ratio = sin_half_turn/half_turn
     else:
         ratio = 1.0
     turn_a = cos(half_turn)
-    common_7 = 0.5*ratio*step_seen
-    turn_b = common_7*rate_x
-    turn_c = common_7*rate_y
-    turn_d = common_7*rate_z
+    common_4 = 0.5*ratio*step_seen
+    turn_b = common_4*rate_x
+    turn_c = common_4*rate_y
+    turn_d = common_4*rate_z
     rates_known = moves and dt <= longest_step
     predicted_a = a*turn_a - b*turn_b - c*turn_c - d*turn_d
     predicted_b = a*turn_b + b*turn_a + c*turn_d - d*turn_c
@@ -775,33 +753,30 @@ def averaging_heading_turn(
     else:
         step_seen = 0.0
         step_counted = longest_step
-    abs_p = abs(p)
-    abs_q = abs(q)
-    abs_r = abs(r)
-    whole_turn = step_seen*(abs_p + abs_q + abs_r)
-    moves = (
-        whole_turn <= 1.7976931348623157e+308 and abs_p < 1000000000000.0 and abs_q <
-            1000000000000.0 and abs_r < 1000000000000.0
-    )
+    speed_squared = p*p + q*q + r*r
+    whole_turn_squared = speed_squared*(step_seen*step_seen)
+    moves = whole_turn_squared <= 1.7976931348623157e+308 and speed_squared < 1e+24
     if moves:
         rate_x = p
         rate_y = q
         rate_z = r
+        turn_squared = whole_turn_squared
     else:
         rate_x = 0.0
         rate_y = 0.0
         rate_z = 0.0
-    half_turn = 0.5*step_seen*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z)
+        turn_squared = 0.0
+    half_turn = 0.5*sqrt(turn_squared)
     sin_half_turn = sin(half_turn)
     if half_turn > 0.0:
         ratio = sin_half_turn/half_turn
     else:
         ratio = 1.0
     turn_a = cos(half_turn)
-    common_9 = 0.5*ratio*step_seen
-    turn_b = common_9*rate_x
-    turn_c = common_9*rate_y
-    turn_d = common_9*rate_z
+    common_6 = 0.5*ratio*step_seen
+    turn_b = common_6*rate_x
+    turn_c = common_6*rate_y
+    turn_d = common_6*rate_z
     rates_known = moves and dt <= longest_step
     predicted_a = a*turn_a - b*turn_b - c*turn_c - d*turn_d
     predicted_b = a*turn_b + b*turn_a + c*turn_d - d*turn_c
@@ -1122,33 +1097,30 @@ def observer_heading_turn(
     north: horizontal field at yaw 0 along x, any unit
     east: horizontal field at yaw 0 along y, any unit
     """
-    abs_p = abs(p)
-    abs_q = abs(q)
-    abs_r = abs(r)
-    whole_turn = dt*(abs_p + abs_q + abs_r)
-    moves = (
-        whole_turn <= 1.7976931348623157e+308 and abs_p < 1000000000000.0 and abs_q <
-            1000000000000.0 and abs_r < 1000000000000.0
-    )
+    speed_squared = p*p + q*q + r*r
+    whole_turn_squared = speed_squared*(dt*dt)
+    moves = whole_turn_squared <= 1.7976931348623157e+308 and speed_squared < 1e+24
     if moves:
         rate_x = p
         rate_y = q
         rate_z = r
+        turn_squared = whole_turn_squared
     else:
         rate_x = 0.0
         rate_y = 0.0
         rate_z = 0.0
-    half_turn = 0.5*dt*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z)
+        turn_squared = 0.0
+    half_turn = 0.5*sqrt(turn_squared)
     sin_half_turn = sin(half_turn)
     if half_turn > 0.0:
         ratio = sin_half_turn/half_turn
     else:
         ratio = 1.0
     turn_a = cos(half_turn)
-    common_9 = 0.5*dt*ratio
-    turn_b = common_9*rate_x
-    turn_c = common_9*rate_y
-    turn_d = common_9*rate_z
+    common_6 = 0.5*dt*ratio
+    turn_b = common_6*rate_x
+    turn_c = common_6*rate_y
+    turn_d = common_6*rate_z
     predicted_a = a*turn_a - b*turn_b - c*turn_c - d*turn_d
     predicted_b = a*turn_b + b*turn_a + c*turn_d - d*turn_c
     predicted_c = a*turn_c - b*turn_d + c*turn_a + d*turn_b
@@ -1280,10 +1252,7 @@ def bias_at_rest(
     longest_step: beyond which a step is a gap, s
     """
     force_size = abs(accel_x) + abs(accel_y) + abs(accel_z)
-    sample_known = (
-        force_size > 1e-12 and force_size < 1000000000000.0 and abs(p) < 1000000000000.0 and abs(q)
-            < 1000000000000.0 and abs(r) < 1000000000000.0
-    )
+    sample_known = force_size > 1e-12 and force_size < 1000000000000.0 and p*p + q*q + r*r < 1e+24
     stays = (
         sample_known and dt <= longest_step and abs(accel_x - rest_force_x) + abs(accel_y -
             rest_force_y) + abs(accel_z - rest_force_z) <= 0.05*abs(rest_force_x) +

@@ -162,33 +162,30 @@ def monitored_turn(
         chosen_gain = lowest
     else:
         chosen_gain = gain
-    abs_p = abs(p)
-    abs_q = abs(q)
-    abs_r = abs(r)
-    whole_turn = dt*(abs_p + abs_q + abs_r)
-    moves = (
-        whole_turn <= 1.7976931348623157e+308 and abs_p < 1000000000000.0 and abs_q <
-            1000000000000.0 and abs_r < 1000000000000.0
-    )
+    speed_squared = p*p + q*q + r*r
+    whole_turn_squared = speed_squared*(dt*dt)
+    moves = whole_turn_squared <= 1.7976931348623157e+308 and speed_squared < 1e+24
     if moves:
         rate_x = p
         rate_y = q
         rate_z = r
+        turn_squared = whole_turn_squared
     else:
         rate_x = 0.0
         rate_y = 0.0
         rate_z = 0.0
-    half_turn = 0.5*dt*sqrt(rate_x*rate_x + rate_y*rate_y + rate_z*rate_z)
+        turn_squared = 0.0
+    half_turn = 0.5*sqrt(turn_squared)
     sin_half_turn = sin(half_turn)
     if half_turn > 0.0:
         ratio = sin_half_turn/half_turn
     else:
         ratio = 1.0
     turn_a = cos(half_turn)
-    common_7 = 0.5*dt*ratio
-    turn_b = common_7*rate_x
-    turn_c = common_7*rate_y
-    turn_d = common_7*rate_z
+    common_4 = 0.5*dt*ratio
+    turn_b = common_4*rate_x
+    turn_c = common_4*rate_y
+    turn_d = common_4*rate_z
     predicted_a = a*turn_a - b*turn_b - c*turn_c - d*turn_d
     predicted_b = a*turn_b + b*turn_a + c*turn_d - d*turn_c
     predicted_c = a*turn_c - b*turn_d + c*turn_a + d*turn_b
