@@ -7,7 +7,7 @@ from sympy import Symbol
 
 from chr_notes.codegen import header
 from chr_notes.codegen.expressions import NumPy
-from chr_notes.codegen.lowering import Program, expressions
+from chr_notes.codegen.lowering import Program
 from chr_notes.codegen.together import PRODUCTS, together
 from chr_notes.derivations.computation import NOTHING, Choice, Let
 
@@ -92,7 +92,7 @@ def _function(program: Program) -> str:
         lines += [line for step in steps for line in _step(step, None)]
         lines += header.in_brackets("    out[...] = ", NUMPY.written(last.value))
         return "\n".join([*lines, "    return None, None"])
-    used = {s.name for v in expressions(program.steps, program.results) for s in v.free_symbols}
+    used = program.used
     for name, elements in target.arrays:
         for place, element in enumerate(elements):
             if element.name in used and (element.name != name or len(elements) > 1):
@@ -114,31 +114,25 @@ def _place(place: int, axes: tuple[int, ...]) -> str:
 def _step(step: Let | Choice, flag: Symbol | None) -> list[str]:
     if isinstance(step, Let):
         return header.in_brackets(f"    {step.name} = ", NUMPY.written(step.value))
-    lines = []
+    *seldom, (_, usual) = step.branches
     if flag is not None and step.branches[0][0] == ~flag:
         # What stands at gimbal lock is worked out only where an attitude is.
-        (_, usual), (_, instead) = step.branches
-        for name, value in zip(step.names, usual, strict=True):
-            lines += _step(Let(name, value), None)
-        lines.append(f"    if count_nonzero({flag}):")
-        for name, value in zip(step.names, instead, strict=True):
-            at_lock = f"where({flag}, {NUMPY.written(value)}, {name})"
-            lines += header.in_brackets(f"        {name} = ", at_lock)
-        return lines
-    *seldom, (_, usual) = step.branches
-    numbers = all(value.is_number for _, values in seldom for value in values)
-    if numbers and usual[0].is_Symbol and NOTHING not in usual:
-        # Numbers that stand for what is at an end of a range are seldom put in.
-        for name, value in zip(step.names, usual, strict=True):
-            lines += _step(Let(name, value), None)
-        for condition, values in reversed(seldom):
-            lines.append(f"    if count_nonzero({NUMPY.written(condition)}):")
-            for name, value in zip(step.names, values, strict=True):
-                there = f"where({NUMPY.written(condition)}, {NUMPY.written(value)}, {name})"
-                lines += header.in_brackets(f"        {name} = ", there)
-        return lines
-    for name in step.names:
-        lines += header.in_brackets(f"    {name} = ", NUMPY.conditional(step, name))
+        (_, usual), (_, at_lock) = step.branches
+        seldom = [(flag, at_lock)]
+    elif NOTHING in usual or not (
+        usual[0].is_Symbol and all(value.is_number for _, values in seldom for value in values)
+    ):
+        # Numbers that stand for what is at an end of a range are seldom put in, all else often.
+        texts = ((f"    {name} = ", NUMPY.conditional(step, name)) for name in step.names)
+        return [line for each in texts for line in header.in_brackets(*each)]
+    pairs = zip(step.names, usual, strict=True)
+    lines = [line for pair in pairs for line in _step(Let(*pair), None)]
+    for condition, values in reversed(seldom):
+        where = NUMPY.written(condition)
+        lines.append(f"    if count_nonzero({where}):")
+        for name, value in zip(step.names, values, strict=True):
+            there = f"where({where}, {NUMPY.written(value)}, {name})"
+            lines += header.in_brackets(f"        {name} = ", there)
     return lines
 
 
@@ -153,6 +147,6 @@ def _docstring(program: Program) -> list[str]:
     told = [header.FLAG] if program.flag is not None else []
     told += [f"the {program.guard}".replace("_", " ")] if program.guard is not None else []
     lines += ["", *header.folded(f"    Returns {', and '.join(told)}.")] if told else []
-    last = [line for line in (header.needs(program), *header.ledger(target)) if line]
+    last = header.rests_on(program)
     lines += ["", *(f"    {line}" for line in last)] if last else []
     return [*lines, '    """']

@@ -1,6 +1,7 @@
 """Printer of C99: `attitude.h` and `attitude.c`, each function in double and in float."""
 
 from dataclasses import dataclass
+from functools import partial
 from textwrap import wrap
 
 from sympy import Basic
@@ -13,15 +14,12 @@ from chr_notes.codegen.header import (
     FLAG,
     WIDTH,
     folded,
-    in_braces,
-    is_short,
-    ledger,
     made_how,
-    needs,
+    rests_on,
     returns,
+    statements,
 )
-from chr_notes.codegen.lowering import Program, expressions
-from chr_notes.derivations.computation import Choice, Let
+from chr_notes.codegen.lowering import Program
 
 
 @dataclass(frozen=True)
@@ -87,7 +85,7 @@ def _comment(program: Program) -> list[str]:
         *(f"{argument.name}: {argument.says}" for argument in target.arguments),
         *([f"Returns {FLAG}."] if program.flag is not None else []),
         *edges(program),
-        *(line for line in (needs(program), *ledger(target)) if line),
+        *rests_on(program),
     ]
     return ["/*", *(f" * {line}" for line in lines), " */"]
 
@@ -110,15 +108,17 @@ def _signature(program: Program, precision: Precision, end: str) -> list[str]:
 
 def _function(program: Program, precision: Precision) -> list[str]:
     language = precision.language
+    constant = partial(of_type, number=precision.type)
     lines = [*_signature(program, precision, ")"), "{"]
-    used = {symbol.name for value in _values(program) for symbol in value.free_symbols}
+    used = program.used
     lines += [
         f"    (void)({argument.name});"
         for argument in program.target.arguments
         if argument.name not in used
     ]
     for step in program.steps:
-        lines += [part for line in _step(step, precision) for part in folded(f"    {line}")]
+        step_lines = statements(step, language, constant, precision.type, "    ")
+        lines += [part for line in step_lines for part in folded(f"    {line}")]
     values = [language.written(value) for value in program.results]
     if not program.shape:
         return [*lines, *folded(f"    return {values[0]};"), "}"]
@@ -129,17 +129,6 @@ def _function(program: Program, precision: Precision) -> list[str]:
     return [*lines, "}"]
 
 
-def _values(program: Program) -> tuple[Basic, ...]:
-    return expressions(program.steps, program.results)
-
-
-def _step(step: Let | Choice, precision: Precision) -> list[str]:
-    language = precision.language
-    if isinstance(step, Let):
-        kind = "int" if isinstance(step.value, BooleanFunction | Relational) else precision.type
-        return [f"const {kind} {step.name} = {language.written(step.value)};"]
-    if is_short(step, language):
-        one = language.conditional(step, step.names[0])
-        return [f"const {precision.type} {step.names[0]} = {one};"]
-    declared = f"{precision.type} {', '.join(name.name for name in step.names)};"
-    return in_braces(step, language, "    ", declared)
+def of_type(value: Basic, number: str) -> str:
+    """Declare a constant by its value: a condition, or a number of that type."""
+    return f"const {'int' if isinstance(value, BooleanFunction | Relational) else number}"

@@ -1,5 +1,7 @@
 """Printers of expressions: SymPy's own for each language, with its spelling of a few things."""
 
+from collections.abc import Callable
+
 from sympy import Add, Basic, Float, Integer, Mul, Pow, Rational, Symbol, UnevaluatedExpr
 from sympy.codegen.ast import float32, real
 from sympy.core.relational import Relational
@@ -84,9 +86,24 @@ class Spelling(CodePrinter):
         return str(super()._print_Pow(value))
 
 
-def _or_in_c(printer: Spelling, value: Or) -> str:
-    """Write `or` with brackets about each `and` in it, without which compilers warn."""
-    return " || ".join(printer.parenthesize(part, PRECEDENCE["Atom"]) for part in value.args)
+def _joined(sign: str) -> Callable[[Spelling, And | Or], str]:
+    """Write a sign between conditions, and brackets about each: C compilers ask for some."""
+
+    def printed(printer: Spelling, value: And | Or) -> str:
+        parts = (printer.parenthesize(part, PRECEDENCE["Atom"]) for part in value.args)
+        return f" {sign} ".join(parts)
+
+    return printed
+
+
+def _called(prefix: str) -> Callable[[Spelling, Basic], str]:
+    """Write a function by its own name, after a prefix."""
+
+    def printed(printer: Spelling, value: Basic) -> str:
+        arguments = ", ".join(map(printer._print, value.args))  # noqa: SLF001 (SymPy's protocol)
+        return f"{prefix}{type(value).__name__}({arguments})"
+
+    return printed
 
 
 def _prepared(value: Basic) -> Basic:
@@ -114,7 +131,7 @@ class C(Spelling, C99CodePrinter):
     def __init__(self) -> None:
         super().__init__()
 
-    _print_Or = _or_in_c
+    _print_Or = _joined("||")
 
 
 class SingleC(Spelling, C99CodePrinter):
@@ -126,7 +143,7 @@ class SingleC(Spelling, C99CodePrinter):
     def __init__(self) -> None:
         super().__init__({"type_aliases": {real: float32}})
 
-    _print_Or = _or_in_c
+    _print_Or = _joined("||")
 
     def _print_Float(self, value: Float) -> str:
         return f"{number(value)}f"
@@ -138,25 +155,16 @@ class SingleC(Spelling, C99CodePrinter):
 class ColumnC(C):
     """C in a loop without branches, with the project's own functions of angles."""
 
-    functions = "column"
-
-    def _print_own(self, value: Basic) -> str:
-        arguments = ", ".join(self._print(argument) for argument in value.args)
-        return f"{self.functions}_{type(value).__name__}({arguments})"
-
-    _print_sin = _print_cos = _print_atan2 = _print_principal = _print_own
-
-    def _print_And(self, value: And) -> str:
-        return " & ".join(self.parenthesize(part, PRECEDENCE["Atom"]) for part in value.args)
+    _print_sin = _print_cos = _print_atan2 = _print_principal = _called("column_")
+    _print_And = _joined("&")
 
 
 class StepC(ColumnC):
     """C in a loop over samples, where branches cost nothing."""
 
-    functions = "step"
-
-    _print_cos_of_root = _print_sinc_of_root = ColumnC._print_own  # noqa: SLF001 (SymPy's protocol)
-    _print_cos_of_share = _print_sin_of_share = ColumnC._print_own  # noqa: SLF001
+    _print_sin = _print_cos = _print_atan2 = _print_principal = _called("step_")
+    _print_cos_of_root = _print_sinc_of_root = _print_sin
+    _print_cos_of_share = _print_sin_of_share = _print_sin
 
     def _print_Add(self, value: Add, order: str | None = None) -> str:
         """Add up in pairs: fewer sums wait for others."""
@@ -181,10 +189,7 @@ class JavaScript(Spelling, JavascriptCodePrinter):
 
     _print_One = _print_Zero = _print_NegativeOne = _print_Integer
 
-    def _print_of_math(self, value: Basic) -> str:
-        return f"Math.{type(value).__name__}({', '.join(map(self._print, value.args))})"
-
-    _print_hypot = _print_expm1 = _print_log1p = _print_of_math
+    _print_hypot = _print_expm1 = _print_log1p = _called("Math.")
 
 
 class Python(Spelling, PythonCodePrinter):
@@ -217,16 +222,8 @@ class NumPy(Spelling, NumPyPrinter):
 
     _print_Relational = Python._print_Relational  # noqa: SLF001 (SymPy's protocol)
 
-    def _print_own(self, value: Basic) -> str:
-        return f"{type(value).__name__}({', '.join(map(self._print, value.args))})"
-
-    _print_principal = _print_products = _print_own
-
-    def _print_And(self, value: And) -> str:
-        return " & ".join(self.parenthesize(part, PRECEDENCE["Atom"]) for part in value.args)
-
-    def _print_Or(self, value: Or) -> str:
-        return " | ".join(self.parenthesize(part, PRECEDENCE["Atom"]) for part in value.args)
+    _print_principal = _print_products = _called("")
+    _print_And, _print_Or = _joined("&"), _joined("|")
 
     def _print_Not(self, value: Not) -> str:
         return f"~{self.parenthesize(value.args[0], PRECEDENCE['Not'])}"

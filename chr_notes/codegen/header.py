@@ -1,14 +1,14 @@
 """What every generated file says of itself, and every generated function of its arguments."""
 
+from collections.abc import Callable
 from textwrap import wrap
 
 import sympy
-from sympy import true
+from sympy import Basic, true
 
 from chr_notes.codegen.expressions import Spelling
 from chr_notes.codegen.lowering import Program
-from chr_notes.codegen.target import Target
-from chr_notes.derivations.computation import Choice
+from chr_notes.derivations.computation import Choice, Let, step_names
 
 COMMAND = "python -m chr_notes.codegen"
 WIDTH = 100
@@ -32,19 +32,16 @@ def returns(program: Program) -> str:
     return f"{program.target.says} ({sizes})." if program.shape else f"{program.target.says}."
 
 
-def needs(program: Program) -> str | None:
-    """Say which squared length must stay within range, or what the arguments have to be."""
-    if program.guard is None:
-        return None
-    if program.valid is not None:
-        return "Right for rotations alone."
-    what = program.guard.name.replace("_", " ")
-    return f"Right as long as the {what} neither overflows nor vanishes."
-
-
-def ledger(target: Target) -> list[str]:
-    """Name the ledger entries that state a formula, where there are any."""
-    return [f"Ledger: {', '.join(target.entries)}."] if target.entries else []
+def rests_on(program: Program) -> list[str]:
+    """Say what a function needs: a squared length within range, a rotation; and who states it."""
+    lines = []
+    if program.guard is not None and program.valid is not None:
+        lines.append("Right for rotations alone.")
+    elif program.guard is not None:
+        what = program.guard.name.replace("_", " ")
+        lines.append(f"Right as long as the {what} neither overflows nor vanishes.")
+    entries = program.target.entries
+    return [*lines, f"Ledger: {', '.join(entries)}."] if entries else lines
 
 
 def is_short(choice: Choice, language: Spelling) -> bool:
@@ -56,17 +53,39 @@ def is_short(choice: Choice, language: Spelling) -> bool:
     )
 
 
-def in_braces(choice: Choice, language: Spelling, indent: str, declared: str) -> list[str]:
-    """Write a choice as C and JavaScript do, after a declaration of what is chosen."""
-    lines = [declared]
-    for place, (condition, values) in enumerate(choice.branches):
+def statements(
+    step: Let | Choice,
+    language: Spelling,
+    constant: Callable[[Basic], str],
+    variable: str,
+    indent: str,
+) -> list[str]:
+    """Write a step as C and JavaScript do.
+
+    Parameters
+    ----------
+    step, language
+        What to write, and how its expressions are.
+    constant, variable
+        What stands before the name of a constant, by its value, and before names of what is chosen.
+    indent
+        Of what stands in braces.
+    """
+    names = [language.name(name.name) for name in step_names(step)]
+    if isinstance(step, Let):
+        return [f"{constant(step.value)} {names[0]} = {language.written(step.value)};"]
+    if is_short(step, language):
+        one = language.conditional(step, step.names[0])
+        return [f"{constant(step.branches[0][1][0])} {names[0]} = {one};"]
+    lines = [f"{variable} {', '.join(names)};"]
+    for place, (condition, values) in enumerate(step.branches):
         if condition == true:
             lines.append("} else {")
         else:
             lines.append(f"{'} else ' if place else ''}if ({language.written(condition)}) {{")
         lines += [
-            f"{indent}{language.name(name.name)} = {language.written(value)};"
-            for name, value in zip(choice.names, values, strict=True)
+            f"{indent}{name} = {language.written(value)};"
+            for name, value in zip(names, values, strict=True)
         ]
     return [*lines, "}"]
 

@@ -4,7 +4,6 @@ from chr_notes.codegen import header
 from chr_notes.codegen.edges import edges
 from chr_notes.codegen.expressions import JavaScript, camel
 from chr_notes.codegen.lowering import Program
-from chr_notes.derivations.computation import Choice, Let
 
 JAVASCRIPT = JavaScript()
 
@@ -37,8 +36,7 @@ def _comment(program: Program) -> list[str]:
     return [
         "/**",
         f" * {header.returns(program)}",
-        *(f" * {line}" for line in edges(program)),
-        *(f" * {line}" for line in (header.needs(program), *header.ledger(target)) if line),
+        *(f" * {line}" for line in (*edges(program), *header.rests_on(program))),
         *(f" * @param {{number}} {camel(a.name)} {a.says}" for a in target.arguments),
         f" * @returns {{{_result(program)}}}{last}",
         " */",
@@ -52,19 +50,10 @@ def _function(program: Program) -> str:
         *header.in_lines(f"export function {camel(program.target.name)}(", names, ") {", "  "),
     ]
     for step in program.steps:
-        lines += [part for line in _step(step) for part in header.folded(f"  {line}")]
+        step_lines = header.statements(step, JAVASCRIPT, lambda _: "const", "let", "  ")
+        lines += [part for line in step_lines for part in header.folded(f"  {line}")]
     values = [JAVASCRIPT.written(value) for value in program.results]
     values += [camel(program.flag.name)] if program.flag is not None else []
     if not program.shape:
         return "\n".join([*lines, *header.folded(f"  return {values[0]};"), "}"])
     return "\n".join([*lines, *header.in_lines("  return [", values, "];", "  "), "}"])
-
-
-def _step(step: Let | Choice) -> list[str]:
-    if isinstance(step, Let):
-        return [f"const {camel(step.name.name)} = {JAVASCRIPT.written(step.value)};"]
-    if header.is_short(step, JAVASCRIPT):
-        one = JAVASCRIPT.conditional(step, step.names[0])
-        return [f"const {camel(step.names[0].name)} = {one};"]
-    declared = f"let {', '.join(camel(name.name) for name in step.names)};"
-    return header.in_braces(step, JAVASCRIPT, "  ", declared)

@@ -3,13 +3,12 @@
 from collections.abc import Mapping
 from itertools import chain
 
-from sympy import Basic, Function, Pow, cos, sin
-from sympy.core.relational import Relational
-from sympy.logic.boolalg import BooleanFunction
+from sympy import Function, Pow, cos, sin
 
+from chr_notes.codegen.c import of_type
 from chr_notes.codegen.expressions import ColumnC, Spelling, StepC
 from chr_notes.codegen.header import folded, made_how
-from chr_notes.codegen.lowering import Program, expressions
+from chr_notes.codegen.lowering import Program
 from chr_notes.codegen.rewriting import principal
 from chr_notes.codegen.target import Target
 from chr_notes.derivations.computation import Choice, Let
@@ -127,13 +126,8 @@ def _waits_for_memory(program: Program) -> bool:
     more, or has other widths, some per cent more.
     """
     widths = {len(elements) for _, elements in program.target.arrays} | {len(program.results)}
-    values = expressions(program.steps, program.results)
-    return widths == {QUATERNION} and not any(value.has(Pow, Function) for value in values)
-
-
-def _used(program: Program) -> set[str]:
-    values = expressions(program.steps, program.results)
-    return {symbol.name for value in values for symbol in value.free_symbols}
+    computes = any(value.has(Pow, Function) for value in program.expressions)
+    return widths == {QUATERNION} and not computes
 
 
 def _handled(program: Program) -> list[str]:
@@ -144,9 +138,7 @@ def _handled(program: Program) -> list[str]:
     names = [element.name for _, elements in program.target.arrays for element in elements]
     conditions = [f"FINITE({' + '.join(names)})"]
     angles = {
-        call.args[0]
-        for value in expressions(program.steps, program.results)
-        for call in value.atoms(sin, cos, principal)
+        call.args[0] for value in program.expressions for call in value.atoms(sin, cos, principal)
     }
     conditions += [
         f"(fabs({COLUMN.written(angle)}) < LARGEST_ANGLE)" for angle in sorted(angles, key=str)
@@ -161,25 +153,25 @@ def _handled(program: Program) -> list[str]:
 
 
 def _branchless(step: Let | Choice, program: Program) -> list[str]:
-    if isinstance(step, Let):
-        return [f"const {_kind(step.value)} {step.name} = {COLUMN.written(step.value)};"]
     # Rows at gimbal lock go the general way.
-    first, values = step.branches[0]
-    if program.flag is not None and first == ~program.flag:
-        pairs = zip(step.names, values, strict=True)
-        return [f"const double {name} = {COLUMN.written(value)};" for name, value in pairs]
-    return [f"const double {name} = {COLUMN.conditional(step, name)};" for name in step.names]
+    flag = program.flag
+    if isinstance(step, Choice) and flag is not None and step.branches[0][0] == ~flag:
+        pairs = zip(step.names, step.branches[0][1], strict=True)
+        return [part for pair in pairs for part in _constants(Let(*pair), COLUMN)]
+    return _constants(step, COLUMN)
 
 
-def _kind(value: Basic) -> str:
-    return "int" if isinstance(value, BooleanFunction | Relational) else "double"
+def _constants(step: Let | Choice, language: Spelling) -> list[str]:
+    if isinstance(step, Let):
+        return [f"{of_type(step.value, 'double')} {step.name} = {language.written(step.value)};"]
+    return [f"const double {name} = {language.conditional(step, name)};" for name in step.names]
 
 
 def _samples(program: Program) -> list[str]:
     """Print a kernel that goes from sample to sample, with a state that each one changes."""
     target = program.target
     (_, state), *samples = target.arrays
-    used = _used(program)
+    used = program.used
     lines = [
         f"static int64_t {target.name}",
         f"    {RUN}",
@@ -197,7 +189,7 @@ def _samples(program: Program) -> list[str]:
             if element.name in used
         ]
     for step in program.steps:
-        inner += _with_branches(step, STEP)
+        inner += _constants(step, STEP)
     inner += [
         f"const double next_{e.name} = {STEP.written(value)};"
         for e, value in zip(state, program.results, strict=True)
@@ -210,9 +202,3 @@ def _samples(program: Program) -> list[str]:
         inner += [f"odd[row] = !{program.valid};", "any |= odd[row];"]
     lines += [part for line in inner for part in folded(f"        {line}")]
     return [*lines, "    }", f"    return {'any' if program.valid else 0};", "}"]
-
-
-def _with_branches(step: Let | Choice, language: Spelling) -> list[str]:
-    if isinstance(step, Let):
-        return [f"const {_kind(step.value)} {step.name} = {language.written(step.value)};"]
-    return [f"const double {name} = {language.conditional(step, name)};" for name in step.names]

@@ -50,6 +50,16 @@ class Program:
     guard: Symbol | None
     valid: Symbol | None
 
+    @property
+    def expressions(self) -> tuple[Basic, ...]:
+        """Every expression, in order."""
+        return expressions(self.steps, self.results)
+
+    @property
+    def used(self) -> set[str]:
+        """Names of the arguments and locals that occur in them."""
+        return {symbol.name for symbol in _symbols(self.expressions)}
+
 
 def lower(target: Target, rewriting: Rewriting, checks: tuple[str, ...] = ()) -> Program:
     """Lower a target to assignments.
@@ -111,13 +121,16 @@ def expressions(steps: Iterable[Let | Choice], results: Iterable[Expr]) -> tuple
     return (*found, *results)
 
 
+def _symbols(values: Iterable[Basic]) -> set[Symbol]:
+    return {symbol for value in values for symbol in value.free_symbols}
+
+
 def _check_symbols(target: Target, computation: Computation) -> None:
     """Refuse a formula that needs what is neither an argument nor a step before."""
     known = {argument.symbol for argument in target.arguments} | {EPSILON, LARGEST, NOTHING}
     for step in computation.steps:
-        needed = {s for value in expressions([step], ()) for s in value.free_symbols}
-        _refuse(target, needed - known)
-        known |= {step.name} if isinstance(step, Let) else set(step.names)
+        _refuse(target, _symbols(expressions([step], ())) - known)
+        known |= set(step_names(step))
     _refuse(target, computation.results.free_symbols - known)
 
 
@@ -212,10 +225,10 @@ def _needed(
     steps: tuple[Let | Choice, ...], results: tuple[Expr, ...], reports: set[Symbol]
 ) -> tuple[Let | Choice, ...]:
     """Leave out the steps on which neither results nor reports depend."""
-    needed = reports | {symbol for result in results for symbol in result.free_symbols}
+    needed = reports | _symbols(results)
     kept: list[Let | Choice] = []
     for step in reversed(steps):
         if needed & set(step_names(step)):
             kept.insert(0, step)
-            needed |= {s for value in expressions([step], ()) for s in value.free_symbols}
+            needed |= _symbols(expressions([step], ()))
     return tuple(kept)

@@ -23,11 +23,6 @@ def name_of(value: Expr) -> str | None:
     return name if name is not None and len(name) <= _LONGEST else None
 
 
-def half(name: str) -> str:
-    """Name the half of an angle."""
-    return f"quarter_{name.removeprefix('half_')}" if name.startswith("half_") else f"half_{name}"
-
-
 def _name(value: Expr) -> str | None:
     if isinstance(value, Symbol):
         return str(value.name)
@@ -51,7 +46,9 @@ def _of_product(value: Mul) -> str | None:
     coefficient, factors = value.as_coeff_mul()
     if coefficient == Rational(1, 2) and len(factors) == 1:
         inner = _name(factors[0])
-        return half(inner) if inner else None
+        if inner and inner.startswith("half_"):
+            return inner.replace("half_", "quarter_", 1)
+        return inner and f"half_{inner}"
     if coefficient not in (1, 2):
         return None
     names = [_name(factor) for factor in factors]

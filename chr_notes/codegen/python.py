@@ -66,7 +66,7 @@ def _docstring(program: Program) -> list[str]:
     parts = [[f"{argument.name}: {argument.says}" for argument in target.arguments]]
     if program.flag is not None:
         parts.append([f"Also returns {header.FLAG}."])
-    parts.append([line for line in (header.needs(program), *header.ledger(target)) if line])
+    parts.append(header.rests_on(program))
     lines = [f'    """{header.returns(program)}']
     for part in parts:
         lines += ["", *(f"    {line}" for line in part)] if part else []
