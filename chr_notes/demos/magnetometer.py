@@ -20,8 +20,8 @@ from chr_notes.generated.scalar.quaternions import (
 )
 from chr_notes.generated.scalar.sensors import iron_added, iron_removed
 from chr_notes.generated.scalar.validation import heading_from_magnetometer
-from chr_notes.sensors.coverage import widest_gap
-from chr_notes.sensors.ellipsoid import LARGEST_ERROR, WIDEST_GAP, fit_ellipsoid
+from chr_notes.sensors.coverage import WIDEST_GAP, widest_gap
+from chr_notes.sensors.ellipsoid import LARGEST_ERROR, fit_ellipsoid
 
 __all__ = ["SETTING", "MagnetometerDemo", "Setting"]
 

@@ -15,13 +15,15 @@ from chr_notes._arrays import Floats
 from chr_notes._samples import complete
 from chr_notes._samples import samples as recording
 from chr_notes.sensors.coverage import (
+    WIDEST_GAP,
+    both_sides,
     count_directions,
     evened,
     evenly_spread,
-    named,
     outward,
     sphere_centre,
     thinned,
+    what_is_missing,
     widest_gap,
 )
 from chr_notes.sensors.norms import deviation, far_off, norms_less_one, refined, resistant
@@ -31,9 +33,7 @@ WILD_FIELD = 1e100
 _UNKNOWNS = 9
 _FEWEST = _UNKNOWNS + 1  # with one to spare, the residuals say something of the quality
 _FLATTEST = 1e-3  # thickness of the cloud over its extent; a sensor's axes never differ by so much
-WIDEST_GAP = np.radians(100.0)  # a hemisphere leaves a gap of 90°
 LARGEST_ERROR = 0.1  # of the norm, where it is worst
-_RING = 0.1  # thickness of a cloud over its extent, that is taken for a ring with noise
 _HARDLY = 0.05  # of their size, that readings at rest may vary by
 _MOST_OUTLIERS = 0.25  # of the rows
 _ALL_AROUND = np.radians(60.0)  # a gap that no far point can pretend to close
@@ -155,7 +155,7 @@ def fit_ellipsoid(samples: ArrayLike) -> Ellipsoid:
             raise ValueError(msg)
         msg = (
             "samples cover too little of the sphere to tell one ellipsoid from many; "
-            f"{_what_is_missing(scaled, centre, np.eye(3))}"
+            f"{what_is_missing(scaled, centre, np.eye(3))}"
         )
         raise ValueError(msg)
     ellipsoid = _judge(scaled, every, *fitted)
@@ -165,7 +165,7 @@ def fit_ellipsoid(samples: ArrayLike) -> Ellipsoid:
             f"{np.degrees(ellipsoid.gap):.0f}° around one direction (at most "
             f"{np.degrees(WIDEST_GAP):.0f}° allowed), and the norm is known to "
             f"{ellipsoid.standard_error:.1%} where it is worst (at most {LARGEST_ERROR:.0%}); "
-            f"{_what_is_missing(scaled, fitted[1], fitted[0])}"
+            f"{what_is_missing(scaled, fitted[1], fitted[0])}"
         )
         raise ValueError(msg)
     return replace(
@@ -187,7 +187,7 @@ def _extent(points: Floats, middle: Floats) -> float:
         msg = (
             "samples: expected readings all around, got points in one plane "
             f"(thickness {extents.S[2] / extents.S[0]:.1e} of the extent); turn the sensor so "
-            f"that the field comes from {_both_sides(extents.Vh[2])} too, or fit_hard_iron where "
+            f"that the field comes from {both_sides(extents.Vh[2])} too, or fit_hard_iron where "
             "it cannot be turned over"
         )
         raise ValueError(msg)
@@ -199,31 +199,6 @@ def _extent(points: Floats, middle: Floats) -> float:
         )
         raise ValueError(msg)
     return extent
-
-
-def _what_is_missing(points: Floats, centre: Floats, matrix: Floats) -> str:
-    """Say where the largest gap is, and what to do about it."""
-    gap, direction = widest_gap(outward(points, centre, matrix))
-    extents = np.linalg.svd(points - points.mean(axis=0), full_matrices=False)
-    if extents.S[2] < _RING * extents.S[0]:
-        # On a ring the middle is not known, and so not on which side of it the readings lie.
-        return (
-            "the readings lie near one plane: which side they lack it does not tell, so turn the "
-            f"sensor so that the field comes from {_both_sides(extents.Vh[2])} too, or "
-            "fit_hard_iron where it cannot be turned over"
-        )
-    enough = "" if gap > WIDEST_GAP else ", which would do if they were less noisy"
-    return (
-        f"no reading comes from within {np.degrees(gap):.0f}° of {named(direction)} of the sensor"
-        f"{enough}: turn that side along the field too, or "
-        f"{'take many more' if enough else 'fit_hard_iron where it cannot be turned over'}"
-    )
-
-
-def _both_sides(normal: Floats) -> str:
-    """Name the two sides of a plane, the same one first whichever way the normal points."""
-    first = normal * np.sign(normal[np.abs(normal).argmax()])
-    return f"{named(first)} and from {named(-first)}"
 
 
 def _outliers(points: Floats) -> NDArray[np.bool_]:

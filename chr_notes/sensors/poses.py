@@ -13,7 +13,7 @@ from chr_notes.conventions import STANDARD_GRAVITY
 from chr_notes.errors import CalibrationWarning
 from chr_notes.generated.scalar.estimation import gyro_turn
 from chr_notes.quaternions.conversions import matrix_from_quaternion
-from chr_notes.sensors.coverage import named, sphere_centre, widest_gap
+from chr_notes.sensors.coverage import WIDEST_GAP, named, sphere_centre, widest_gap
 from chr_notes.sensors.models import ThreeAxisCalibration
 from chr_notes.sensors.norms import ALL, SCALES, norms_less_one, refined
 from chr_notes.sensors.still import static_intervals, steady_mean
@@ -21,7 +21,6 @@ from chr_notes.sensors.still import static_intervals, steady_mean
 _FEWEST = 6
 _MANY = 12  # poses from which on the axes' angles can be found too
 _ALIKE = np.cos(np.radians(15.0))
-_WIDEST_GAP = np.radians(100.0)
 _LARGEST_MISFIT = 0.05  # of the norm
 _FLIPS = np.array([[1, 1, 1], [-1, 1, 1], [1, -1, 1], [1, 1, -1]])
 _CLEARLY = 0.25  # of the squared misfit that is left when an axis is turned round
@@ -136,7 +135,7 @@ def _centre(poses: Floats) -> Floats:
     outward = poses - centre
     count = _directions(outward)
     gap, missing = widest_gap(outward / np.linalg.norm(outward, axis=1, keepdims=True))
-    if count < _FEWEST or gap > _WIDEST_GAP:
+    if count < _FEWEST or gap > WIDEST_GAP:
         msg = (
             f"accel: expected at least {_FEWEST} different poses all around, got {count} in "
             f"{len(poses)} still stretches, and in none of them pointed {named(missing)}, or what "

@@ -1,4 +1,4 @@
-"""Ties of functions and entries, part two: sensors, filters, heading, dead reckoning."""
+"""Ties of functions and entries, part two: sensors, filters, heading."""
 
 from collections.abc import Iterator, Mapping
 
@@ -6,14 +6,12 @@ from sympy import (
     Basic,
     Eq,
     ImmutableMatrix,
-    Rational,
     Symbol,
     atan,
     cos,
     diag,
     eye,
     floor,
-    integrate,
     pi,
     sin,
     sqrt,
@@ -24,15 +22,11 @@ from sympy.logic.boolalg import Boolean
 from chr_notes.codegen.rewriting import root_of_squares
 from chr_notes.codegen.targets import TARGETS
 from chr_notes.derivations import calibration, validation
-from chr_notes.derivations.dead_reckoning import ACCELERATION, POSITION, VELOCITY, t, tilt_error
 from chr_notes.derivations.estimation import L
-from chr_notes.derivations.forms.dead_reckoning import NEXT
 from chr_notes.printed import BY_ID
-from chr_notes.printed import dead_reckoning as reckoning_printed
 from chr_notes.printed import estimation as printed_angles
 from chr_notes.printed import sensors as printed
 from chr_notes.printed import validation as paper
-from chr_notes.printed.statement import Approximately
 from chr_notes.symbols import (
     ACCELEROMETER,
     EULER,
@@ -240,41 +234,6 @@ def _factor(formula: Formula, entry: Basic) -> Iterator[Boolean]:
     yield Eq(formula, put(entry.rhs, names), evaluate=False)
 
 
-def stepped(part: slice, names: Mapping[Basic, Basic]) -> States:
-    """A part of the state returned is the right side."""
-
-    def states(formula: Formula, entry: Basic) -> Iterator[Boolean]:
-        yield Eq(ImmutableMatrix(formula[part, 0]), put(entry.rhs, names), evaluate=False)
-
-    return states
-
-
-STATE = {
-    reckoning_printed.V_K: VELOCITY,
-    reckoning_printed.R_K: POSITION,
-    reckoning_printed.A_K: ACCELERATION,
-}
-# The acceleration between two samples, on a straight line, and its integrals over the period.
-_BETWEEN = ACCELERATION + (NEXT - ACCELERATION) * t / T
-_GAINED = _BETWEEN.applyfunc(lambda part: integrate(part, (t, 0, t)))
-_INTEGRALS = {
-    reckoning_printed.INTEGRAL: VELOCITY + _GAINED.subs(t, T),
-    reckoning_printed.DOUBLE_INTEGRAL: POSITION
-    + T * VELOCITY
-    + _GAINED.applyfunc(lambda part: integrate(part, (t, 0, T))),
-}
-
-
-def after_ten_seconds(place: int) -> States:
-    """With an error of one degree, computed to the printed digits."""
-    values = {tilt_error: pi / 180, t: 10, g: Rational(98, 10)}
-
-    def states(formula: Formula, entry: Basic) -> Iterator[Boolean]:
-        yield Approximately(formula[place].xreplace(values), entry.args[1])
-
-    return states
-
-
 SENSORS: dict[tuple[str, str], Tie] = {
     ("accelerometer_at_rest", "sensors.2.c"): Tie(_level),
     ("sensor_measures", "sensors.2.3"): Tie(by(ACCELEROMETERS)),
@@ -306,11 +265,4 @@ SENSORS: dict[tuple[str, str], Tie] = {
     ("heading_from_magnetometer", "validation.12"): Tie(_field_turned, (0,)),
     ("heading_from_magnetometer", "validation.16"): Tie(_by_13_and_14, (0,)),
     ("validation_factor", "validation.17"): Tie(_factor, (0, 0)),
-    ("inertial_acceleration", "dead_reckoning.2.3"): Tie(by({reckoning_printed.A_M: READING})),
-    ("dead_reckoning_held", "dead_reckoning.3.3"): Tie(stepped(slice(0, 3), STATE), (0,)),
-    ("dead_reckoning_held", "dead_reckoning.3.4"): Tie(stepped(slice(3, 6), STATE), (0,)),
-    ("dead_reckoning_step", "dead_reckoning.3.1"): Tie(stepped(slice(0, 3), _INTEGRALS)),
-    ("dead_reckoning_step", "dead_reckoning.3.2"): Tie(stepped(slice(3, 6), _INTEGRALS)),
-    ("drift_from_tilt_error", "dead_reckoning.4.a"): Tie(after_ten_seconds(1)),
-    ("drift_from_tilt_error", "dead_reckoning.4.b"): Tie(after_ten_seconds(2)),
 }

@@ -13,11 +13,12 @@ from chr_notes.ledger.cases import CASES
 from chr_notes.ledger.proof import examine
 from chr_notes.printed import DOCUMENTS
 
+from .reckoning_ties import RECKONING
 from .sensor_ties import SENSORS
 from .ties import ATTITUDES, Tie
 
 PACKAGE = Path(chr_notes.__file__).parent
-TIES = ATTITUDES | SENSORS
+TIES = ATTITUDES | SENSORS | RECKONING
 PAIRS = [(target.name, entry) for target in TARGETS for entry in target.entries]
 BY_NAME = {target.name: target for target in TARGETS}
 TOPICS = "|".join(DOCUMENTS)
