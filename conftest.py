@@ -6,15 +6,28 @@ any expected failure, is a failure. Where `CI` is set, every program must be the
 
 import os
 import shutil
+import sys
 from collections import Counter
 from collections.abc import Generator
+from importlib.util import cache_from_source
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import pytest
 from xdist.remote import Producer
 from xdist.scheduler import LoadScopeScheduling
 
 from chr_notes import kernels_in_use
+
+# Workers, kernels and programs of tests have these from here. SymPy keeps the thousand results that
+# it used last, and what derives and judges again and again takes a sixth longer with so few. Where
+# Python writes nothing beside the sources, and who installed did not either, as uv does not, each
+# process would compile all libraries for itself.
+os.environ.setdefault("SYMPY_CACHE_SIZE", "None")
+if sys.dont_write_bytecode and not Path(cache_from_source(pytest.__file__)).exists():
+    COMPILED = TemporaryDirectory(prefix="compiled-", ignore_cleanup_errors=True)
+    os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+    os.environ["PYTHONPYCACHEPREFIX"] = COMPILED.name
 
 ROOT = Path(__file__).resolve().parent
 RECORDINGS = "../shared/data"
