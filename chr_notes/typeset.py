@@ -27,6 +27,7 @@ from sympy.core.function import AppliedUndef
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 from sympy.matrices.expressions.matexpr import MatrixElement
 from sympy.printing.latex import LatexPrinter
+from sympy.printing.precedence import precedence_traditional
 
 _SETTINGS = {
     "mat_str": "pmatrix",
@@ -94,9 +95,19 @@ class _Printer(LatexPrinter):
     def _print_MatMul(self, product: MatMul) -> str:  # noqa: N802 (SymPy's hook)
         # A number needs no brackets, be it a fraction.
         first, *others = product.args
-        if not (first.is_Rational and first > 0 and others):
-            return str(super()._print_MatMul(product))
-        return f"{self._print(first)} {self._print(MatMul(*others, evaluate=False))}"
+        if first.is_Rational and first > 0 and others:
+            return f"{self._print(first)} {self._print(MatMul(*others, evaluate=False))}"
+        # As SymPy does it, which looks for a minus by working the product out, inverses included.
+        minus = first.is_Number and first.is_negative
+        factors = others if first == -1 else [-first if minus else first, *others]
+        level = precedence_traditional(product)
+        texts = [
+            self._print(each)
+            if isinstance(each, Mul) and not isinstance(each, MatMul)
+            else self.parenthesize(each, level)
+            for each in factors
+        ]
+        return f"{'- ' if minus else ''}{' '.join(texts)}"
 
     def _print_atan2(self, angle: atan2) -> str:
         arguments = ", ".join(self._print(argument) for argument in angle.args)

@@ -125,7 +125,7 @@ def body_rates_matrix() -> ImmutableMatrix:
 @cache
 def euler_rates_matrix() -> ImmutableMatrix:
     """D, from body rates to Euler rates: the inverse of `body_rates_matrix`."""
-    return ImmutableMatrix(body_rates_matrix().inv().applyfunc(simplify))
+    return ImmutableMatrix(body_rates_matrix().inv("ADJ").applyfunc(simplify))
 
 
 def body_rates() -> ImmutableMatrix:
