@@ -25,7 +25,7 @@
  */
 import { copying } from "./copying.js";
 import { byHand, handleSigns, turned } from "./looking.js";
-import { legend, node, readout, reserved, slider } from "./parts.js";
+import { legend, node, numberOf, readout, reserved, slider } from "./parts.js";
 import { keepKeys, painting } from "./stage.js";
 import { glide, player } from "./story.js";
 import { choice, stops, typed } from "./typed.js";
@@ -35,13 +35,15 @@ const RESET = 0.45; // seconds from a state back to the start
 
 /**
  * Build the demo in `element`. `opening` is the state that Reset returns to; `now` is another to
- * begin with, such as one from the address. `onChange(state)` is called for each change by the
- * reader, and `linkTo(state)` gives the address of a state, where there is one.
- * Returns `update(state)`, for changes from elsewhere, and `destroy()`.
+ * begin with, such as one from the address. `onChange(state, moving)` is called for each change by
+ * the reader, with `moving` for one on the way to another, and `linkTo(state)` gives the address of
+ * a state, where there is one. Returns `update(state)`, for changes from elsewhere, `open(now)`, to
+ * begin again with another state, and `destroy()`.
  */
 function mountDemo(element, definition, opening, { now = {}, onChange = () => {}, linkTo } = {}) {
   const home = { ...definition.start, ...opening };
-  const state = { ...home, ...within(definition, now) };
+  const begun = (given) => ({ ...home, ...within(definition, given) });
+  const state = begun(now);
   const cleanup = new AbortController();
   const parts = build(definition, { touched, tell, go });
   const { root, canvas, live, sliders, outputs, said, play, reset, hint, hints } = parts;
@@ -51,6 +53,8 @@ function mountDemo(element, definition, opening, { now = {}, onChange = () => {}
   let timer = 0;
   let told = ""; // of what was typed, until the next change
   let rest = () => {};
+  let midway = false; // on the way from one state to another
+  let goal = null; // where a glide leads that is no part of the story
 
   function show() {
     const texts = definition.readouts(state);
@@ -71,10 +75,11 @@ function mountDemo(element, definition, opening, { now = {}, onChange = () => {}
     live.textContent = words;
   }
 
-  function changed(part) {
+  function changed(part, moving = false) {
+    midway = moving;
     Object.assign(state, part);
     show();
-    onChange({ ...state });
+    onChange({ ...state }, moving);
     clearTimeout(timer);
     timer = setTimeout(announce, ANNOUNCE_AFTER);
   }
@@ -86,14 +91,39 @@ function mountDemo(element, definition, opening, { now = {}, onChange = () => {}
     current: () => ({ ...state }),
     say: (text) => (said.textContent = text),
     name: (text) => (play.textContent = text),
+    stopped: land,
     signal: cleanup.signal,
   });
 
-  /** What a change from outside the story does: it ends whatever moves by itself. */
-  function interrupt() {
+  /** What ends on its way is at once where it led, or, in a story, at the steps of the sliders next to it. */
+  function land() {
+    if (midway) changed(goal ?? Object.assign({}, ...sliders.map((each) => each.atStep())));
+  }
+
+  /** End whatever moves by itself. */
+  function halt() {
     rest();
     tour.stop();
+    goal = null;
+  }
+
+  /** What a change from outside the story does. */
+  function interrupt() {
+    halt();
     said.textContent = "";
+  }
+
+  /** Another state from outside, whatever was on its way. */
+  function follow(next) {
+    midway = false;
+    interrupt();
+    Object.assign(state, next);
+    show();
+  }
+
+  function glideTo(next) {
+    goal = next;
+    rest = glide({ ...state }, next, RESET, { between, changed });
   }
 
   function touched(part) {
@@ -105,17 +135,19 @@ function mountDemo(element, definition, opening, { now = {}, onChange = () => {}
   function go(part) {
     told = "";
     interrupt();
-    rest = glide({ ...state }, { ...state, ...part }, RESET, { between, changed });
+    glideTo({ ...state, ...part });
   }
 
   play.addEventListener("click", () => {
     rest();
+    goal = null;
     tour.press();
   });
   reset.addEventListener("click", () => {
     rest();
+    goal = null;
     tour.rewind();
-    rest = glide({ ...state }, home, RESET, { between, changed });
+    glideTo(home);
     look(seenFrom?.(home));
   });
   for (const button of copying(definition, linkTo, () => state, live))
@@ -143,19 +175,20 @@ function mountDemo(element, definition, opening, { now = {}, onChange = () => {}
     handleSigns(context, touch.handles(), colours);
   };
   const redraw = painting(root, canvas, drawn, {
-    seen: (visible) => visible || tour.stop(),
+    seen: (visible) => visible || halt(),
     signal: cleanup.signal,
   });
   element.replaceChildren(root);
   show();
 
   return {
-    update(part) {
-      interrupt();
-      Object.assign(state, part);
-      show();
+    update: follow,
+    open(given) {
+      follow(begun(given));
+      look(seenFrom?.(state));
     },
     destroy() {
+      midway = false;
       rest();
       tour.stop();
       cleanup.abort();
@@ -175,8 +208,8 @@ export const mountOf = (definition) => {
 function within({ controls, texts = {} }, given) {
   const asTheyAre = Object.entries(texts).flatMap(([name, pattern]) => (pattern.test(given[name] ?? "-") ? [[name, given[name]]] : []));
   const inRange = controls.flatMap(({ name, choices, min = 0, max = choices?.length - 1, toValue = Number }) => {
-    const value = given[name] === "" || (choices && given[name] % 1) ? NaN : Number(given[name]); // Number("") is 0
-    return value >= toValue(min) && value <= toValue(max) ? [[name, value]] : [];
+    const value = numberOf(given[name]);
+    return value >= toValue(min) && value <= toValue(max) && !(choices && value % 1) ? [[name, value]] : [];
   });
   return Object.fromEntries([...inRange, ...asTheyAre]);
 }

@@ -154,11 +154,15 @@ function mountConverter(element, opening, { now = {}, onChange = () => {}, linkT
     changed({ kind: "matrix", value: transposed(here.matrix) });
   }
 
-  function changed(part, keep = false) {
+  function follow(part, keep = false) {
     if (!keep) typedIn = null;
     fault = null;
     state = { ...state, ...part };
     show();
+  }
+
+  function changed(...given) {
+    follow(...given);
     onChange({ ...state });
     announceSoon();
   }
@@ -249,12 +253,8 @@ function mountConverter(element, opening, { now = {}, onChange = () => {}, linkT
   sizes.observe(root);
 
   return {
-    update(part) {
-      typedIn = null;
-      fault = null;
-      state = { ...state, ...part };
-      show();
-    },
+    update: follow,
+    open: (given) => follow({ ...home, ...stated(given) }),
     destroy() {
       cleanup.abort();
       sizes.disconnect();

@@ -11,6 +11,7 @@ import {
   turnNames,
 } from "./converting.js";
 import { misprintWords } from "./nearest.js";
+import { numberOf } from "./parts.js";
 import { numbersIn, rotationIn } from "./reading.js";
 
 export const SIZES = { angles: 3, quaternion: 4, "axis angle": 4, matrix: 9 };
@@ -94,7 +95,7 @@ export function stated(given) {
     take(`${side}_sequence`, ["", ...SEQUENCES]);
     take(`${side}_unit`, UNITS);
   }
-  const value = String(given.value ?? "").split(",").map((text) => (text.trim() === "" ? NaN : Number(text)));
+  const value = String(given.value ?? "").split(",").map(numberOf);
   if (KINDS.includes(given.kind) && value.length === SIZES[given.kind] && faultIn(given.kind, value) === null)
     Object.assign(known, { kind: given.kind, value });
   return known;

@@ -7,7 +7,7 @@ import { KINDS, findConventions } from "./detective_search.js";
 import { LABELS, exampleOf, matchParts, meaningOf, rowsOf, verdictOf } from "./detective_words.js";
 import { button, field } from "./fields.js";
 import { misprintWords } from "./nearest.js";
-import { node } from "./parts.js";
+import { node, numberOf } from "./parts.js";
 import { numbersIn, rotationIn } from "./reading.js";
 import { keepKeys } from "./stage.js";
 import { exactly } from "./writing.js";
@@ -57,13 +57,17 @@ function mountDetective(element, opening, { now = {}, onChange = () => {}, linkT
     return undefined;
   }
 
-  function changed(part, keep = false) {
+  function follow(part, keep = false) {
     if (!keep) {
       typedIn = null;
       Object.keys(faults).forEach((kind) => delete faults[kind]);
     }
     state = { ...state, ...part };
     show();
+  }
+
+  function changed(...given) {
+    follow(...given);
     onChange({ ...state });
   }
 
@@ -97,11 +101,8 @@ function mountDetective(element, opening, { now = {}, onChange = () => {}, linkT
   element.replaceChildren(root);
   show();
   return {
-    update(part) {
-      typedIn = null;
-      state = { ...state, ...part };
-      show();
-    },
+    update: follow,
+    open: (given) => follow({ ...home, ...stated(given) }),
     destroy() {
       clearTimeout(timer);
       root.remove();
@@ -120,8 +121,9 @@ function ordered(kind, text, values) {
 function stated(given) {
   const known = UNITS.includes(given.unit) ? { unit: given.unit } : {};
   for (const kind of KINDS) {
-    if (typeof given[kind] !== "string") continue;
-    const values = given[kind] === "" ? [] : given[kind].split(",").map(Number);
+    if (given[kind] === undefined) continue;
+    const text = String(given[kind]);
+    const values = text === "" ? [] : text.split(",").map(numberOf);
     if (values.every(Number.isFinite) && values.length % SIZES[kind] === 0) known[kind] = values;
   }
   return known;

@@ -14,6 +14,11 @@ export const rounded = (value) => String(Number(value.toFixed(2))).replace("-", 
 /** Three decimals in a column; rounded twice, so that nothing is shown as −0.000. */
 export const entry = (value) => Number(value.toFixed(3)).toFixed(3).replace("-", "−").padStart(6);
 
+const DECIMAL = /^-?(\d+\.?\d*|\.\d+)(e[-+]\d+)?$/; // as these pages write a number, with or without its zeros
+
+/** The number that a text from an address, or a number, says; else none. */
+export const numberOf = (given) => (typeof given === "number" || DECIMAL.test(given) ? Number(given) : NaN);
+
 /** An element with attributes and children. */
 export function node(tag, attributes = {}, ...children) {
   const element = document.createElement(tag);
@@ -53,6 +58,7 @@ export function slider(control, touched, typed) {
   return {
     element: typed ? node("div", { class: "chr-control" }, label_, typed.element) : label_,
     tell: (text) => (value.textContent = text),
+    atStep: () => ({ [name]: toValue(input.valueAsNumber) }), // an input is nowhere else
     show(state) {
       typed?.show(state);
       const { short, long } = words(state[name]);

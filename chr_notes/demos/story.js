@@ -13,7 +13,8 @@ const stillness = () => matchMedia("(prefers-reduced-motion: reduce)");
 
 /**
  * Go from one state to another, or be there at once where motion is not wanted. `between(from,
- * to, t)` gives the states on the way. Returns a function that ends the journey where it is.
+ * to, t)` gives the states on the way, which `changed` is told of as moving. Returns a function
+ * that ends the journey where it is.
  */
 export function glide(from, goal, seconds, { between, changed, done = () => {} }) {
   if (stillness().matches) {
@@ -24,7 +25,7 @@ export function glide(from, goal, seconds, { between, changed, done = () => {} }
   const began = performance.now();
   let frame = requestAnimationFrame(function step(now) {
     const t = Math.min(1, Math.max(0, (now - began) / (1000 * seconds)));
-    changed(t === 1 ? goal : between(from, goal, t * t * (3 - 2 * t)));
+    changed(t === 1 ? goal : between(from, goal, t * t * (3 - 2 * t)), t < 1);
     if (t < 1) frame = requestAnimationFrame(step);
     else done();
   });
@@ -33,9 +34,10 @@ export function glide(from, goal, seconds, { between, changed, done = () => {} }
 
 /**
  * Tell a story: `current()` is the state now, `changed(state)` shows another, `say(text)` a
- * sentence, and `name(text)` names the button whose every click calls `press`. `signal` ends it.
+ * sentence, `name(text)` names the button whose every click calls `press`, and `stopped()` is told
+ * of each end. `signal` ends it.
  */
-export function player(story, { current, between, changed, say, name, signal }) {
+export function player(story, { current, between, changed, say, name, stopped, signal }) {
   let next = 0; // index of the step to come
   let running = false;
   let end = () => {};
@@ -51,6 +53,7 @@ export function player(story, { current, between, changed, say, name, signal }) 
     end = () => {};
     running = false;
     rename();
+    stopped();
   }
 
   function step() {

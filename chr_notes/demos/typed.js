@@ -41,6 +41,7 @@ export function choice({ name, label, choices }, touched) {
   select.addEventListener("input", () => touched({ [name]: Number(select.value) }));
   return {
     element: node("label", { class: "chr-choice" }, node("span", { class: "chr-caption" }, label), select),
+    atStep: () => ({ [name]: Number(select.value) }),
     show: (state) => (select.value = state[name]),
   };
 }

@@ -105,7 +105,19 @@ def copied(page: Page) -> list[str]:
 def test_an_address_that_means_nothing_changes_nothing(visit: Visit, page_of: PageOf) -> None:
     address = page_of(TiltDemo(roll=10))
     page = visit(address)
-    for query in ("roll=900", "roll=nonsense", "roll=", "other=3", "roll=1e999", "%", ""):
+    for query in (
+        "roll=900",
+        "roll=nonsense",
+        "roll=",
+        "other=3",
+        "roll=1e999",
+        "roll=0x10",
+        "roll=1e1",
+        "roll=Infinity",
+        "roll=%2010",
+        "%",
+        "",
+    ):
         page.goto("about:blank")
         page.goto(f"{address}#tilt?{query}")
         assert state_of(page) == TiltDemo(roll=10).state(), query
