@@ -1,5 +1,5 @@
 /** A small aircraft in its body frame: x forward, y right, z down, half a unit from nose to centre. */
-import { loft } from "./draw.js";
+import { flat, loft, partition, sparing } from "./draw.js";
 import { keeping } from "./keeping.js";
 
 /* global AIRCRAFT: build.py puts in the table of chr_notes/aircraft.py */
@@ -29,15 +29,15 @@ const mirrored = (polygons) =>
   }));
 
 /**
- * Polygons of the aircraft. Nose, right wing tip and belly carry the colours of the axes that
- * they point along.
+ * A partition of the aircraft's polygons, which is made once, in its own axes. Nose, right wing tip
+ * and belly carry the colours of the axes that they point along.
  */
 export const aircraft = keeping(["body", "glass", "x", "y", "z"], ({ body, glass, x, y, z }) => {
   const { sections, wing, ...other } = AIRCRAFT;
   const inner = plate(wing.slice(0, 2), body);
   const [right, left] = [y, body].map((fill) => plate(wing.slice(1), fill));
   const tail = plate(other.tail, body);
-  return [
+  return partition(sparing([
     ...loft(sections.slice(0, -1).map(section), body),
     ...loft(sections.slice(-2).map(section), x),
     ...inner, ...right, ...tail,
@@ -45,5 +45,5 @@ export const aircraft = keeping(["body", "glass", "x", "y", "z"], ({ body, glass
     ...plate(other.fin, body, true),
     ...loft(other.canopy.map(section), glass),
     ...loft(other.belly.map(section), z),
-  ];
+  ].map(flat)));
 });

@@ -81,12 +81,24 @@ function plane(points) {
 /** A polygon with the plane that it lies in. */
 export const flat = (polygon) => ({ ...polygon, plane: plane(polygon.points) });
 
-/** The same polygons, seen from the frame in which `matrix` places them. */
-export const placed = (polygons, matrix) =>
-  polygons.map((polygon) => ({
-    ...polygon,
-    points: polygon.points.map((point) => toParent(matrix, point)),
+const isSeen = ({ plane: { normal, offset }, open }, eye) => open || dot(normal, eye) > offset;
+
+/** Those of some `flat` polygons that are seen, where `matrix` places them. */
+export function placed(polygons, matrix, { eye }) {
+  const from = toChild(matrix, eye);
+  return polygons.filter((polygon) => isSeen(polygon, from)).map(({ points, fill, plane: { normal, offset } }) => ({
+    points: points.map((point) => toParent(matrix, point)),
+    fill,
+    plane: { normal: toParent(matrix, normal), offset },
   }));
+}
+
+/** A view as it is in the axes of a body of some size that `matrix` places. */
+export const viewIn = ({ eye, light, project }, matrix, size = 1) => ({
+  eye: scaled(toChild(matrix, eye), 1 / size),
+  light: toChild(matrix, light),
+  project: (point) => project(toParent(matrix, scaled(point, size))),
+});
 
 /**
  * A closed band of quadrilaterals over successive outlines, and a cap at either end. The
@@ -152,6 +164,23 @@ export function arrowhead(start, point, width, fill, eye) {
 
 // ── order of painting ───────────────────────────────────────────────────────────────────────
 
+/** Whether a polygon reaches above a plane, and below it. */
+function sides({ normal, offset }, points) {
+  let [above, below] = [false, false];
+  for (const point of points) {
+    const height = dot(normal, point) - offset;
+    above ||= height > NEAR_PLANE;
+    below ||= height < -NEAR_PLANE;
+  }
+  return [above, below];
+}
+
+/** `flat` polygons in an order in which a partition cuts few: first those whose planes cut the fewest others. */
+export function sparing(polygons) {
+  const cuts = ({ plane: cut }) => polygons.filter(({ points }) => sides(cut, points).every(Boolean)).length;
+  return polygons.map((polygon) => [cuts(polygon), polygon]).sort(([a], [b]) => a - b).map(([, polygon]) => polygon);
+}
+
 /**
  * A binary space partition of `flat` polygons. Sorting by distance fails where a polygon reaches
  * both behind and in front of another; here the plane of the first one cuts all others in two.
@@ -164,13 +193,7 @@ export function partition(polygons) {
   const front = [];
   const behind = [];
   for (const polygon of rest) {
-    let [lowest, highest] = [0, 0];
-    for (const point of polygon.points) {
-      const height = dot(cut.normal, point) - cut.offset;
-      lowest = Math.min(lowest, height);
-      highest = Math.max(highest, height);
-    }
-    const [above, below] = [highest > NEAR_PLANE, lowest < -NEAR_PLANE];
+    const [above, below] = sides(cut, polygon.points);
     if (above && below) {
       const heights = polygon.points.map((point) => dot(cut.normal, point) - cut.offset);
       front.push({ ...polygon, points: clipped(polygon.points, heights, 1) });
@@ -215,11 +238,12 @@ function inShells(polygons, radii, eye) {
   return sets;
 }
 
-/** Paint polygons, hidden parts removed and flat shaded, on a 2-d canvas context. */
-export function paint(context, polygons, { eye, project, light }, radii = []) {
-  const visible = polygons
-    .map(flat)
-    .filter(({ plane: { normal, offset }, open }) => open || dot(normal, eye) > offset);
+/**
+ * Paint polygons, hidden parts removed and flat shaded, on a 2-d canvas context. In the midst of the
+ * shells stands a `body`, if there is one: a partition of its own, with the view in its own axes.
+ */
+export function paint(context, polygons, view, radii = [], body = null) {
+  const visible = polygons.map((polygon) => (polygon.plane ? polygon : flat(polygon))).filter((polygon) => isSeen(polygon, view.eye));
   // What follows with the same fill in the same light is one area, whatever the colours are; an open
   // polygon, which may run either way, is its own.
   let [filled, lit] = [null, 0];
@@ -231,24 +255,30 @@ export function paint(context, polygons, { eye, project, light }, radii = []) {
     context.fill();
     context.stroke();
   };
-  const visit = ({ points, fill, unlit, open, plane: { normal } }) => {
+  const visitIn = ({ eye, light, project }) => (polygon) => {
+    if (!isSeen(polygon, eye)) return;
+    const { points, fill, unlit, open, plane: { normal } } = polygon;
     const brightness = unlit ? 1 : 0.62 + 0.4 * Math.max(0, dot(normal, light));
     if (fill !== filled || brightness !== lit || open) {
       finish();
       context.beginPath();
       [filled, lit] = [fill, brightness];
     }
-    points.forEach((point, i) => (i === 0 ? context.moveTo(...project(point)) : context.lineTo(...project(point))));
+    points.forEach((point, i) => context[i === 0 ? "moveTo" : "lineTo"](...project(point)));
     context.closePath();
   };
-  for (const each of inShells(visible, radii, eye)) fromBehind(partition(each), eye, visit);
+  inShells(visible, radii, view.eye).forEach((each, i) => {
+    fromBehind(partition(each), view.eye, visitIn(view));
+    if (body && i === radii.length) fromBehind(body.tree, body.view.eye, visitIn(body.view));
+  });
   finish();
 }
 
 /**
  * Words at a point of the picture, over everything, with a rim that keeps them legible: [words]
  * or [words, subscript]. `offset` moves them aside, in pixels; they never leave the picture. Where
- * one of the boxes `taken` is in the way, they stand above or below it; their own one is added.
+ * one of the boxes `taken` is in the way, { x, y, half, high } round its middle, they stand above or
+ * below it; their own one is added.
  */
 export function label(context, [text, subscript = ""], [x, y], { colour, rim, size = 14, offset = [0, 0], width, taken = [] }) {
   const parts = [
@@ -261,10 +291,10 @@ export function label(context, [text, subscript = ""], [x, y], { colour, rim, si
   const half = parts.reduce((wide, part) => wide + part.wide, 0) / 2;
   const side = offset[0] === 0 ? 0 : Math.sign(offset[0]) * half + offset[0];
   const middle = Math.min(Math.max(x + side, half + 6), width - half - 6);
-  const lines = [0, -1, 1, -2, 2].map((n) => y + offset[1] + 1.1 * n * size);
-  const covers = (at) => (box) => Math.abs(box.x - middle) < box.half + half + 2 && Math.abs(box.y - at) < size;
+  const lines = [0, -1, 1, -2, 2, -3, 3].map((n) => y + offset[1] + 1.1 * n * size);
+  const covers = (at) => (box) => Math.abs(box.x - middle) < box.half + half + 2 && Math.abs(box.y - at) < box.high + size / 2;
   const line = lines.find((at) => !taken.some(covers(at))) ?? lines[0];
-  taken.push({ x: middle, y: line, half });
+  taken.push({ x: middle, y: line, half, high: size / 2 });
   context.textAlign = "left";
   context.textBaseline = "middle";
   context.lineJoin = "round";

@@ -32,6 +32,7 @@ const SMALL = 20; // degrees, up to which an angle is about its sine
 function meaning(state, { velocity, position, byAccel, byGyro, noise, total }) {
   const { time, gyro_bias: gyro } = state;
   if (total === 0 && noise === 0) return "With an exact attitude gravity cancels, and a sensor at rest believes that it is at rest.";
+  if (total === 0) return `On average a sensor with noise alone believes to stay where it is. After ${duration(time).long} that scatters by ${distance(noise)}.`;
   const after = `After ${duration(time).long} a sensor that has not moved believes that it is ${distance(total)} away${placesLeft(total)}`;
   if (total === position && noise === 0)
     return `${after}, and moves at ${formatted(velocity)} m/s. In ten times as long, its velocity gets ten times as wrong, its position a hundred times.`;
@@ -87,13 +88,14 @@ function describe(state) {
 
 const draw = (...given) => (given[2].view === 0 ? drawMap : drawGrowth)(...given);
 
-const [LEAST, MOST] = [0.3, 4e7]; // metres: of the table itself, and once round the Earth
+const [LEAST, MOST] = [0.05, 4e7]; // metres: of the sensor itself, and once round the Earth
+const MIDDLE = 0.42; // of the width: what is left to the right is the way
 const CLOUD = noiseOf(60, 2, 3);
 
 /** Where the sensor lies, and how many pixels from there a distance in metres is shown. */
 function rings({ width, height }) {
-  const middle = [42, height / 2 + 7];
-  return { middle, far: (metres) => ((width - 58) * Math.log1p(metres / LEAST)) / Math.log1p(MOST / LEAST) };
+  const middle = [MIDDLE * width, height / 2 + 7];
+  return { middle, far: (metres) => (((1 - MIDDLE) * width - 16) * Math.log1p(metres / LEAST)) / Math.log1p(MOST / LEAST) };
 }
 
 /** The places round the table as rings, equal steps for equal factors, and the way that the sensor believes in. */
@@ -111,15 +113,16 @@ function drawMap(context, size, state, colours) {
     context.strokeStyle = colours("muted");
     context.lineWidth = i === left ? 3 : 1;
     context.stroke();
-    const down = Math.min(0.75 * radius, size.height / 2 - 34);
-    const style = { ...small, align: "right", weight: i === left ? 700 : 400 };
-    const right = x + Math.sqrt(radius ** 2 - down ** 2) - 6;
-    words(context, name, [right, y + down], style);
-    words(context, distance(metres), [right, y - down], style);
+  });
+  // Between the rings, what is within the outer one, and how far that is.
+  PLACES.forEach(([metres, name], i) => {
+    const off = i === 0 ? 0.6 * far(metres) : (far(metres) + far(PLACES[i - 1][0])) / 2;
+    words(context, name, [x, y + off], { ...small, align: "center", weight: i === left ? 700 : 400 });
+    words(context, distance(metres), [x, y - off], { ...small, align: "center", weight: i === left ? 700 : 400 });
   });
   context.fillStyle = colours("page");
   context.fillRect(0, 0, width, 25);
-  words(context, "a sensor that lies still: where it believes to be", [8, 14], { ...small, weight: 600 });
+  words(context, "where a sensor at rest believes to be", [8, 14], { ...small, weight: 600 });
   const at = (moment) => [x + far(errorsAfter(moment, state).total), y];
   const end = at(time);
   line(context, [[x, y], end], { colour: colours("proved"), width: 3 });
@@ -141,7 +144,9 @@ function drawMap(context, size, state, colours) {
     last = place[0];
   }
   mark(context, "circle", end, { colour: colours("proved"), rim: colours("page"), radius: 7 });
-  label(context, [`${distance(total)} after ${duration(time).short}`], end, { colour: colours("proved"), rim: colours("page"), width, size: 14, offset: [0, -20] });
+  const said = `${distance(total)} after ${duration(time).short}`;
+  const beside = Math.max(end[0], x + 26 + 4.2 * said.length); // the distances of the rings
+  label(context, [said], [beside, y - 20], { colour: colours("proved"), rim: colours("page"), width, size: 14 });
 }
 
 const RANGE = [3e-3, 3e7]; // m/s and m
@@ -233,7 +238,7 @@ const definition = {
     { name: "angle_error", label: "Error of the angle", symbol: ["ε"], min: 0, max: 5, step: 0.1, unit: { short: "°", long: "degrees" } },
     { name: "accel_bias", label: "Bias of the accelerometer", symbol: [], min: 0, max: 0.5, step: 0.01, unit: { short: " m/s²", long: "metres per second squared" } },
     { name: "gyro_bias", label: "Bias of the gyro", symbol: [], min: 0, max: 0.02, step: 0.001, unit: { short: " °/s", long: "degrees per second" }, words: (bias) => ({ short: `${formatted(bias)} °/s`, long: `${formatted(bias)} degrees per second` }) },
-    { name: "accel_noise", label: "Noise of it, in m/s²/√Hz", symbol: [], min: 0, max: 0.05, step: 0.001, unit: { short: "", long: "metres per second squared per root hertz" }, words: (noise) => ({ short: formatted(noise), long: `${formatted(noise)} metres per second squared per root hertz` }) },
+    { name: "accel_noise", label: "Noise of the accelerometer, m/s²/√Hz", symbol: [], min: 0, max: 0.05, step: 0.001, unit: { short: "", long: "metres per second squared per root hertz" }, words: (noise) => ({ short: formatted(noise), long: `${formatted(noise)} metres per second squared per root hertz` }) },
     { name: "time", label: "Time", symbol: ["t"], min: 0, max: STEPS, step: 1, unit: { short: " s", long: "seconds" }, words: duration, ...SECONDS },
   ],
   outputs: [

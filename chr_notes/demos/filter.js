@@ -57,7 +57,7 @@ function describe(state) {
 
 const LIMITS = [1, 2, 4, 10, 20, 40, 60, 90, 180]; // degrees
 const LINES = [
-  { filter: "gyro", text: "gyro alone", name: "gyro", colour: "z", width: 2.5, dash: [2, 3] },
+  { filter: "gyro", text: "gyro alone, from the first reading on", name: "gyro", colour: "z", width: 2.5, dash: [2, 3] },
   { filter: "accelerometer", text: "accelerometer alone", name: "accel.", colour: "muted", width: 0.7, dash: [] },
   { filter: "observer", text: "both together, by the gain L", name: "both", colour: "x", width: 2.5, dash: [] },
   { filter: "averaging", text: "average in a frame that does not turn", name: "average", colour: "y", width: 2.5, dash: [8, 4] },

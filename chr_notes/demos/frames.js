@@ -77,7 +77,7 @@ function describe(state) {
 // ── the picture ─────────────────────────────────────────────────────────────────────────────
 
 const ORDERS = [["yaw", "pitch", "roll"], ["pitch", "yaw", "roll"]];
-const [SPLIT, SHOWN] = [0.66, 2.5]; // of the height, for the aircraft; what is shown, in lengths of an axis
+const [SPLIT, SHOWN, OUT] = [0.68, 2.5, 1.25]; // of the height, for the aircraft; what is shown, and how far north, east and down reach, in lengths of an axis
 const INERTIAL = ["N", "E", "D"];
 
 /** Which turns a picture shows, in their order. */
@@ -101,9 +101,9 @@ function scene(context, size, state, matrix, title, colours, viewpoint) {
   const view = looking(viewpoint, size, SHOWN);
   const wind = windOf(state);
   const [x, y] = view.project(wind);
-  const style = { colours, room: size.width, taken: [{ x, y, half: 10 }] }; // the ring by which it is held
+  const style = { colours, room: size.width, taken: [{ x, y, half: 13, high: 13 }] }; // the ring by which it is held
   words(context, title, [size.width / 2, 14], { colour: colours("muted"), align: "center", weight: 600 });
-  UNITS.forEach((axis, k) => pointer(context, view, axis, { ...style, name: [INERTIAL[k]], colour: "muted", width: 1.5 }));
+  UNITS.forEach((axis, k) => pointer(context, view, scaled(axis, OUT), { ...style, name: [INERTIAL[k]], colour: "muted", width: 1.5 }));
   flown(context, view, matrix, colours, 1.5);
   const [centre, along] = [view.project([0, 0, 0]), (k, far) => toParent(matrix, scaled(UNITS[k], far))];
   UNITS.forEach((_, k) => {
@@ -140,7 +140,7 @@ const definition = {
   python: "FramesDemo",
   hint: "Go from frame to frame, and turn the wind by its point. Which of the wind's three numbers does each turn leave as it is?",
   aspect: 1.02,
-  viewpoint: () => ({ heading: -88, elevation: -24 }),
+  viewpoint: () => ({ heading: 50, elevation: -24 }),
   start,
   legend: [
     { colour: "alert", dash: [7, 2, 2, 2], width: 3.5, text: "the wind" },

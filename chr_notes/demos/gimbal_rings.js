@@ -1,11 +1,11 @@
 /** The picture of the rings: three that turn on each other, an aircraft in them, and a compass below. */
 import { matrixFromEuler } from "../generated/javascript/attitude.mjs";
-import { aircraft } from "./aircraft.js";
 import {
-  arrowhead, camera, cross, label, loft, mixed, paint, parsed, placed, ring, scaled, strip,
+  arrowhead, camera, cross, flat, label, loft, mixed, paint, parsed, placed, ring, scaled, strip,
   sum, toParent,
 } from "./draw.js";
 import { attitude } from "./gimbal_views.js";
+import { aircraftIn } from "./globe.js";
 import { keeping } from "./keeping.js";
 
 const DEGREE = Math.PI / 180;
@@ -16,16 +16,25 @@ const [YAW_ARROW, PITCH_ARROW, ROLL_ARROW] = [1.42, 1.2, 1.17]; // distances fro
 // The second cue of an axis: which segments of its ring are bright.
 const MARKS = { x: () => true, y: (i) => i % 6 < 4, z: (i) => i % 2 === 0 };
 
-/** Each ring by its colours, made anew only where these change. */
+/** Each ring with its pins by its colours, in its own axes, made anew only where these change. */
 function ringsOf(shapes) {
-  const made = ([axis, shape]) => [axis, keeping(["fill", "marked"], (paints) => ring({ ...shape, ...paints, mark: MARKS[axis] }))];
+  const made = ([axis, { pins, ...shape }]) => [
+    axis,
+    keeping(["fill", "marked", "steel"], ({ steel, ...paints }) => [...ring({ ...shape, ...paints, mark: MARKS[axis] }), ...pins(steel)].map(flat)),
+  ];
   return Object.fromEntries(Object.entries(shapes).map(made));
 }
 
 const RINGS = ringsOf({
-  z: { u: EAST, v: DOWN, inner: 0.95, outer: 1.03, depth: 0.05 },
-  y: { u: NORTH, v: EAST, inner: 0.81, outer: 0.89, depth: 0.05 },
-  x: { u: DOWN, v: NORTH, inner: 0.67, outer: 0.75, depth: 0.05 },
+  z: {
+    u: EAST, v: DOWN, inner: 0.95, outer: 1.03, depth: 0.05,
+    pins: (steel) => [...pin(DOWN, NORTH, 1.03, 1.1, steel), ...tube(DOWN, NORTH, 1.1, FLOOR, 0.05, steel)],
+  },
+  y: { u: NORTH, v: EAST, inner: 0.81, outer: 0.89, depth: 0.05, pins: (steel) => pin(EAST, DOWN, 0.89, 0.95, steel) },
+  x: {
+    u: DOWN, v: NORTH, inner: 0.67, outer: 0.75, depth: 0.05,
+    pins: (steel) => [...pin(NORTH, EAST, 0.75, 0.81, steel), ...pin(NORTH, EAST, 0.52, 0.67, steel)],
+  },
 });
 
 // Spheres between the stand and the arrows, the three rings with their pins, and the aircraft.
@@ -119,7 +128,8 @@ export function drawRings(context, size, state, colours, viewpoint, locked) {
   const [yAxis, xAxis] = [toParent(frame.y, EAST), toParent(frame.x, NORTH)];
 
   compass(context, view, colours);
-  paint(context, [...solids(frame, colour), ...arrows(frame, colour, eye, locked)], view, SHELLS);
+  const solids = [...rings(frame, colour, view), ...arrows(frame, colour, eye, locked)];
+  paint(context, solids, view, SHELLS, aircraftIn(view, frame.x, colours));
 
   const taken = [];
   letters(context, view, colours, size.width, taken);
@@ -159,25 +169,14 @@ export function handles(state, size, viewpoint) {
   ];
 }
 
-/** Rings, pins, stand and aircraft. */
-function solids(frame, colour) {
+/** Rings, pins and the stand. */
+function rings(frame, colour, view) {
   const steel = mixed(colour("body"), colour("muted"), 0.4);
-  const rings = ["z", "y", "x"].flatMap((axis) => {
+  return ["z", "y", "x"].flatMap((axis) => {
     const marked = colour(axis);
     const fill = mixed(marked, colour("body"), 0.6);
-    return placed(RINGS[axis]({ fill, marked }), frame[axis]);
+    return placed(RINGS[axis]({ fill, marked, steel }), frame[axis], view);
   });
-  const names = ["body", "glass", "x", "y", "z"];
-  const fills = Object.fromEntries(names.map((name) => [name, colour(name)]));
-  return [
-    ...rings,
-    ...pin(DOWN, NORTH, 1.03, 1.1, steel),
-    ...tube(DOWN, NORTH, 1.1, FLOOR, 0.05, steel),
-    ...placed(pin(EAST, DOWN, 0.89, 0.95, steel), frame.y),
-    ...placed(pin(NORTH, EAST, 0.75, 0.81, steel), frame.x),
-    ...placed(pin(NORTH, EAST, 0.52, 0.67, steel), frame.x),
-    ...placed(aircraft(fills), frame.x),
-  ];
 }
 
 /** The axes, the sense in which each angle grows, and at the lock the axis that is lost. */

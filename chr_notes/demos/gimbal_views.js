@@ -71,7 +71,7 @@ function curves(context, { width, height }, { most, unit, lines }, far, colours)
   }
   words(context, "pitched up by", [(left + right) / 2, bottom + 27], { ...small, align: "center" });
   line(context, [[x(far), top], [x(far), bottom]], { colour: colours("muted"), width: 1.5 });
-  names(context, [8, 10], width - 16, lines, colours);
+  names(context, [8, 10], width - 8, lines, colours);
   lines.forEach(({ colour, values }, n) => {
     const style = { colour: colours(colour), dash: DASHES[colour] };
     const pieces = [[]];
@@ -91,16 +91,19 @@ function curves(context, { width, height }, { most, unit, lines }, far, colours)
 
 /** Beside each other, as they are drawn: [{ name, colour }]. */
 function names(context, [left, y], wide, lines, colours) {
-  lines.forEach(({ name, colour }, n) => {
-    const place = left + (n * wide) / lines.length;
-    line(context, [[place, y], [place + 14, y]], { colour: colours(colour), dash: DASHES[colour], width: 3 });
-    words(context, name, [place + 18, y], { colour: colours(colour), size: 12, weight: 600 });
+  const letters = lines.reduce((total, { name }) => total + 7 * name.length, 0); // pixels
+  const each = Math.min(26, (wide - letters) / lines.length);
+  let place = left;
+  lines.forEach(({ name, colour }) => {
+    line(context, [[place, y], [place + each - 12, y]], { colour: colours(colour), dash: DASHES[colour], width: 3 });
+    words(context, name, [place + each - 8, y], { colour: colours(colour), size: 12, weight: 600 });
+    place += each + 7 * name.length;
   });
 }
 
 // ── the rates ───────────────────────────────────────────────────────────────────────────────
 
-const [SIZE, ROOM, MOST] = [0.75, 1.1, 5]; // lengths of a unit and of the longest part, and what the chart shows
+const [SIZE, ROOM, MOST] = [0.85, 1.1, 5]; // lengths of a unit and of the longest part, and what the chart shows
 
 /** Directions of the axes of roll, pitch and yaw, which are unit vectors. */
 export function axesOf([roll, pitch, yaw]) {
@@ -114,14 +117,14 @@ export function drawRates(context, { width, height }, state, colours, viewpoint,
   const { euler } = attitude(state);
   const found = locked ? [] : parts(euler[0], euler[1]);
   inPart(context, [0, 0, width, split], (size) => {
-    const view = looking(viewpoint, size, 2.9);
+    const view = looking(viewpoint, size, 2.75);
     const [axes, taken] = [axesOf(euler), []];
     const unit = Math.min(SIZE, ...found.map((part) => ROOM / Math.abs(part)));
     const corner = (i, j, k) => view.project([i, j, k].map((on, n) => scaled(axes[n], unit * on)).reduce(sum));
     for (const [i, j] of [[0, 0], [0, 1], [1, 0], [1, 1]])
       for (const edge of [[corner(0, i, j), corner(1, i, j)], [corner(i, 0, j), corner(i, 1, j)], [corner(i, j, 0), corner(i, j, 1)]])
         line(context, edge, { colour: colours("muted"), width: 1.2 });
-    flown(context, view, matrixFromEuler(...euler), colours, 0.8);
+    flown(context, view, matrixFromEuler(...euler), colours, 1.1);
     const ends = axes.map((axis) => [-1.2, 1.2].map((far) => view.project(scaled(axis, far))));
     ends.forEach((both, i) => line(context, both, { colour: colours(AXES[i]), width: 1.5, dash: DASHES[AXES[i]] }));
     let from = [0, 0, 0];
@@ -145,7 +148,7 @@ function overPitch(context, [left, right, top, bottom], [roll, pitch], found, co
   const small = { colour: colours("muted"), size: 12 };
   const [x, y] = [linear(-90, 90, left, right), linear(-MOST, MOST, bottom, top)];
   words(context, "parts, by pitch", [8, top - 14], { ...small, weight: 600 });
-  names(context, [right - 174, top - 14], 180, AXES.map((colour, i) => ({ name: NAMES[i], colour })), colours);
+  names(context, [right - 156, top - 14], 162, AXES.map((colour, i) => ({ name: NAMES[i], colour })), colours);
   for (const tick of [-MOST, 0, MOST]) {
     line(context, [[left, y(tick)], [right, y(tick)]], { colour: colours("line"), width: 1 });
     words(context, `${tick} ×`.replace("-", "−"), [left - 5, y(tick)], { ...small, align: "right" });

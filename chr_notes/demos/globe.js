@@ -2,7 +2,7 @@
 import { matrixFromEuler } from "../generated/javascript/attitude.mjs";
 import { aircraft } from "./aircraft.js";
 import { arrow, line } from "./chart.js";
-import { camera, label, paint, parsed, placed, scaled, sum, toParent } from "./draw.js";
+import { camera, label, paint, parsed, scaled, sum, toParent, viewIn } from "./draw.js";
 
 const DEGREE = Math.PI / 180;
 const DISTANCE = 7;
@@ -24,10 +24,13 @@ const nearer = (point, eye) => point[0] * eye[0] + point[1] * eye[1] + point[2] 
 
 /** A path on the sphere; what is on the far side is thinner. */
 export function path(context, { eye, project }, points, { width = 2, ...style }) {
+  const pieces = [];
   points.slice(1).forEach((point, i) => {
-    const thin = nearer(point, eye) ? width : width / 2;
-    line(context, [project(points[i]), project(point)], { ...style, width: thin });
+    const near = nearer(point, eye);
+    if (pieces.at(-1)?.near !== near) pieces.push({ near, places: [project(points[i])] });
+    pieces.at(-1).places.push(project(point));
   });
+  for (const { near, places } of pieces) line(context, places, { ...style, width: near ? width : width / 2 });
 }
 
 /** The sphere: its level circle, the meridians through the first two axes, and names round it. */
@@ -46,8 +49,13 @@ export function globe(context, view, colours, size, { radius = 1, names = NAMES,
 
 /** The aircraft at the centre, in an attitude given as a matrix from the inertial frame. */
 export function flown(context, view, matrix, colours, size = 1) {
+  paint(context, [], view, [], aircraftIn(view, matrix, colours, size));
+}
+
+/** The same as a body to `paint`. */
+export function aircraftIn(view, matrix, colours, size = 1) {
   const fills = Object.fromEntries(["body", "glass", "x", "y", "z"].map((name) => [name, parsed(colours(name))]));
-  paint(context, placed(aircraft(fills), scaled(matrix, size)), view);
+  return { tree: aircraft(fills), view: viewIn(view, matrix, size) };
 }
 
 /** Where a name of so many letters stands beyond the end of an arrow, clear of its head and of the ring round what is held. */

@@ -34,6 +34,10 @@ function readouts(state) {
   };
 }
 
+/** What the fit misses: reckoned from its own ellipsoid, if it finds one, and else from the field. */
+const gapWords = (state, { gap: own }) =>
+  `no reading comes from within ${rounded(own === undefined ? found(state).gap : (own * 180) / Math.PI)}° of one direction${own === undefined ? "" : " of the ellipsoid that it finds"}`;
+
 function meaning(state, fitted, errors) {
   const count = state.turned.length / 4;
   const worst = rounded(largest(errors, "before"));
@@ -42,7 +46,7 @@ function meaning(state, fitted, errors) {
   if (fitted.refused && count > 0 && count < FEWEST)
     return `${before} A fit needs ${FEWEST} at least: turn the sensor further.`;
   if (fitted.refused)
-    return `${before} The fit refuses: no reading comes from within ${rounded(found(state).gap)}° of one direction, and with a little noise very different ellipsoids fit such a cloud. Turn the sensor further.`;
+    return `${before} The fit refuses: ${gapWords(state, fitted)}, and with a little noise very different ellipsoids fit such a cloud. Turn the sensor further.`;
   return `${before} The fitted ellipsoid is brought back to a sphere about zero, and the heading is off by up to ${rounded(largest(errors, "after"))}°.`;
 }
 
@@ -197,7 +201,7 @@ const definition = {
   ],
   outputs: [
     { name: "meaning", label: "What it means", wide: true, longestAt: [{ ...start, turned: "gICA".repeat(100) }, start] },
-    { name: "gap", label: "Largest gap in direction", unit: DEGREES },
+    { name: "gap", label: "Largest gap in direction, without iron", unit: DEGREES },
     { name: "error_before", label: "Heading error before", unit: DEGREES },
     { name: "error_after", label: "Heading error after", unit: DEGREES },
   ],

@@ -129,7 +129,7 @@ function refined(points) {
   return null;
 }
 
-/** What a fit finds: { refused } or { iron }, the numbers that `ironRemoved` takes. */
+/** What a fit finds: { refused, gap } or { iron }, the numbers that `ironRemoved` takes; the gap, radians, is that in the ellipsoid. */
 export function fit(points) {
   if (points.length < FEWEST) return { refused: true };
   const middle = scaled(points.reduce(sum), 1 / points.length);
@@ -140,8 +140,8 @@ export function fit(points) {
   if (found === null) return { refused: true };
   const [matrix, centre] = [full(found), found.slice(6)];
   const corrected = (point) => toChild(matrix, sum(point, scaled(centre, -1)));
-  if (gapOf(near.map(corrected).map(unit)) > WIDEST_GAP || worstError(near, found, matrix, centre) > LARGEST_ERROR)
-    return { refused: true };
+  const gap = gapOf(near.map(corrected).map(unit));
+  if (gap > WIDEST_GAP || worstError(near, found, matrix, centre) > LARGEST_ERROR) return { refused: true, gap };
   const shape = scaled(matrix, determinant(matrix) ** (-1 / 3));
   const middleOfAll = sum(scaled(centre, extent), middle);
   return { refused: false, iron: [...shape, ...toChild(shape, middleOfAll)] };

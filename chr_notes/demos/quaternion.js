@@ -156,7 +156,7 @@ const definition = {
   legend: [
     { colour: "x", text: "the angle ●, and the path of the nose" },
     { colour: "ink", width: 3, text: "half the angle ■, as q holds it" },
-    { colour: "alert", dash: [6, 2], width: 4, text: "the vector that is multiplied" },
+    { colour: "alert", dash: [6, 2], width: 4, text: "the vector part of the product" },
   ],
   controls: [
     { name: "axis_yaw", label: "Axis, yaw", symbol: [], min: -180, max: 180, step: 1, unit: DEGREES },

@@ -1,8 +1,8 @@
 /** The picture of the tilt demo: two views of the aircraft, and the errors of a second of readings. */
 import { accelerometerAtRest, matrixFromEuler } from "../generated/javascript/attitude.mjs";
-import { aircraft } from "./aircraft.js";
 import { arrow, beside, inPart, line, linear, mark, words } from "./chart.js";
-import { camera, label, paint, parsed, placed, scaled, sum, toChild, toParent } from "./draw.js";
+import { camera, label, scaled, sum, toChild, toParent } from "./draw.js";
+import { flown } from "./globe.js";
 import { attitude, estimates, reading, readings, unaccelerated } from "./tilt_estimates.js";
 
 /* global STANDARD_GRAVITY, DASHES: build.py puts them in, m/s² and { axis: pattern } */
@@ -13,11 +13,11 @@ const PLUMB = 1.0; // length of the plumb lines
 const DISTANCE = 60; // of the viewer: so far that angles look as they are
 const WEST = -Math.PI / 2;
 
-// Where the viewer looks: north from behind, west from the right-hand side; the part of the aircraft
-// that is held there, and the body axis along which the plumb line is pushed.
+// Where the viewer looks: north from behind, west from the right-hand side; the two ends of the aircraft
+// by one of which it is held there, and the body axis along which the plumb line is pushed.
 const VIEWS = [
-  { title: "from behind", view: matrixFromEuler(0, 0, 0), held: [-0.04, 0.53, -0.01], push: [0, 1, 0] },
-  { title: "from the right", view: matrixFromEuler(0, 0, WEST), held: [0.54, 0, 0.02], push: [1, 0, 0] },
+  { title: "from behind", view: matrixFromEuler(0, 0, 0), ends: [[-0.04, 0.53, -0.01], [-0.04, -0.53, -0.01]], push: [0, 1, 0] },
+  { title: "from the right", view: matrixFromEuler(0, 0, WEST), ends: [[0.54, 0, 0.02], [-0.5, 0, 0]], push: [1, 0, 0] },
 ];
 const VIEWED = 0.66; // of the height
 const lookAt = (view, size) => camera(view, DISTANCE, size, { wide: 2.2, high: 2.85, shift: 0.12 });
@@ -66,9 +66,7 @@ function scene(context, size, state, { title, view }, { unknown }, colours) {
   line(context, level, { colour: colours("shade"), width: 1 });
   if (view === VIEWS[0].view) words(context, "horizon", [8, centre[1] - 9], { colour: colours("muted"), size: 12 });
 
-  const names = ["body", "glass", "x", "y", "z"];
-  const fills = Object.fromEntries(names.map((name) => [name, parsed(colours(name))]));
-  paint(context, placed(aircraft(fills), scaled(attitudeMatrix, SIZE)), look);
+  flown(context, look, attitudeMatrix, colours, SIZE);
 
   // Verticals: the real one, and those that the readings give.
   const believed = (sensed) => at(along(toInertial(sensed), -PLUMB));
@@ -120,17 +118,22 @@ function arrows(context, state, { at, toInertial, colours, width }) {
   letter(still ? ["f = −g"] : force.symbol, beyond, force.colour);
 }
 
-/** The bob of each plumb line, which the acceleration pushes aside, a wing tip and the nose. */
+const ROOM = 44; // pixels between what is held, for a finger
+
+/** The bob of each plumb line, which the acceleration pushes aside, and the right wing tip and the nose, or the other ends. */
 export function handles(state, { width, height }) {
   const size = { width: width / 2, height: VIEWED * height };
   const matrix = matrixOf(state);
   const unknown = estimates(state).unknown[1];
-  return VIEWS.flatMap(({ view, held, push }, i) => {
+  return VIEWS.flatMap(({ view, ends, push }, i) => {
     const at = (point) => sum(lookAt(view, size).project(point), [i * size.width, 0]);
     const centre = at([0, 0, 0]);
     const hold = (part) => () => ([x, y]) => part(x - centre[0], y - centre[1]);
     const bob = { at: at(along(toParent(matrix, reading(state)), -PLUMB)), hold: hold((...to) => pushedTo(state, matrix, view, push, to)) };
-    const part = { at: at(toParent(matrix, scaled(held, SIZE))), hold: hold((...to) => [rolledTo, pitchedTo][i](state, to)) };
+    const [first, other] = ends.map((end) => at(toParent(matrix, scaled(end, SIZE))));
+    const far = ([x, y]) => Math.hypot(x - bob.at[0], y - bob.at[1]);
+    const sign = !unknown && far(first) < ROOM && far(first) < far(other) ? -1 : 1;
+    const part = { at: sign > 0 ? first : other, hold: hold((...to) => [rolledTo, pitchedTo][i](state, scaled(to, sign))) };
     return unknown ? [part] : [bob, part];
   });
 }

@@ -9,7 +9,7 @@ import { scaled } from "./draw.js";
 import { directed, direction, flown, globe, looking, pointer } from "./globe.js";
 import { keeping } from "./keeping.js";
 import { rounded } from "./parts.js";
-import { axisOf, belowOf, factor, fieldOf, samples, signedFactor, tiltError } from "./validation_factor.js";
+import { SEEN_BY, around, axisOf, belowOf, factor, fieldOf, quietly, signedFactor, tiltError } from "./validation_factor.js";
 
 const three = (value) => String(Number(value.toFixed(3)));
 
@@ -17,7 +17,7 @@ const start = { heading: 0, axis_yaw: 0, axis_pitch: 0, error: 10, threshold: 0.
 
 /** What is to be shown of a state. */
 const found = keeping(Object.keys(start), (state) => {
-  const { all, quiet } = samples(state);
+  const [all, quiet] = [around(state), quietly(state)];
   return {
     all, quiet,
     seen: factor(state),
@@ -57,12 +57,16 @@ const describe = (state) =>
 
 const [BELTS, SECTORS] = [24, 48];
 
+/** Points of the globe, by belts from the top. */
+const points = keeping([], () =>
+  Array.from({ length: BELTS + 1 }, (_, belt) =>
+    Array.from({ length: SECTORS + 1 }, (__, sector) => direction((360 * sector) / SECTORS, 90 - (180 * belt) / BELTS)),
+  ));
+
 /** The globe in patches, each corner with E for an error about its axis. */
-const patches = keeping(["heading", "error", "iron", "inclination"], (state) => {
-  const at = (belt, sector) => direction((360 * sector) / SECTORS, 90 - (180 * belt) / BELTS);
-  const grid = Array.from({ length: BELTS + 1 }, (_, belt) =>
-    Array.from({ length: SECTORS + 1 }, (__, sector) => ({ point: at(belt, sector), seen: signedFactor(state, at(belt, sector)) })),
-  );
+const patches = keeping(SEEN_BY, (state) => {
+  const seenAbout = signedFactor(state);
+  const grid = points().map((belt) => belt.map((point) => ({ point, seen: seenAbout(point) })));
   return Array.from({ length: BELTS * SECTORS }, (_, i) => {
     const [belt, sector] = [Math.floor(i / SECTORS), i % SECTORS];
     return [grid[belt][sector], grid[belt][sector + 1], grid[belt + 1][sector + 1], grid[belt + 1][sector]];
@@ -70,15 +74,19 @@ const patches = keeping(["heading", "error", "iron", "inclination"], (state) => 
 });
 
 /** The part of a polygon where `of(corner)` is positive; in between it is taken to change evenly. */
-const cut = (corners, of) =>
-  corners.flatMap((corner, i) => {
-    const next = corners[(i + 1) % corners.length];
-    const [here, there] = [of(corner), of(next)];
+function cut(corners, of) {
+  const values = corners.map(of);
+  if (values.every((value) => value > 0)) return corners;
+  if (!values.some((value) => value > 0)) return [];
+  return corners.flatMap((corner, i) => {
+    const after = (i + 1) % corners.length;
+    const [next, here, there] = [corners[after], values[i], values[after]];
     const t = here / (here - there);
     const mean = (a, b) => a + t * (b - a);
     const between = () => ({ point: corner.point.map((part, k) => mean(part, next.point[k])), seen: mean(corner.seen, next.seen) });
     return [...(here > 0 ? [corner] : []), ...(here > 0 !== there > 0 ? [between()] : [])];
   });
+}
 
 const [SPLIT, SHOWN] = [0.66, 3.3]; // of the height, for the globe; what it shows, in radii
 const TIP = 1.25; // where the arrows end
@@ -102,8 +110,9 @@ function scene(context, size, state, colours, viewpoint) {
   const facing = ({ point: [x, y, z] }) => x * view.eye[0] + y * view.eye[1] + z * view.eye[2] - 1;
   context.beginPath();
   for (const patch of patches(state)) {
+    const near = cut(patch, facing);
     for (const sign of [1, -1]) {
-      const part = cut(cut(patch, facing), ({ seen }) => sign * seen - state.threshold);
+      const part = cut(near, ({ seen }) => sign * seen - state.threshold);
       part.forEach(({ point }, i) => context[i === 0 ? "moveTo" : "lineTo"](...view.project(point)));
       if (part.length > 0) context.closePath();
     }
@@ -154,7 +163,7 @@ function curves(context, size, state, colours) {
   const small = { colour: colours("muted"), size: 12 };
   const { all, quiet, seen } = found(state);
   const { left, right, top, bottom, limit, x, y } = scalesOf(size, state);
-  words(context, "errors missed, and false alarms, by threshold", [8, top - 40], { ...small, weight: 600 });
+  words(context, "missed, and false alarms, by threshold", [8, top - 40], { ...small, weight: 600 });
   for (const tick of [0, 50, 100]) {
     line(context, [[left, y(tick)], [right, y(tick)]], { colour: colours("line"), width: 1 });
     words(context, `${tick} %`, [left - 6, y(tick)], { ...small, align: "right" });

@@ -90,8 +90,8 @@ def test_a_sensor_is_taken_along_on_its_rings(visit: Visit, page_of: PageOf) -> 
 
     def place(time: float) -> Place:
         metres = DriftDemo(time=time).readouts()["total_error"]
-        share = np.log1p(metres / 0.3) / np.log1p(4e7 / 0.3)
-        return (42 + share * (box["width"] - 58)) / box["width"], middle
+        share = np.log1p(metres / 0.05) / np.log1p(4e7 / 0.05)
+        return (0.42 * box["width"] + share * (0.58 * box["width"] - 16)) / box["width"], middle
 
     drag(canvas, place(60), place(600))
     assert state_of(page) == DriftDemo(time=600).state()
