@@ -6,6 +6,7 @@ from chr_notes._arrays import Floats
 
 WIDEST_GAP = np.radians(100.0)  # a hemisphere leaves a gap of 90°
 _RING = 0.1  # thickness of a cloud over its extent, that is taken for a ring with noise
+_LEVEL = "fit_hard_iron where it has to stay level"
 _CELL = 0.03  # of the extent
 _FURTHEST = 1_000_000  # cells; three such numbers make one of 63 bits
 _ALIKE = 0.05  # of the root mean square distance from the mean, some 3° on a sphere
@@ -85,23 +86,19 @@ def what_is_missing(points: Floats, centre: Floats, matrix: Floats) -> str:
     extents = np.linalg.svd(points - points.mean(axis=0), full_matrices=False)
     if extents.S[2] < _RING * extents.S[0]:
         # On a ring the middle is not known, and so not on which side of it the readings lie.
-        return (
-            "the readings lie near one plane: which side they lack it does not tell, so turn the "
-            f"sensor so that the field comes from {both_sides(extents.Vh[2])} too, or "
-            "fit_hard_iron where it cannot be turned over"
-        )
+        return f"the readings lie near one plane, {off_plane(extents.Vh[2])}"
     enough = "" if gap > WIDEST_GAP else ", which would do if they were less noisy"
     return (
         f"no reading comes from within {np.degrees(gap):.0f}° of {named(direction)} of the sensor"
         f"{enough}: turn that side along the field too, or "
-        f"{'take many more' if enough else 'fit_hard_iron where it cannot be turned over'}"
+        f"{'take many more' if enough else _LEVEL}"
     )
 
 
-def both_sides(normal: Floats) -> str:
-    """Name the two sides of a plane, the same one first whichever way the normal points."""
-    first = normal * np.sign(normal[np.abs(normal).argmax()])
-    return f"{named(first)} and from {named(-first)}"
+def off_plane(normal: Floats) -> str:
+    """Say how readings come off a plane, the same whichever way its normal points."""
+    axis = named(normal * np.sign(normal[np.abs(normal).argmax()])).removeprefix("+")
+    return f"as of turns about {axis} alone: lean that to all sides too, or {_LEVEL}"
 
 
 def evenly_spread(count: int) -> Floats:

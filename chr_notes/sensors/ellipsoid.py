@@ -16,7 +16,7 @@ from chr_notes._samples import complete
 from chr_notes._samples import samples as recording
 from chr_notes.sensors.coverage import (
     WIDEST_GAP,
-    both_sides,
+    off_plane,
     count_directions,
     evened,
     evenly_spread,
@@ -186,9 +186,8 @@ def _extent(points: Floats, middle: Floats) -> float:
     if extents.S[2] < _FLATTEST * extents.S[0]:
         msg = (
             "samples: expected readings all around, got points in one plane "
-            f"(thickness {extents.S[2] / extents.S[0]:.1e} of the extent); turn the sensor so "
-            f"that the field comes from {both_sides(extents.Vh[2])} too, or fit_hard_iron where "
-            "it cannot be turned over"
+            f"(thickness {extents.S[2] / extents.S[0]:.1e} of the extent), "
+            f"{off_plane(extents.Vh[2])}"
         )
         raise ValueError(msg)
     directions = count_directions(points, _UNKNOWNS)

@@ -60,7 +60,7 @@ def fit_magnetometer(samples: ArrayLike, field: float | None = None) -> Magnetom
 
     See Also
     --------
-    fit_hard_iron : For a vehicle that cannot be turned over.
+    fit_hard_iron : For a vehicle that has to stay level.
 
     Notes
     -----
