@@ -33,7 +33,7 @@ def felt(reading: MatrixExpr, force: MatrixExpr, weight: MatrixExpr) -> tuple[St
             ),
         ),
         Step(
-            "What bends the spring, and so what the sensor feels, is the force that holds the "
+            "What stretches the spring, and so what the sensor feels, is the force that holds the "
             "proof mass. The reading is that force per unit of the proof mass.",
             Eq(reading, MatMul(1 / PROOF_MASS, HOLDING)),
         ),

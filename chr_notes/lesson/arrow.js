@@ -15,14 +15,14 @@ const arrowIn = (box, number) => {
   };
   const wrapped = (angle) => ((((angle + 180) % 360) + 360) % 360) - 180 || 0;
   const label = (name, i) => {
-    const [x, y] = on(sense * (90 * i - start), i % 2 ? 118 : 112);
+    const [x, y] = on(sense * (90 * i - start), i % 2 ? 122 : 112);
     return part("text", { x, y, "text-anchor": "middle", "dominant-baseline": "central" }, name);
   };
   const ticks = Array.from({ length: 36 }, (_, i) => `M${on(10 * i, i % 9 ? 92 : 84)}L${on(10 * i, 96)}`);
   const shaft = part("path", { class: "chr-shaft" });
   const grip = part("circle", { class: "chr-grip", r: 30 });
   const svg = part("svg", {
-    class: "chr-arrow", viewBox: "-145 -125 290 250", role: "slider", tabindex: 0,
+    class: "chr-arrow", viewBox: "-152 -125 304 250", role: "slider", tabindex: 0,
     "aria-label": input.getAttribute("aria-label"), "aria-valuemin": -180, "aria-valuemax": 180,
     "data-lm-suppress-shortcuts": "true",
   }, part("path", { class: "chr-outline", d: outline, transform: "translate(-100 -100)" }),

@@ -16,10 +16,10 @@ from chr_notes._samples import complete
 from chr_notes._samples import samples as recording
 from chr_notes.sensors.coverage import (
     WIDEST_GAP,
-    off_plane,
     count_directions,
     evened,
     evenly_spread,
+    off_plane,
     outward,
     sphere_centre,
     thinned,

@@ -14,8 +14,13 @@ ROOT = Path(__file__).resolve().parents[2]
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
 Node = nbformat.NotebookNode
 ASIDE = re.compile(r"(?s)<details.*?</details>|```.*?```|\$\$.*?\$\$")
+UNSHOWN = {"hide-input", "remove-input", "remove-cell"}
+FORMULA = re.compile(r"\$[^$]+\$")
+# A word at the pace of a text that is thought along with. Six seconds for a formula in it, half a
+# minute for a step that one goes along with, three seconds for a line of code or of what it prints.
+# An exercise takes two minutes with a pencil and up to ten with a program, four on average.
 MINUTES: Mapping[str, float] = {
-    "word": 1 / 180, "card": 0.5, "step": 0.3, "code": 0.5, "figure": 0.5,
+    "word": 1 / 180, "formula": 0.1, "card": 0.5, "step": 0.4, "line": 0.05, "figure": 0.5,
     "demo": 3.0, "guess": 0.7, "exercise": 4.0,
 }  # fmt: skip
 
@@ -36,11 +41,15 @@ def prose(notebook: Node) -> str:
 
 def counts(notebook: Node) -> Counter[str]:
     """Count what takes a reader's time."""
-    found = Counter(word=len(re.findall(r"[A-Za-z]{2,}", re.sub("<[^>]*>", "", prose(notebook)))))
+    text = re.sub("<[^>]*>", "", prose(notebook))
+    found = Counter(
+        word=len(re.findall(r"[A-Za-z]{2,}", FORMULA.sub("", text))),
+        formula=len(FORMULA.findall(text)),
+    )
     for cell in notebook.cells:
-        tags = cell.metadata.get("tags", [])
-        if cell.cell_type == "code" and not {"hide-input", "remove-input", "remove-cell"} & {*tags}:
-            found["code"] += 1
+        if cell.cell_type == "code" and not UNSHOWN & {*cell.metadata.get("tags", [])}:
+            printed = [out.text for out in cell.outputs if out.output_type == "stream"]
+            found["line"] += sum(map(bool, "\n".join([cell.source, *printed]).splitlines()))
     for out in outputs(notebook):
         shown = "".join(map(str, out.values()))
         found["card"] += len(re.findall('<div class="entry(?: misleads)?"', shown))
@@ -81,6 +90,18 @@ def test_each_chapter_says_how_long_it_takes(path: Path, read: Callable[[Path], 
     (said,) = re.findall(r"\*\*How long\.\*\* About (\d+) minutes", prose(read(path)))
     assert int(said) % 5 == 0
     assert int(said) == pytest.approx(minutes, abs=5), found
+
+
+@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
+def test_code_fits_the_page_and_what_it_prints_a_phone(
+    path: Path, read: Callable[[Path], Node]
+) -> None:
+    for cell in read(path).cells:
+        tags = {*cell.metadata.get("tags", [])}
+        if cell.cell_type == "code" and not {"remove-input", "remove-cell"} & tags:
+            assert max(map(len, cell.source.splitlines())) <= 79, cell.source
+        printed = [out.text for out in cell.get("outputs", []) if out.output_type == "stream"]
+        assert max(map(len, "".join(printed).splitlines()), default=0) <= 57, printed
 
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
