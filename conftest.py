@@ -20,10 +20,12 @@ from xdist.scheduler import LoadScopeScheduling
 from chr_notes import kernels_in_use
 
 # Workers, kernels and programs of tests have these from here. SymPy keeps the thousand results that
-# it used last, and what derives and judges again and again takes a sixth longer with so few. Where
+# it used last, and what derives and judges again and again takes a sixth longer with so few. There
+# is a worker for each processor: of more threads for matrices most would wait and turn. Where
 # Python writes nothing beside the sources, and who installed did not either, as uv does not, each
 # process would compile all libraries for itself.
 os.environ.setdefault("SYMPY_CACHE_SIZE", "None")
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 if sys.dont_write_bytecode and not Path(cache_from_source(pytest.__file__)).exists():
     COMPILED = TemporaryDirectory(prefix="compiled-", ignore_cleanup_errors=True)
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
