@@ -135,6 +135,9 @@ def test_page_stands_by_itself(
         f"{name} {weight / 1000:.0f} kB, moves {shift:.3f}, longest task {longest:.0f} ms",
     )
     assert shift <= MOST_SHIFT
+    if name.startswith("notebooks/"):  # on the narrowest of phones a chapter does not move sideways
+        page.set_viewport_size({"width": 320, "height": 900})
+        assert page.evaluate("document.documentElement.scrollWidth") <= 320
     for width in (1280, 390):
         page.set_viewport_size({"width": width, "height": 900})
         assert page.evaluate("document.documentElement.scrollWidth") <= width
