@@ -1,21 +1,30 @@
-"""The whole book as one PDF: its pages joined to one without scripts, which Chromium prints."""
+"""Print the built book as one PDF: `python tools/print_book.py book.pdf`.
+
+Its pages are joined to one without scripts, which Chromium prints: links lead within it, headings
+are its outline, and a demo is the picture that stands there for readers without scripts. It has
+some five hundred pages and takes minutes.
+"""
 
 import os
 import posixpath
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 from html import escape
 from pathlib import Path
 from typing import Final
 from urllib.parse import urldefrag
 
-__all__ = ["joined", "print_pdf"]
+from chr_notes.book import SOURCES
 
 _BROWSERS: Final = (
     "chromium-headless-shell", "chromium", "chromium-browser", "google-chrome", "chrome", "msedge",
 )  # fmt: skip
+_SIDEBAR: Final = re.compile(
+    r'class="caption-text">(.*?)<|<a class="reference internal" href="([^"#]+)\.html"'
+)
 _TAG: Final = re.compile(r"<[a-z][^<>]*>")
 _PLACES: Final = re.compile(r' (id|for|aria-labelledby|aria-describedby|href|src)="([^"]*)"')
 _LEFT_OUT: Final = re.compile(r"<script\b.*?</script>|<a class=\"headerlink\".*?</a>", re.DOTALL)
@@ -26,29 +35,32 @@ _STYLES: Final = """
 html { font-size: 13px; }
 body { display: block; }
 .bd-article { padding: 0; break-before: page; }
-h1, h2, h3, h4 { break-after: avoid; }
-img, tr, .entry, .admonition { break-inside: avoid; }
+h1, h2, h3, h4 { padding-top: 0.5em; break-after: avoid; } /* at the top of a page, too */
+img, tr, .admonition { break-inside: avoid; }
+details.hide > summary { display: none !important; }
 pre { white-space: pre-wrap; overflow-wrap: anywhere; }
 button, .toggle-button { display: none; }
 """
 
 
+def parts_of(html: Path) -> dict[str, list[str]]:
+    """Take from the first page's sidebar the names of all pages, by the words above them."""
+    first = "book/index"
+    page = (html / f"{first}.html").read_text(encoding="utf-8")
+    sidebar = page.partition('<nav class="bd-links')[2].partition("</nav>")[0]
+    parts = {"The book": [first]}
+    for words, name in _SIDEBAR.findall(sidebar):
+        if words:
+            parts[words] = []
+        else:
+            parts[[*parts][-1]].append(posixpath.normpath(f"book/{name}"))
+    return parts
+
+
 def joined(html: Path, parts: dict[str, list[str]]) -> str:
     """Join pages to one, whose links lead within it.
 
-    Parameters
-    ----------
-    html
-        The folder of the built book.
-    parts
-        Names of pages, without their endings, by the words above them in the contents.
-
-    Returns
-    -------
-    str
-        A page without scripts, with the contents first. A demo is the picture that stands there
-        for readers without them; what is folded is open; what leads to no page of the book and to
-        no other site is no link.
+    What is folded is open, and what leads to no page of the book and to no other site is no link.
     """
     names = [name for part in parts.values() for name in part]
     articles = {name: _article(html, name, names) for name in names}
@@ -121,20 +133,7 @@ def _title(article: str) -> str:
 
 
 def print_pdf(page: str, target: Path) -> None:
-    """Print a page, with an outline of its headings.
-
-    Parameters
-    ----------
-    page
-        HTML, with the whole addresses of what it loads.
-    target
-        The PDF.
-
-    Raises
-    ------
-    RuntimeError
-        If there is no Chromium, or if it printed nothing.
-    """
+    """Print HTML that has the whole addresses of what it loads; refuse without a Chromium."""
     browser = next(filter(None, map(shutil.which, _BROWSERS)), None)
     if browser is None:
         msg = f"a PDF is printed by Chromium, and none is on the path, by any name: {_BROWSERS}"
@@ -153,3 +152,18 @@ def print_pdf(page: str, target: Path) -> None:
     if done.returncode != 0 or not target.is_file():
         msg = f"Chromium printed no PDF:\n{done.stderr.strip()}"
         raise RuntimeError(msg)
+
+
+def main(target: str) -> None:
+    """Print the book that was built last."""
+    html = SOURCES / "_build" / "html"
+    if not (html / "index.html").is_file():
+        sys.exit(f"expected a built book in {html}; run: python -m chr_notes book")
+    try:
+        print_pdf(joined(html, parts_of(html)), Path(target))
+    except (RuntimeError, OSError) as error:
+        sys.exit(str(error))
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
