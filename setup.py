@@ -4,8 +4,10 @@ The kernels are left out, without an error, where there is no compiler.
 """
 
 import bz2
+import html
 import json
 import lzma
+import re
 import shutil
 from collections.abc import Iterable
 from pathlib import Path
@@ -28,6 +30,7 @@ MAKERS = (
 # which they take less, code and pictures from the other.
 IMPORTED = {".py", ".pyd", ".so", ".typed"}
 PROSE = {".bib", ".ipynb", ".json", ".md", ".yml"}
+DRAWN = re.compile(r'data-drawn=\\"([^"\\]*)\\"')
 
 
 class WithBook(build_py):
@@ -81,6 +84,9 @@ def sources_of_the_book() -> dict[str, bytes]:
         notebook = json.loads(path.read_text(encoding="utf-8"))
         for cell in notebook["cells"]:
             if cell["cell_type"] == "code":
+                # Which pictures an exercise shows: copies without solutions cannot compute it.
+                if drawn := DRAWN.search(json.dumps(cell["outputs"])):
+                    cell["metadata"]["drawn"] = html.unescape(drawn[1])
                 cell.update(outputs=[], execution_count=None)
         text = json.dumps(notebook, indent=1, ensure_ascii=False) + "\n"
         texts[f"packed/notebooks/{path.name}"] = text.encode()

@@ -81,7 +81,12 @@ def _defined(statement: ast.stmt) -> set[str]:
 
 
 def _drawn(cell: Cell) -> str:
-    """Read what the pictures of an exercise show, in their order, from its stored output."""
+    """Read what the pictures of an exercise show, in their order, where a run has left it.
+
+    That is its stored output, or in a package, which has no outputs, what setup.py has kept of it.
+    """
+    if "drawn" in cell["metadata"]:
+        return str(cell["metadata"].pop("drawn"))
     shown = "".join("".join(each["data"]["text/markdown"]) for each in cell["outputs"])
     found = re.search('data-drawn="([^"]*)"', shown)
     return html.unescape(found[1]) if found else ""

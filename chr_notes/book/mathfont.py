@@ -8,6 +8,7 @@ from importlib import metadata
 from typing import Final
 
 from fontTools import subset
+from fontTools.ttLib import TTFont
 
 from chr_notes.book.mathml import ITALIC
 
@@ -40,8 +41,29 @@ def font(wanted: Iterable[str]) -> bytes:
     (path,) = (file for file in files if file.name == "STIXTwoMath-Regular.ttf")
     file = io.BytesIO()
     with subset.load_font(str(path.locate()), options) as whole:
+        _align_roots(whole)
         cut = subset.Subsetter(options)
         cut.populate(text="".join(wanted))
         cut.subset(whole)
         subset.save_font(whole, file, options)
     return file.getvalue()
+
+
+def _align_roots(whole: TTFont) -> None:
+    """Let each larger form of the root sign end where the smallest does.
+
+    Chromium makes room for the widest form, whichever it draws, and what follows a small root
+    would stand 0.4 em off. A larger form reaches out to the left instead; pages.css makes room.
+    """
+    name = whole.getBestCmap()[ord("√")]
+    variants = whole["MATH"].table.MathVariants
+    forms = variants.VertGlyphConstruction[variants.VertGlyphCoverage.glyphs.index(name)]
+    larger = {each.VariantGlyph for each in forms.MathGlyphVariantRecord} - {name}
+    larger |= {each.glyph for each in forms.GlyphAssembly.PartRecords}
+    advance, _ = whole["hmtx"][name]
+    for form in larger:
+        width, bearing = whole["hmtx"][form]
+        glyph = whole["glyf"][form]
+        glyph.coordinates.translate((advance - width, 0))
+        glyph.recalcBounds(whole["glyf"])
+        whole["hmtx"][form] = (advance, bearing + advance - width)

@@ -2,6 +2,7 @@
 
 import json
 import re
+import runpy
 from pathlib import Path
 
 import nbformat
@@ -43,6 +44,24 @@ def test_questions_stay_and_solutions_go(path: Path) -> None:
         assert ("asked=Pictures(" in cell["source"]) == ("chr-pictures" in shown)
     kept = [cell for cell in after["cells"] if cell in before["cells"]]
     assert len(kept) == len(before["cells"]) - 8
+
+
+def test_a_package_whose_notebooks_have_no_outputs_asks_the_same(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("setuptools.setup", lambda **_: None)
+    texts = runpy.run_path(str(FOLDER.parent / "setup.py"))["sources_of_the_book"]()
+    for path in NOTEBOOKS:
+        packed = json.loads(texts[f"packed/notebooks/{path.name}"])
+        assert not any(cell.get("outputs") for cell in packed["cells"])
+        kept = json.loads(path.read_text(encoding="utf-8"))
+        for notebook in (packed, kept):
+            without_solutions(notebook)
+        asked, expected = (
+            [("".join(cell["source"]), cell["metadata"]) for cell in notebook["cells"]]
+            for notebook in (packed, kept)
+        )
+        assert asked == expected
 
 
 def test_what_a_question_or_another_cell_uses_stays() -> None:

@@ -54,3 +54,18 @@ def test_the_book_has_each_character_that_occurs(book: Path, of_book: TTFont) ->
     formulas = [each for page in pages for each in re.findall("<math.*?</math>", page, re.DOTALL)]
     assert len(formulas) > 1000
     assert characters(formulas) - INVISIBLE <= {chr(code) for code in of_book.getBestCmap()}
+
+
+def test_each_form_of_the_root_ends_alike() -> None:
+    cut = opened(font("√"))
+    variants = cut["MATH"].table.MathVariants
+    (forms,) = variants.VertGlyphConstruction
+    smallest, *larger = [each.VariantGlyph for each in forms.MathGlyphVariantRecord]
+    larger += [each.glyph for each in forms.GlyphAssembly.PartRecords]
+    assert len(larger) == 6
+    assert {cut["hmtx"][form][0] for form in larger} == {cut["hmtx"][smallest][0]}
+    for form in larger:
+        assert cut["glyf"][form].xMin == cut["hmtx"][form][1]
+    # The bar above what stands under a root joins each sign there.
+    whole = {each.VariantGlyph for each in forms.MathGlyphVariantRecord}
+    assert {cut["glyf"][form].xMax for form in whole} == {cut["glyf"][smallest].xMax}
