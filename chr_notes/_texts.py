@@ -43,5 +43,19 @@ def read(path: Path) -> str:
     return path.read_text(encoding="utf-8") if content is None else content.decode("utf-8")
 
 
+def write(texts: Mapping[Path, str]) -> None:
+    """Write all of these files, or none: without room for one, those before it go again."""
+    begun: list[Path] = []
+    try:
+        for path, text in texts.items():
+            begun.append(path)
+            path.write_bytes(text.encode())
+    except OSError as error:
+        for path in begun:
+            path.unlink(missing_ok=True)
+        error.filename = error.filename or str(begun[-1])
+        raise
+
+
 def _name(path: Path) -> str:
     return path.relative_to(PACKAGE).as_posix() if path.is_relative_to(PACKAGE) else ""

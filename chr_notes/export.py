@@ -4,7 +4,7 @@ from pathlib import Path
 from typing import Literal
 
 from chr_notes import __version__
-from chr_notes._texts import PACKAGE, read
+from chr_notes._texts import PACKAGE, read, write
 
 GENERATED = PACKAGE / "generated"
 
@@ -130,12 +130,11 @@ def export(language: Literal["c", "js"], folder: Path) -> list[Path]:
         If the folder has a file of one of these names that is not of an export; nothing is written
         then.
     OSError
-        If the folder cannot be made or written to.
+        If the folder cannot be made or written to; what was begun is removed.
     """
     text = _README.format(language=_NAMES[language], use=_USE[language])
-    made = {Path(name).name: read(GENERATED / name).encode() for name in _FILES[language]}
-    made |= {name: text.encode() for name, text in _BESIDE[language].items()}
-    made["README.md"] = text.encode()
+    made = {Path(name).name: read(GENERATED / name) for name in _FILES[language]}
+    made |= {**_BESIDE[language], "README.md": text}
     readme = folder / "README.md"
     title = text.encode().splitlines()[:1]
     if not (readme.exists() and readme.read_bytes().splitlines()[:1] == title):
@@ -144,6 +143,6 @@ def export(language: Literal["c", "js"], folder: Path) -> list[Path]:
             msg = f"expected a folder of its own for the export, but {foreign} is there already"
             raise FileExistsError(msg)
     folder.mkdir(parents=True, exist_ok=True)
-    for name, content in made.items():
-        (folder / name).write_bytes(content)
-    return [folder / name for name in made]
+    placed = {folder / name: content for name, content in made.items()}
+    write(placed)
+    return [*placed]

@@ -8,7 +8,7 @@ import json
 import sys
 from pathlib import Path
 
-from chr_notes._texts import PACKAGE, archived, is_there, read
+from chr_notes._texts import PACKAGE, archived, is_there, read, write
 from chr_notes.book.handout import without_solutions
 
 CLONE = PACKAGE.parent
@@ -74,25 +74,27 @@ def copy_notebooks(folder: Path, *, solutions: bool = True) -> list[Path]:
     ------
     FileExistsError
         If one of them is there already; then none is written.
+    OSError
+        If there is no room for one; then none is left.
     RuntimeError
         If an installed package has none.
     """
     _require_sources()
-    texts = {folder / path.name: read(path) for path in _notebooks()}
+    made = read if solutions else _asking
+    texts = {folder / path.name: made(path) for path in _notebooks()}
     for target in texts:
         if target.exists():
             msg = f"{target} is there already, and may be your work; choose another folder"
             raise FileExistsError(msg)
     folder.mkdir(parents=True, exist_ok=True)
-    for target, text in texts.items():
-        if solutions:
-            target.write_text(text, encoding="utf-8")
-        else:
-            notebook = json.loads(text)
-            without_solutions(notebook)
-            text_without = json.dumps(notebook, indent=1, ensure_ascii=False)
-            target.write_text(f"{text_without}\n", encoding="utf-8")
+    write(texts)
     return [*texts]
+
+
+def _asking(path: Path) -> str:
+    notebook = json.loads(read(path))
+    without_solutions(notebook)
+    return json.dumps(notebook, indent=1, ensure_ascii=False) + "\n"
 
 
 def _notebooks() -> list[Path]:
