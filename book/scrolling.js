@@ -14,6 +14,6 @@
   };
   const later = window.requestIdleCallback ?? setTimeout; // not in the task that shows the page
   addEventListener("load", () => later(() => look()));
-  addEventListener("resize", () => look());
+  addEventListener("resize", () => later(() => look()));
   document.addEventListener("toggle", (event) => look(event.target), true);
 })();
