@@ -13,7 +13,13 @@
     }
   };
   const later = window.requestIdleCallback ?? setTimeout; // not in the task that shows the page
-  addEventListener("load", () => later(() => look()));
-  addEventListener("resize", () => later(() => look()));
+  addEventListener("load", () => {
+    later(() => look());
+    let width; // of the text; another one is seen once all is laid out for it
+    new ResizeObserver(([text]) => {
+      if (width !== undefined && width !== text.contentRect.width) look();
+      width = text.contentRect.width;
+    }).observe(document.querySelector(".bd-article"));
+  });
   document.addEventListener("toggle", (event) => look(event.target), true);
 })();
