@@ -15,11 +15,11 @@
   const later = window.requestIdleCallback ?? setTimeout; // not in the task that shows the page
   addEventListener("load", () => {
     later(() => look());
-    let width; // of the text; another one is seen once all is laid out for it
-    new ResizeObserver(([text]) => {
-      if (width !== undefined && width !== text.contentRect.width) look();
-      width = text.contentRect.width;
-    }).observe(document.querySelector(".bd-article"));
+    let width; // of the page beside its bar; another one is seen once all is laid out for it
+    new ResizeObserver(([main]) => {
+      if (width !== undefined && width !== main.contentRect.width) look();
+      width = main.contentRect.width;
+    }).observe(document.querySelector("main"));
   });
   document.addEventListener("toggle", (event) => look(event.target), true);
 })();
