@@ -9,7 +9,6 @@ import json
 import lzma
 import re
 import shutil
-import zipfile
 from collections.abc import Iterable
 from pathlib import Path
 
@@ -31,7 +30,6 @@ MAKERS = (
 # which they take less, code and pictures from the other.
 IMPORTED = {".py", ".pyd", ".so", ".typed"}
 PROSE = {".bib", ".ipynb", ".json", ".md", ".yml"}
-COMMENT = re.compile(rb"^\s*//.*\n|/\*(?s:.*?)\*/\s*", re.MULTILINE)
 DRAWN = re.compile(r'data-drawn=\\"([^"\\]*)\\"')
 
 
@@ -69,9 +67,8 @@ def remove(path: Path) -> None:
 
 def archive(texts: dict[str, bytes], names: Iterable[str]) -> bytes:
     """Write texts one after the other, as chr_notes/_texts.py reads them."""
-    # Like after like, which takes less; of orders tried, this took least.
-    like = [".js", ".mjs", ".mts", ".h", ".c", ".css", ".svg", *sorted(PROSE)]
-    ordered = sorted(names, key=lambda name: (like.index(Path(name).suffix), name))
+    # Like after like: it takes less.
+    ordered = sorted(names, key=lambda name: (Path(name).suffix, name))
     return b"\0".join(part for name in ordered for part in (name.encode(), texts[name]))
 
 
@@ -83,8 +80,6 @@ def sources_of_the_book() -> dict[str, bytes]:
         for path in (HERE / "book").rglob("*")
         if path.is_file() and not left_out & {*path.relative_to(HERE).parts}
     }
-    for name in [name for name in texts if name.endswith((".css", ".js"))]:
-        texts[name] = COMMENT.sub(b"", texts[name])
     for path in (HERE / "notebooks").glob("*.ipynb"):
         notebook = json.loads(path.read_text(encoding="utf-8"))
         for cell in notebook["cells"]:
@@ -98,8 +93,6 @@ def sources_of_the_book() -> dict[str, bytes]:
     return texts
 
 
-# The most that a wheel's files can be packed; its builder knows no option for it.
-zipfile.ZipFile.__init__.__kwdefaults__["compresslevel"] = 9
 setup(
     cmdclass={"build_py": WithBook},
     ext_modules=[

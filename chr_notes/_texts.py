@@ -1,6 +1,6 @@
-"""Texts that the package brings beside its Python: files in a clone, archives in a wheel.
+"""Texts that the package brings beside its Python, read and written out for who asks for them.
 
-There they take less than half of what each takes by itself.
+They are files in a clone and archives in a wheel, where they take less than half of the room.
 """
 
 import bz2

@@ -71,7 +71,7 @@ OUT_OF_REACH = """() => [...document.querySelectorAll(".bd-article *")].filter((
 
 CUT = """() => [...document.querySelectorAll(".bd-article div.cell_output pre")].filter((element) =>
   element.checkVisibility() && element.scrollWidth > element.clientWidth
-  && element.textContent.split("\\n").every((line) => line.length <= 56)
+  && element.textContent.split("\\n").every((line) => line.length <= 57)
 ).map((element) => element.textContent.slice(0, 80))"""
 
 
