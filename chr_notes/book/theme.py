@@ -12,6 +12,7 @@ from chr_notes.book.access import mended
 from chr_notes.book.download import offered
 from chr_notes.book.entry_links import from_cards, from_docstring
 from chr_notes.book.figures import taken_out
+from chr_notes.book.type_names import shorten
 from chr_notes.book.unused_rules import used_words, without_unused
 
 __all__ = ["setup"]
@@ -104,6 +105,7 @@ def _link(
     _app: Sphinx, _what: str, _name: str, _obj: object, _options: object, lines: list[str]
 ) -> None:
     from_docstring(lines)
+    shorten(lines)
 
 
 def _leave_place_unsaid(app: Sphinx) -> None:

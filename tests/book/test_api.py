@@ -59,3 +59,11 @@ def test_the_scalar_example_has_its_names() -> None:
     *angles, locked = euler_from_quaternion(0.5, 0.5, 0.5, 0.5)
     assert len(angles) == 3
     assert locked is False
+
+
+def test_types_have_the_names_that_one_calls_them_by(book: Path) -> None:
+    pages = [path.read_text("utf-8") for path in sorted((book / "book").glob("api*.html"))]
+    types = re.findall(r"<strong>\w+</strong> \((.*?)\) – ", "".join(pages), re.DOTALL)
+    words = {re.sub(r"<[^>]*>", "", each) for each in types}
+    assert "ndarray | None" in words
+    assert not [each for each in words if re.search(r"numpy\.|chr_notes\.|collections|proxy", each)]
