@@ -6,44 +6,63 @@ import os
 import shutil
 import signal
 import sys
-from collections.abc import Callable, Iterable, Sequence
+import textwrap
+from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
 from pathlib import Path
+from types import FrameType
 
 from chr_notes import __version__, kernels_in_use
 
-# As shells tell of a program that was interrupted, and of one whose output nobody reads.
-INTERRUPTED, UNREAD = 130, 141
+# As shells tell of a program that a signal ended, and of one whose output nobody reads.
+SIGNALLED, UNREAD = 128, 141
 VERDICTS = ("definition", "proved", "qualified", "corrected", "reported")
 DOCUMENTS = ("euler", "quaternions", "sensors", "estimation", "dead_reckoning", "validation")
-EXIT_CODES = "Exit codes: 0 done, 1 something is wrong, 2 what was asked cannot be done."
+EXIT_CODES = (
+    "Exit codes: 0 done; 1 it failed, or --check found a difference; 2 the command is written "
+    "wrongly; 130 stopped by Ctrl-C."
+)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command and return its exit code."""
-    options = _parser().parse_args(arguments)
+    parser, commands = _parsers()
+    options, unknown = parser.parse_known_args(arguments)
+    if unknown:  # its own usage helps, not that of all commands
+        commands[options.command].error(f"unrecognized arguments: {' '.join(unknown)}")
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")  # a sign that a console lacks is no reason to stop
+    # Ended from outside, it ends what it began, as when it is interrupted.
+    before = signal.signal(signal.SIGTERM, _stop)
     try:
         code = COMMANDS[options.command](options)
         sys.stdout.flush()
-    except KeyboardInterrupt:
+    except KeyboardInterrupt as stopped:
         print(f"{options.command}: stopped before the end", file=sys.stderr)
-        return INTERRUPTED
+        return SIGNALLED + (stopped.args[0] if stopped.args else signal.SIGINT)
     except BrokenPipeError:
         _write_no_more()
         return UNREAD
-    except OSError as error:
-        # A full disk, most often; the output's own end would complain again.
+    except (OSError, RuntimeError) as error:
+        # It says what is missing or wrong; where in the program does not help. Where the disk is
+        # full the output's own end would complain again.
         print(f"{options.command}: {_said(error)}", file=sys.stderr)
         _write_no_more()
         return 1
+    finally:
+        signal.signal(signal.SIGTERM, before)
     return code
+
+
+def _stop(number: int, _: FrameType | None) -> None:
+    raise KeyboardInterrupt(number)
 
 
 def _write_no_more() -> None:
     """Let what is still to be printed go nowhere."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    with suppress(io.UnsupportedOperation):  # no file is behind it
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _said(error: Exception) -> str:
@@ -63,23 +82,14 @@ def _said(error: Exception) -> str:
 def _book(options: argparse.Namespace) -> int:
     from chr_notes.book import build  # noqa: PLC0415
 
-    # Ended from outside, it ends what it began, as when it is interrupted.
-    signal.signal(signal.SIGTERM, signal.default_int_handler)
-    try:
-        build(folder=options.folder, open_browser=options.open)
-    except (RuntimeError, OSError) as error:
-        # It says what is missing or wrong; where in the program does not help.
-        print(f"book: {_said(error)}", file=sys.stderr)
-        return 1
+    build(folder=options.folder, open_browser=options.open)
     return 0
 
 
 def _notebooks(options: argparse.Namespace) -> int:
     from chr_notes.book.sources import copy_notebooks  # noqa: PLC0415
 
-    return _say_written(
-        "notebooks", lambda: copy_notebooks(options.folder, solutions=options.solutions)
-    )
+    return _say_written(copy_notebooks(options.folder, solutions=options.solutions))
 
 
 def _ledger(options: argparse.Namespace) -> int:
@@ -96,17 +106,10 @@ def _ledger(options: argparse.Namespace) -> int:
 def _export(options: argparse.Namespace) -> int:
     from chr_notes.export import export  # noqa: PLC0415
 
-    return _say_written("export", lambda: export(options.language, options.folder))
+    return _say_written(export(options.language, options.folder))
 
 
-def _say_written(command: str, write: Callable[[], Iterable[Path]]) -> int:
-    """Write files and print where they are."""
-    try:
-        written = write()
-    except (OSError, RuntimeError) as error:
-        # Where it is to go is the user's choice, so it is no fault of the program's.
-        print(f"{command}: {_said(error)}", file=sys.stderr)
-        return 2
+def _say_written(written: Iterable[Path]) -> int:
     for path in written:
         print(path)
     return 0
@@ -115,11 +118,31 @@ def _say_written(command: str, write: Callable[[], Iterable[Path]]) -> int:
 COMMANDS = {"book": _book, "notebooks": _notebooks, "ledger": _ledger, "export": _export}
 
 
-def _parser() -> argparse.ArgumentParser:
-    def command(name: str, told: str, example: str) -> argparse.ArgumentParser:
+def _folder(name: str) -> Path:
+    if not name:
+        msg = "expected a folder, got an empty name"
+        raise argparse.ArgumentTypeError(msg)
+    return Path(name)
+
+
+def _filled(*paragraphs: str) -> str:
+    """Fill paragraphs to the width of the terminal; commands stay whole, to be copied."""
+    width = shutil.get_terminal_size().columns - 2  # as options are
+    return "\n\n".join(
+        each
+        if each.startswith("chr-notes ")
+        else textwrap.fill(each, width, break_on_hyphens=False)
+        for each in paragraphs
+    )
+
+
+def _parsers() -> tuple[argparse.ArgumentParser, Mapping[str, argparse.ArgumentParser]]:
+    """Return the parser of the command line, and those of the commands by their names."""
+
+    def command(name: str, told: str, *more: str) -> argparse.ArgumentParser:
         return commands.add_parser(
-            name, help=told, description=f"{told[0].upper()}{told[1:]}.",
-            epilog=f"{example}\n\n{EXIT_CODES}",
+            name, help=told, description=_filled(f"{told[0].upper()}{told[1:]}."),
+            epilog=_filled(*more, EXIT_CODES),
             formatter_class=argparse.RawDescriptionHelpFormatter,
         )  # fmt: skip
 
@@ -139,20 +162,19 @@ def _parser() -> argparse.ArgumentParser:
 
     book = command(
         "book", "build the book, in a clone into book/_build/html",
-        'Needs the extra "book": python -m pip install -e ".[book]" in a clone,\n'
-        '"chr-notes[book]" elsewhere. Takes about a minute; elsewhere two more, to run\n'
-        "the notebooks.",
+        'Needs the extra "book": python -m pip install -e ".[book]" in a clone, "chr-notes[book]" '
+        "elsewhere. Takes about a minute; elsewhere two more, to run the notebooks.",
     )  # fmt: skip
     book.add_argument("--open", action="store_true", help="open it in the browser when built")
-    told = "without a clone: where its sources and the book go; %(default)s if not given"
-    book.add_argument("folder", type=Path, nargs="?", default=Path("chr-notes-book"), help=told)
+    told = "%(default)s if not given: where, without a clone, its sources and the book go"
+    book.add_argument("folder", type=_folder, nargs="?", default="chr-notes-book", help=told)
 
     notebooks = command(
         "notebooks", "copy the notebooks of the chapters, to run and change them",
-        "chr-notes notebooks my_notebooks && jupyter lab my_notebooks\n\n"
+        "chr-notes notebooks my_notebooks && jupyter lab my_notebooks",
         'To run them takes the extra "notebooks". What is there already it leaves alone.',
     )  # fmt: skip
-    notebooks.add_argument("folder", type=Path, help="copied to; made if it is not there")
+    notebooks.add_argument("folder", type=_folder, help="copied to; made if it is not there")
     notebooks.add_argument(
         "--without-solutions", dest="solutions", action="store_false",
         help="for a class: exercises have their questions only, and an empty cell for the answer",
@@ -162,6 +184,8 @@ def _parser() -> argparse.ArgumentParser:
         "ledger", "print every statement that the documents print, with its verdict",
         "chr-notes ledger --document euler --verdict corrected\n"
         "chr-notes ledger --json | python -m json.tool",
+        "On a screen the table keeps to its width; in a file and for another program an entry is a "
+        "line.",
     )  # fmt: skip
     for name, choices in (("document", DOCUMENTS), ("verdict", VERDICTS)):
         told = f"only the entries of this one: {', '.join(choices)}"
@@ -176,12 +200,12 @@ def _parser() -> argparse.ArgumentParser:
     code = command(
         "export", "write the generated code for a program of your own, with a README",
         "chr-notes export c my_rocket/attitude\n"
-        "chr-notes export js node_modules/attitude\n\n"
+        "chr-notes export js node_modules/attitude",
         "What it wrote before it replaces; of other files it touches none.",
     )  # fmt: skip
     code.add_argument("language", choices=("c", "js"), help="C99, or a module of JavaScript")
-    code.add_argument("folder", type=Path, help="written to; made if it is not there")
-    return parser
+    code.add_argument("folder", type=_folder, help="written to; made if it is not there")
+    return parser, commands.choices
 
 
 if __name__ == "__main__":

@@ -83,7 +83,7 @@ def test_an_export_replaces_itself_and_nothing_of_others(language: str, tmp_path
     files = [path.name for path in (tmp_path / "own").iterdir()]
     for name in files:
         (tmp_path / name).write_text("# My rocket\n", encoding="utf-8")
-        assert main(["export", language, str(tmp_path)]) == 2
+        assert main(["export", language, str(tmp_path)]) == 1
         assert {path.name for path in tmp_path.iterdir()} == {"own", name}
         assert (tmp_path / name).read_text(encoding="utf-8") == "# My rocket\n"
         (tmp_path / name).unlink()
@@ -93,7 +93,7 @@ def test_a_folder_that_cannot_be_made_is_said_in_a_line(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (tmp_path / "file").write_text("", encoding="utf-8")
-    assert main(["export", "c", str(tmp_path / "file")]) == 2
+    assert main(["export", "c", str(tmp_path / "file")]) == 1
     said = capsys.readouterr()
     assert said.out == ""
     assert said.err.startswith("export: ")

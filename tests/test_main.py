@@ -3,6 +3,7 @@
 import io
 import json
 import os
+import signal
 import sys
 from pathlib import Path
 
@@ -28,14 +29,21 @@ def test_it_says_its_version(
     assert capsys.readouterr().out == f"chr-notes {__version__}, {told} compiled kernels\n"
 
 
+@pytest.mark.parametrize("columns", [40, 80])
 @pytest.mark.parametrize("name", sorted(command.COMMANDS))
-def test_help_tells_what_each_argument_does(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_help_tells_what_each_argument_does(
+    name: str, columns: int, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("COLUMNS", str(columns))
     with pytest.raises(SystemExit) as ended:
         command.main([name, "--help"])
     assert ended.value.code == 0
-    told = capsys.readouterr().out
+    _, _, told = capsys.readouterr().out.partition("\n\n")
     assert "Exit codes: 0 done" in told
-    assert all(len(line) <= 80 for line in told.splitlines())
+    # Commands stay whole, to be copied.
+    lines = [line for line in told.splitlines() if not line.startswith("chr-notes ")]
+    assert max(map(len, lines)) <= columns
+    assert "-\n" not in told
 
 
 def test_choices_are_those_of_the_ledger() -> None:
@@ -50,6 +58,30 @@ def test_an_unknown_choice_is_answered_with_the_known_ones(
         command.main(["ledger", "--document", "nowhere"])
     assert ended.value.code == 2
     assert "'nowhere' (choose from" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        (["book", "--nope"], "usage: chr-notes book [-h]"),
+        (["--nope", "ledger"], "usage: chr-notes ledger [-h]"),
+        (["export", "js", ""], "argument folder: expected a folder, got an empty name"),
+        (["notebooks", ""], "argument folder: expected a folder, got an empty name"),
+    ],
+)
+def test_what_is_written_wrongly_is_told_with_the_usage(
+    arguments: list[str],
+    told: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(SystemExit) as ended:
+        command.main(arguments)
+    assert ended.value.code == 2
+    assert told in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []
 
 
 def written(arguments: list[str], encoding: str, monkeypatch: pytest.MonkeyPatch) -> str:
@@ -77,6 +109,10 @@ def test_on_a_screen_the_table_keeps_to_its_width(monkeypatch: pytest.MonkeyPatc
     table = console.getvalue().splitlines()
     assert max(map(len, table[:-1])) <= 70
     assert sum(not line.startswith(" ") for line in table[:-2]) < len(table) - 2
+    # What another program reads has a line for each, however narrow the screen.
+    own = [entry for entry in entries() if entry.document == "euler"]
+    table = written(["ledger", "--document", "euler"], "utf-8", monkeypatch).splitlines()
+    assert [line.split("  ")[-1].strip() for line in table[:-2]] == [each.says for each in own]
 
 
 def test_who_stops_it_gets_a_line(
@@ -86,8 +122,18 @@ def test_who_stops_it_gets_a_line(
         raise KeyboardInterrupt
 
     monkeypatch.setitem(command.COMMANDS, "ledger", interrupted)
-    assert command.main(["ledger"]) == command.INTERRUPTED
+    assert command.main(["ledger"]) == 130
     assert capsys.readouterr().err == "ledger: stopped before the end\n"
+
+
+def test_who_ends_it_gets_a_line(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setitem(command.COMMANDS, "ledger", lambda _: signal.raise_signal(signal.SIGTERM))
+    before = signal.getsignal(signal.SIGTERM)
+    assert command.main(["ledger"]) == 143
+    assert capsys.readouterr().err == "ledger: stopped before the end\n"
+    assert signal.getsignal(signal.SIGTERM) is before
 
 
 def test_a_reader_who_has_read_enough_is_no_error(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -113,8 +159,8 @@ def test_a_file_in_the_place_of_a_folder_is_told_in_a_line(
 ) -> None:
     taken = tmp_path / "taken"
     taken.touch()
-    for asked, code in ((["export", "c"], 2), (["notebooks"], 2)):
-        assert command.main([*asked, str(taken / below)]) == code
+    for asked in (["export", "c"], ["notebooks"]):
+        assert command.main([*asked, str(taken / below)]) == 1
         said = f"expected a folder at {taken}, but a file is there; name another folder"
         assert capsys.readouterr().err == f"{asked[0]}: {said}\n"
 

@@ -1,17 +1,34 @@
-"""Each part of a page has the name that its words are, and each button one at all."""
+"""Each part of a page has the name that its words are, each button has one, and axe is content."""
 
 import itertools
 import re
+from collections.abc import Callable
+from importlib.resources import files
 from pathlib import Path
 
 import pytest
+from playwright.sync_api import Page, expect
 
 from chr_notes.book.access import mended
+
+Visit = Callable[..., Page]
 
 SUMMARY = re.compile(r"<summary([^>]*)>(.*?)</summary>", re.DOTALL)
 BUTTON = re.compile(r"<button([^>]*)>(.*?)</button>", re.DOTALL)
 # A kbd is in the name as well; its own words are enough here.
 TAGS = re.compile(r"<[^>]*>")
+
+# All that is folded is open, and what scrolls has been found.
+LAID_OUT = """() => {
+  for (const each of document.querySelectorAll("details")) each.open = true;
+  return new Promise((done) => {
+    requestAnimationFrame(() => requestIdleCallback(() => setTimeout(done)));
+    setTimeout(done, 5000);
+  });
+}"""
+# Of each rule that a page breaks, where.
+FOUND = """() => axe.run({ resultTypes: ["violations"] }).then(({ violations }) => violations
+  .flatMap(({ id, nodes }) => nodes.map(({ html }) => `${id}: ${html.slice(0, 160)}`)))"""
 
 
 @pytest.fixture(scope="module")
@@ -61,3 +78,34 @@ def test_what_is_mended_stays() -> None:
     once = mended(page)
     assert '<summary aria-label="Pages of The ledger">' in once
     assert mended(once) == once
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("width", [390, 1280])
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_axe_finds_nothing_on_any_page(
+    visit: Visit,
+    book: Path,
+    theme: str,
+    width: int,
+    record_property: Callable[[str, object], None],
+) -> None:
+    axe = (files("axe_playwright_python") / "axe.min.js").read_text(encoding="utf-8")
+    page = visit("about:blank", color_scheme=theme, reduced_motion="reduce", width=width)
+    names = [path for path in book.rglob("*.html") if "_static" not in path.parts]
+    found = {}
+    for path in sorted(names):
+        page.goto(path.as_uri())
+        expect(page.locator("main h1").first).to_be_visible()  # the first one leads to another
+        expect(page.locator("[data-demo] > .chr-demo")).to_have_count(
+            page.locator("[data-demo]").count()
+        )
+        page.evaluate(LAID_OUT)
+        page.evaluate(axe)
+        nodes = page.evaluate(FOUND)
+        if nodes:
+            found[str(path.relative_to(book))] = nodes
+    count = sum(map(len, found.values()))
+    told = f"axe at {width} px, {theme}, on {len(names)} pages: {count} nodes"
+    record_property("measured", told)
+    assert found == {}

@@ -78,7 +78,7 @@ def test_notebooks_are_copied_and_never_over_others(
     changed = folder / CHAPTERS[-1]
     changed.write_text("my work", encoding="utf-8")
     (folder / CHAPTERS[0]).unlink()
-    assert main(["notebooks", str(folder)]) == 2
+    assert main(["notebooks", str(folder)]) == 1
     assert "may be your work; choose another folder" in capsys.readouterr().err
     assert changed.read_text(encoding="utf-8") == "my work"
     assert not (folder / CHAPTERS[0]).exists()
