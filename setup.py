@@ -83,6 +83,7 @@ def sources_of_the_book() -> dict[str, bytes]:
     for path in (HERE / "notebooks").glob("*.ipynb"):
         notebook = json.loads(path.read_text(encoding="utf-8"))
         for cell in notebook["cells"]:
+            del cell["id"]  # copies number their cells
             if cell["cell_type"] == "code":
                 # Which pictures an exercise shows: copies without solutions cannot compute it.
                 if drawn := DRAWN.search(json.dumps(cell["outputs"])):

@@ -7,6 +7,7 @@ the book from it runs them first.
 import json
 import sys
 from pathlib import Path
+from typing import Any
 
 from chr_notes._texts import PACKAGE, archived, is_there, read, write
 from chr_notes.book.handout import without_solutions
@@ -49,7 +50,8 @@ def find(folder: Path) -> Path:
         target = folder / place
         if packed and not target.exists():
             target.parent.mkdir(parents=True, exist_ok=True)
-            target.write_bytes(content)
+            whole = _written(numbered(content)).encode() if name.endswith(".ipynb") else content
+            target.write_bytes(whole)
     for path in sorted((folder / "notebooks").glob("*.ipynb")):
         _run_once(path)
     return folder
@@ -80,8 +82,12 @@ def copy_notebooks(folder: Path, *, solutions: bool = True) -> list[Path]:
         If an installed package has none.
     """
     _require_sources()
-    made = read if solutions else _asking
-    texts = {folder / path.name: made(path) for path in _notebooks()}
+    texts = {}
+    for path in _notebooks():
+        notebook = numbered(read(path))
+        if not solutions:
+            without_solutions(notebook)
+        texts[folder / path.name] = _written(notebook)
     for target in texts:
         if target.exists():
             msg = f"{target} is there already, and may be your work; choose another folder"
@@ -91,9 +97,15 @@ def copy_notebooks(folder: Path, *, solutions: bool = True) -> list[Path]:
     return [*texts]
 
 
-def _asking(path: Path) -> str:
-    notebook = json.loads(read(path))
-    without_solutions(notebook)
+def numbered(text: str | bytes) -> dict[str, Any]:
+    """Read a notebook, and name cells by their number where a package leaves their names out."""
+    notebook: dict[str, Any] = json.loads(text)
+    for number, cell in enumerate(notebook["cells"]):
+        cell.setdefault("id", f"cell-{number}")
+    return notebook
+
+
+def _written(notebook: dict[str, Any]) -> str:
     return json.dumps(notebook, indent=1, ensure_ascii=False) + "\n"
 
 

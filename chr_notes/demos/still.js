@@ -31,6 +31,9 @@ const apart = (points, closed) =>
     return x !== u || y !== v;
   });
 
+/** Corners of a facet on whole pixels, where its neighbours have theirs. */
+const pixels = (points) => apart(points.map((point) => point.map((value) => FINE * Math.round(value / FINE))), true);
+
 /** Points of an area without those on the straight line between their neighbours. */
 const corners = (points) =>
   Object.assign(points.filter(([x, y], i) => {
@@ -189,7 +192,7 @@ class Recorder {
   /** Make facets of the areas just filled, whose edge has their colour, and one with those before them. */
   facet(last) {
     last.facet = coarse(last.filled);
-    last.shapes = last.shapes.map(corners).filter((points) => Math.abs(area(points)) > SPECK);
+    last.shapes = last.shapes.map((points) => corners(pixels(points))).filter((points) => Math.abs(area(points)) > SPECK);
     const before = this.parts.at(-2);
     if (before?.facet === last.facet) before.shapes.push(...last.shapes);
     if (before?.facet === last.facet || last.shapes.length === 0) this.parts.pop();

@@ -11,6 +11,7 @@ import pytest
 
 import chr_notes
 from chr_notes.__main__ import main
+from chr_notes.book import sources
 from chr_notes.book.handout import without_solutions
 from chr_notes.lesson import Pictures, Task, exercise
 from chr_notes.lesson.pictures import from_above
@@ -52,7 +53,8 @@ def test_a_package_whose_notebooks_have_no_outputs_asks_the_same(
     monkeypatch.setattr("setuptools.setup", lambda **_: None)
     texts = runpy.run_path(str(FOLDER.parent / "setup.py"))["sources_of_the_book"]()
     for path in NOTEBOOKS:
-        packed = json.loads(texts[f"packed/notebooks/{path.name}"])
+        packed = sources.numbered(texts[f"packed/notebooks/{path.name}"])
+        nbformat.validate(packed)
         assert not any(cell.get("outputs") for cell in packed["cells"])
         kept = json.loads(path.read_text(encoding="utf-8"))
         for notebook in (packed, kept):

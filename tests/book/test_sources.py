@@ -75,6 +75,9 @@ def test_notebooks_are_copied_and_never_over_others(
     folder = tmp_path / "mine"
     assert main(["notebooks", str(folder)]) == 0
     assert capsys.readouterr().out.splitlines() == [str(folder / name) for name in CHAPTERS]
+    for name in CHAPTERS:
+        stored = sources.CLONE / "notebooks" / name
+        assert (folder / name).read_text(encoding="utf-8") == stored.read_text(encoding="utf-8")
     changed = folder / CHAPTERS[-1]
     changed.write_text("my work", encoding="utf-8")
     (folder / CHAPTERS[0]).unlink()
