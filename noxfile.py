@@ -82,16 +82,20 @@ def compilers(session: nox.Session) -> None:
 
 @nox.session
 def newest(session: nox.Session) -> None:
-    """Build the book by Sphinx itself, with the newest of all that it is made with."""
-    drawn = ("anywidget", "fonttools[woff]", "math-core", "matplotlib", "ziamath")
+    """Build the book by Sphinx, and run tests and notebooks, with the newest of all."""
+    drawn = ("anywidget", "fonttools[woff]", "jupyterlab", "math-core", "matplotlib", "ziamath")
     extensions = ("book-theme", "comments", "copybutton", "design", "external-toc", "togglebutton")
     names = ("sphinx", "myst-nb", "sphinxcontrib-bibtex", *(f"sphinx-{e}" for e in extensions))
-    session.install("--upgrade", "-e", ".", *names, *drawn)
+    tests = ("hypothesis", "jsonschema", "mpmath", "nbval", "playwright", "scipy")
+    tests += ("pytest", "pytest-benchmark", "pytest-xdist")
+    session.install("--upgrade", "-e", ".", *drawn, *names, *tests)
     pages = "from chr_notes import book; book.write_generated(book.SOURCES, 'sphinx-build')"
     session.run("python", "-c", pages)
     out = str(Path(session.create_tmp()) / "html")
     options = ("-W", "-n", "--keep-going", "-q", "-c", "tools/plain_sphinx")
     session.run("python", "-m", "sphinx", *options, "-b", "html", ".", out)
+    aside = [f"--ignore=tests/{name}" for name in ("book", "demos")]
+    session.run("python", "-m", "pytest", "-m", "not slow", *aside, *session.posargs)
 
 
 @nox.session

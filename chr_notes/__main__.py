@@ -82,7 +82,7 @@ def _said(error: Exception) -> str:
 def _book(options: argparse.Namespace) -> int:
     from chr_notes.book import build  # noqa: PLC0415
 
-    build(folder=options.folder, open_browser=options.open)
+    build(folder=options.folder, open_browser=options.open, as_pdf=options.pdf)
     return 0
 
 
@@ -166,6 +166,8 @@ def _parsers() -> tuple[argparse.ArgumentParser, Mapping[str, argparse.ArgumentP
         "elsewhere. Takes about a minute; elsewhere two more, to run the notebooks.",
     )  # fmt: skip
     book.add_argument("--open", action="store_true", help="open it in the browser when built")
+    told = "print it as one PDF too, by Chromium, which takes minutes"
+    book.add_argument("--pdf", action="store_true", help=told)
     told = "%(default)s if not given: where, without a clone, its sources and the book go"
     book.add_argument("folder", type=_folder, nargs="?", default="chr-notes-book", help=told)
 

@@ -10,7 +10,7 @@ import webbrowser
 from importlib import metadata
 from pathlib import Path
 
-from chr_notes.book import sources
+from chr_notes.book import pdf, sources
 
 __all__ = ["build", "write_generated"]
 
@@ -28,10 +28,15 @@ _NEEDED = ("jupyter_book", "anywidget", "math_core", "fontTools", "brotli", "zia
 _INSTALL = 'python -m pip install -e ".[book]", or "chr-notes[book]" without a clone'
 _MAKERS = ("jupyter-book", "matplotlib", "myst-nb", "sphinx", "sphinx-book-theme", "sympy")
 _STAMP = "made_by"
+_PDF = "chr-notes.pdf"
 
 
 def build(
-    *, folder: Path = Path("chr-notes-book"), output: Path | None = None, open_browser: bool = False
+    *,
+    folder: Path = Path("chr-notes-book"),
+    output: Path | None = None,
+    open_browser: bool = False,
+    as_pdf: bool = False,
 ) -> Path:
     """Build the book and say where it is.
 
@@ -48,6 +53,8 @@ def build(
         Folder that gets a ``_build/html``, ``book`` beside the notebooks if it is None.
     open_browser
         Whether to show the first page in the reader's browser.
+    as_pdf
+        Whether to print it too, beside its ``html``.
 
     Returns
     -------
@@ -58,11 +65,14 @@ def build(
     ------
     RuntimeError
         If the sources of the book or a package of the extra ``book`` are missing, if a notebook
-        does not run, or if Jupyter Book finds anything wrong, warnings included.
+        does not run, if Jupyter Book finds anything wrong, warnings included, or if there is no
+        Chromium to print with.
     OSError
         If a file cannot be written.
     """
     _require()
+    if as_pdf:
+        pdf.browser()  # without one it is said before the book is built
     root = sources.find(folder)
     made_by = _made_by(root / "book")
     if not _is_from(root / "book" / "_generated", made_by):
@@ -75,7 +85,7 @@ def build(
         aside = Path(beside) / "_build"
         whole = not _is_from(built, made_by)
         if not whole:
-            shutil.copytree(built, aside)
+            shutil.copytree(built, aside, ignore=shutil.ignore_patterns(_PDF))
         _say("Building the pages …" if whole else "Building the pages that changed …")
         _run_jupyter_book(root, aside.parent, whole=whole)
         _write(aside / _STAMP, made_by)
@@ -84,6 +94,10 @@ def build(
         aside.rename(built)
     first = built / "html" / "index.html"
     _say(f"The book is in {first}")
+    if as_pdf:
+        _say("Printing it, which takes minutes …")
+        pdf.print_pdf(pdf.joined(first.parent, pdf.parts_of(first.parent)), built / _PDF)
+        _say(f"As one PDF it is in {built / _PDF}")
     if open_browser:
         webbrowser.open(first.as_uri())
     return first

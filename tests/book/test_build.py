@@ -12,7 +12,7 @@ import pytest
 
 import chr_notes.book
 from chr_notes.__main__ import main
-from chr_notes.book import build, pages, sources
+from chr_notes.book import build, pages, pdf, sources
 from chr_notes.conventions import CONVENTIONS
 from chr_notes.ledger import entries
 from chr_notes.palette import PALETTE, css
@@ -78,6 +78,21 @@ def test_a_book_is_put_in_place_when_it_is_whole(runs: list[bool], tmp_path: Pat
     assert (tmp_path / "_build/html/index.html").read_text(encoding="utf-8") == "run 2"
     assert [path.name for path in tmp_path.iterdir()] == ["_build"]
     assert runs == [True, False, False]
+
+
+def test_a_printed_book_lies_beside_its_pages_until_they_are_built_again(
+    runs: list[bool], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(pdf, "browser", lambda: "")
+    monkeypatch.setattr(pdf, "parts_of", lambda _: {})
+    monkeypatch.setattr(pdf, "joined", lambda html, _: (html / "index.html").read_text())
+    monkeypatch.setattr(pdf, "print_pdf", lambda page, target: target.write_text(page))
+    build(output=tmp_path, as_pdf=True)
+    printed = tmp_path / "_build" / "chr-notes.pdf"
+    assert printed.read_text(encoding="utf-8") == "run 1"
+    build(output=tmp_path)
+    assert runs == [True, False]
+    assert not printed.exists()
 
 
 def test_another_program_makes_all_pages_anew(

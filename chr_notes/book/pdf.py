@@ -1,4 +1,4 @@
-"""Print the built book as one PDF: `python tools/print_book.py book.pdf`.
+"""The built book as one PDF.
 
 Its pages are joined to one without scripts, which Chromium prints: links lead within it, headings
 are its outline, and a demo is the picture that stands there for readers without scripts. It has
@@ -10,15 +10,15 @@ import posixpath
 import re
 import shutil
 import subprocess
-import sys
 import tempfile
 from html import escape
 from pathlib import Path
 from typing import Final
 from urllib.parse import urldefrag
 
-from chr_notes.book import SOURCES
+__all__ = ["browser", "joined", "parts_of", "print_pdf"]
 
+_VARIABLE: Final = "CHR_NOTES_CHROMIUM"
 _BROWSERS: Final = (
     "chromium-headless-shell", "chromium", "chromium-browser", "google-chrome", "chrome", "msedge",
 )  # fmt: skip
@@ -132,38 +132,47 @@ def _title(article: str) -> str:
     return re.sub(r"<[^>]*>", "", found[1]).strip() if found else ""
 
 
-def print_pdf(page: str, target: Path) -> None:
-    """Print HTML that has the whole addresses of what it loads; refuse without a Chromium."""
-    browser = next(filter(None, map(shutil.which, _BROWSERS)), None)
-    if browser is None:
-        msg = f"a PDF is printed by Chromium, and none is on the path, by any name: {_BROWSERS}"
+def browser() -> str:
+    """Find what prints: the program that a variable names, else a Chromium on the path.
+
+    Raises
+    ------
+    RuntimeError
+        If there is none.
+    """
+    named = os.environ.get(_VARIABLE)
+    names = (named,) if named else _BROWSERS
+    found = next(filter(None, map(shutil.which, names)), None)
+    if found is None:
+        msg = (
+            f"a PDF is printed by Chromium, and there is no {' or '.join(names)} on the path: "
+            f"install one, or name a program in {_VARIABLE}"
+        )
         raise RuntimeError(msg)
-    with tempfile.TemporaryDirectory() as beside:
-        path = Path(beside) / "book.html"
+    return found
+
+
+def print_pdf(page: str, target: Path) -> None:
+    """Print HTML that has the whole addresses of what it loads; put in place when it is whole.
+
+    Raises
+    ------
+    RuntimeError
+        Without a Chromium, or if it prints nothing.
+    """
+    program = browser()
+    with tempfile.TemporaryDirectory(dir=target.parent, prefix=".print-") as beside:
+        path, printed = Path(beside) / "book.html", Path(beside) / "book.pdf"
         path.write_text(page, encoding="utf-8")
         command = [
-            browser, "--headless", "--disable-gpu", f"--user-data-dir={beside}/profile",
+            program, "--headless", "--disable-gpu", f"--user-data-dir={beside}/profile",
             # For a container's only user Chromium has no sandbox; the page has no scripts.
             *(["--no-sandbox"] if hasattr(os, "geteuid") and os.geteuid() == 0 else []),
             "--no-pdf-header-footer", "--generate-pdf-document-outline",
-            f"--print-to-pdf={target.resolve()}", path.as_uri(),
+            f"--print-to-pdf={printed.resolve()}", path.resolve().as_uri(),
         ]  # fmt: skip
         done = subprocess.run(command, check=False, capture_output=True, text=True)  # noqa: S603 - a fixed command
-    if done.returncode != 0 or not target.is_file():
-        msg = f"Chromium printed no PDF:\n{done.stderr.strip()}"
-        raise RuntimeError(msg)
-
-
-def main(target: str) -> None:
-    """Print the book that was built last."""
-    html = SOURCES / "_build" / "html"
-    if not (html / "index.html").is_file():
-        sys.exit(f"expected a built book in {html}; run: python -m chr_notes book")
-    try:
-        print_pdf(joined(html, parts_of(html)), Path(target))
-    except (RuntimeError, OSError) as error:
-        sys.exit(str(error))
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+        if done.returncode != 0 or not printed.is_file():
+            msg = f"Chromium printed no PDF:\n{done.stderr.strip()}"
+            raise RuntimeError(msg)
+        printed.replace(target)

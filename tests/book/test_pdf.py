@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from tools import print_book
-from tools.print_book import joined, parts_of, print_pdf
+from chr_notes.__main__ import main
+from chr_notes.book.pdf import joined, parts_of, print_pdf
 
 HEAD = '<link rel="stylesheet" href="../_static/pages.css?v=1"><script>alert()</script>'
 SIDEBAR = """<nav class="bd-links"><span class="caption-text">Notes</span>
@@ -68,9 +68,23 @@ def test_it_is_printed_with_links_and_an_outline(
     assert printed.count(b"/Subtype /Link") == 7
 
 
-def test_without_a_browser_it_says_what_is_missing(
-    pages: Path, monkeypatch: pytest.MonkeyPatch
+def test_without_a_browser_nothing_is_built(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr(print_book, "_BROWSERS", ("no-such-browser",))
-    with pytest.raises(RuntimeError, match="printed by Chromium, and none is on the path"):
-        print_pdf("", pages / "book.pdf")
+    monkeypatch.setenv("CHR_NOTES_CHROMIUM", "no-such-browser")
+    assert main(["book", "--pdf", str(tmp_path / "mine")]) == 1
+    said = capsys.readouterr()
+    assert said.out == ""
+    assert "there is no no-such-browser on the path: install one, or name" in said.err
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_one_that_cannot_be_printed_leaves_the_one_before(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    target = tmp_path / "book.pdf"
+    target.write_text("before", encoding="utf-8")
+    monkeypatch.setenv("CHR_NOTES_CHROMIUM", "false")
+    with pytest.raises(RuntimeError, match="Chromium printed no PDF"):
+        print_pdf("", target)
+    assert [path.read_text(encoding="utf-8") for path in tmp_path.iterdir()] == ["before"]
