@@ -164,8 +164,14 @@ Visit = Callable[..., Page]
 TO_COME = "[data-demo]:not([data-failed]):not(:has(> .chr-demo))"
 
 
+@pytest.fixture(scope="session")
+def window() -> int:
+    """How wide a page is that says nothing of it."""
+    return 1280
+
+
 @pytest.fixture
-def visit(browser: Browser) -> Iterator[Visit]:
+def visit(browser: Browser, window: int) -> Iterator[Visit]:
     """Open a page; in the end, any request to elsewhere or error on the console fails the test."""
     problems: list[str] = []
     contexts = []
@@ -178,7 +184,7 @@ def visit(browser: Browser) -> Iterator[Visit]:
         if not request.url.startswith(("file:", "data:", "blob:", "http://127.0.0.1:")):
             problems.append(f"request to elsewhere: {request.url}")
 
-    def opened(address: str, *, width: int = 1280, **settings: str | bool) -> Page:
+    def opened(address: str, *, width: int = window, **settings: str | bool) -> Page:
         context = browser.new_context(viewport={"width": width, "height": 900}, **settings)  # type: ignore[arg-type]
         contexts.append(context)
         context.set_default_timeout(PATIENCE)

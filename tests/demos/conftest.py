@@ -10,6 +10,12 @@ from chr_notes.demos.base import Demo, page_script, styles
 MakePage = Callable[..., str]
 
 
+@pytest.fixture(scope="session")
+def window() -> int:
+    """Narrow, which takes a quarter less to draw; tests of the layout have widths of their own."""
+    return 480
+
+
 @pytest.fixture
 def page_of(tmp_path: Path) -> MakePage:
     """Write a page with these demos, and return its address."""

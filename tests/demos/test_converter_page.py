@@ -22,7 +22,7 @@ def numbers(page: Page, name: str) -> list[float]:
 
 
 def test_on_a_page_from_a_file(visit: Visit, page_of: PageOf) -> None:
-    page = visit(page_of(ConverterDemo()))
+    page = visit(page_of(ConverterDemo()), width=1280)
     page.locator('textarea[name="matrix"]').fill(str(ROTATION).replace("-", "−"))
     page.locator('select[name="target"]').select_option("SciPy")
     expected = ConverterDemo(

@@ -112,7 +112,7 @@ def test_a_threshold_is_moved(visit: Visit, page_of: PageOf) -> None:
 
 
 def test_a_sensor_turned_by_hand_grows_its_cloud(visit: Visit, page_of: PageOf) -> None:
-    page = visit(page_of(MagnetometerDemo()))
+    page = visit(page_of(MagnetometerDemo()), width=1280)
     canvas = page.locator("canvas")
     drag(canvas, (0.15, 0.15), (0.2, 0.15))
     few = state_of(page)
