@@ -34,7 +34,7 @@ def _load() -> ModuleType | None:
             msg = "expected the kernels, but they were not built: is there a C compiler?"
             raise ImportError(msg) from error
         return None
-    if module.stamp != STAMP:
+    if getattr(module, "stamp", None) != STAMP:
         msg = "the kernels were built from other sources than these: install chr_notes again"
         if choice == "require":
             raise ImportError(msg)

@@ -39,6 +39,7 @@ def found(monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[[str, object], N
 
 Settle = Callable[[str, object], None]
 FRESH, OLD = SimpleNamespace(stamp=STAMP), SimpleNamespace(stamp="of last year")
+FOREIGN = SimpleNamespace()
 MISSING = ModuleNotFoundError("No module named 'chr_notes._compiled'")
 
 
@@ -48,8 +49,11 @@ def test_kernels_of_these_sources_are_used(found: Settle, choice: str) -> None:
     assert _load() is FRESH
 
 
-def test_kernels_of_other_sources_are_not_used_and_this_is_said(found: Settle) -> None:
-    found("", OLD)
+@pytest.mark.parametrize("module", [OLD, FOREIGN])
+def test_kernels_of_other_sources_are_not_used_and_this_is_said(
+    found: Settle, module: object
+) -> None:
+    found("", module)
     with pytest.warns(RuntimeWarning, match=f"{STALE}; until then NumPy computes") as said:
         assert _load() is None
     assert len(said) == 1
