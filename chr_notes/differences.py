@@ -169,10 +169,10 @@ def slerp(p: ArrayLike, q: ArrayLike, share: ArrayLike) -> Floats:
         msg = f"share: expected numbers from 0 to 1, got {shares[outside].flat[0]}"
         raise ValueError(msg)
     axis, angle = axis_angle_from_quaternion(quaternion_multiply(_inverse_of_p(p), q))
-    part = quaternion_from_axis_angle(axis, shares * angle)
     start = floats("p", p, 4)
-    # In units of the largest element, whose square is a number.
     with np.errstate(all="ignore"):
+        part = quaternion_from_axis_angle(axis, shares * angle)
+        # In units of the largest element, whose square is a number.
         start = start / np.abs(start).max(axis=-1, keepdims=True)
         start /= np.linalg.norm(start, axis=-1, keepdims=True)
     return quaternion_multiply(start, part)

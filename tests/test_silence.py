@@ -23,7 +23,7 @@ NUMBERS = [
 # An ordinary value of each argument of arrays, by its name.
 Q, EULER, V = [0.5, -0.4, 0.6, 0.2], [0.3, -0.7, 1.9], [0.6, -0.4, 0.3]
 ARRAYS: dict[str, Any] = (
-    dict.fromkeys(("q", "p"), Q)
+    {"q": Q, "p": [0.1, 0.9, -0.3, 0.4]}
     | dict.fromkeys(("euler", "angles"), EULER)
     | dict.fromkeys(("axis", "v_body", "v_inertial", "vector", "body_rates", "euler_rates"), V)
     | dict.fromkeys(("accel", "mag", "acceleration", "actual", "measured", "field", "samples"), V)
