@@ -18,7 +18,7 @@ _LEFT_OUT = {
 
 
 def floats(name: str, value: ArrayLike | float, *last: int) -> Floats:
-    """Take an argument as an array of float64 in C order with the given last axes.
+    """Take an argument as an array of float64 in C order, aligned, with the given last axes.
 
     Parameters
     ----------
@@ -36,7 +36,7 @@ def floats(name: str, value: ArrayLike | float, *last: int) -> Floats:
     TypeError
         If what is given are not real numbers.
     """
-    if type(value) is np.ndarray and value.dtype is DOUBLE and value.flags.c_contiguous:
+    if type(value) is np.ndarray and value.dtype is DOUBLE and value.flags.carray:
         axes = value.ndim - len(last)
         if axes >= 0 and value.shape[axes:] == last:  # as is the rule, and quick to see
             return value
@@ -60,7 +60,11 @@ def floats(name: str, value: ArrayLike | float, *last: int) -> Floats:
         sizes = ", ".join(str(size) for size in last)
         msg = f"{name}: expected shape (..., {sizes}), got {array.shape}"
         raise ValueError(msg)
-    return np.asarray(array, dtype=np.float64, order="C")
+    if array.dtype.itemsize > DOUBLE.itemsize:
+        with np.errstate(all="ignore"):  # of wider numbers some become infinite, or zero
+            array = array.astype(np.float64)
+    array = np.asarray(array, dtype=np.float64, order="C")
+    return array if array.flags.aligned else array.copy()
 
 
 def _numbers(name: str, array: NDArray[Any]) -> Floats:
@@ -79,6 +83,9 @@ def _numbers(name: str, array: NDArray[Any]) -> Floats:
         except (TypeError, ValueError):
             msg = f"{name}: expected real numbers, got {value!r:.40} at index {place}"
             raise TypeError(msg) from None
+        except OverflowError:
+            msg = f"{name}: expected numbers below 1.8e308, got a larger one at index {place}"
+            raise ValueError(msg) from None
     return numbers
 
 

@@ -297,4 +297,4 @@ def _rows(array: Floats, leading: tuple[int, ...], last: tuple[int, ...]) -> Flo
     """Write an array as rows: as many as there are results, or one for all."""
     if array.size != prod(last) and array.shape != (*leading, *last):
         array = np.broadcast_to(array, (*leading, *last))
-    return np.ascontiguousarray(array).reshape(-1, *last)
+    return np.require(array, requirements=("C", "A")).reshape(-1, *last)

@@ -85,9 +85,9 @@ def one_sample(name: str, value: ArrayLike) -> Sequence[float]:
 
 
 def one_vector(name: str, value: ArrayLike) -> Floats:
-    """Take one vector, as an array; refuse it as `one_sample` does."""
+    """Take one vector, as an array that a kernel takes; refuse it as `one_sample` does."""
     if type(value) is ndarray and value.dtype is DOUBLE and value.shape == _THREE:
-        return value
+        return value if value.flags.carray else value.copy()
     return np.array(one_sample(name, value))
 
 

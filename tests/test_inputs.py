@@ -262,6 +262,33 @@ def test_arguments_of_any_layout_are_read_and_not_changed(function: Function) ->
             assert_array_equal(argument, original)
 
 
+def unaligned(array: Floats) -> Floats:
+    """Lay it out as it stands in a file behind a head of any length."""
+    return np.frombuffer(b"-" + array.tobytes(), offset=1).reshape(array.shape)
+
+
+@pytest.mark.kernels
+@every
+def test_numbers_at_any_place_of_a_file_give_the_same_bits(function: Function) -> None:
+    arguments = function.many(50)
+    got = function(*map(unaligned, arguments))
+    for one, other in zip(got, function(*arguments), strict=True):
+        assert_array_equal(one, other)
+
+
+@pytest.mark.parametrize("large", [10**400, Fraction(10**400)], ids=["integer", "fraction"])
+def test_a_number_that_is_too_large_is_refused_by_its_name(large: int | Fraction) -> None:
+    with pytest.raises(ValueError, match=r"^euler: expected numbers below .*at index \(1,\)$"):
+        chr_notes.matrix_from_euler([0, large, 0])  # type: ignore[list-item]
+
+
+def test_wider_numbers_become_ordinary_ones_in_silence() -> None:
+    with np.errstate(all="ignore"):  # where long double is double
+        wide = np.longdouble(10) ** np.array([0, 400, -400])
+    with np.errstate(all="raise"):
+        assert_array_equal(chr_notes.wrap_angle(wide), [1, np.nan, 0])
+
+
 @every
 def test_results_are_new_arrays_in_c_order(function: Function) -> None:
     arguments = function.many(4)

@@ -62,6 +62,14 @@ def test_a_recording_is_one_step_after_another(step: Callable[..., tuple[float, 
     assert_array_equal(_recordings.run(step, state.tolist(), *inputs), np.array(expected))
 
 
+def test_a_recording_may_stand_at_any_place_of_a_file() -> None:
+    rates = np.random.default_rng(0).normal(size=(50, 3))
+    forces = rates + np.array([0, 0, -9.8])
+    read = [np.frombuffer(b"-" + a.tobytes(), offset=1).reshape(a.shape) for a in (rates, forces)]
+    found = fixed_gain_observer(*read, 0.01, 0.02)
+    assert_array_equal(found, fixed_gain_observer(rates, forces, 0.01, 0.02))
+
+
 def test_parts_of_a_recording_join(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(_recordings, "kernel", lambda _: None)
     generator = np.random.default_rng(0)

@@ -89,6 +89,17 @@ def test_what_looks_ahead_or_has_no_meaning_is_refused() -> None:
             list(observe_averaging(samples))
 
 
+def test_samples_are_rows_of_any_array(log: tuple[Floats, ...]) -> None:
+    rates, forces, steps, field = (each[:200] for each in log)
+    expected = [
+        each.euler for each in observe_averaging(zip(rates, forces, steps, field, strict=True))
+    ]
+    for layout in (np.asfortranarray, lambda a: a[:, ::-1].copy()[:, ::-1]):
+        stream = zip(*map(layout, (rates, forces)), steps, layout(field), strict=True)
+        euler = [each.euler for each in observe_averaging(stream)]
+        assert_allclose(euler, expected, rtol=0, atol=1e-15)
+
+
 def test_lists_are_samples_too() -> None:
     (only,) = observe_averaging([([0, 0, 0], [0, 0, -1], 0.1, [1, 0, 1])])
     assert_array_equal(only.euler + 0.0, [0, 0, 0])
