@@ -44,16 +44,17 @@ def read(path: Path) -> str:
 
 
 def write(texts: Mapping[Path, str]) -> None:
-    """Write all of these files, or none: without room for one, those before it go again."""
-    begun: list[Path] = []
+    """Write all of these files, or none: without room for one, all is as it was before."""
+    begun = {path: path.with_name(f".{path.name}.begun") for path in texts}
     try:
-        for path, text in texts.items():
-            begun.append(path)
-            path.write_bytes(text.encode())
+        for path, part in begun.items():
+            part.write_bytes(texts[path].encode())
+        for path, part in begun.items():
+            part.replace(path)
     except OSError as error:
-        for path in begun:
-            path.unlink(missing_ok=True)
-        error.filename = error.filename or str(begun[-1])
+        for part in begun.values():
+            part.unlink(missing_ok=True)
+        error.filename, error.filename2 = str(path), None
         raise
 
 

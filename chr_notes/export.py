@@ -130,7 +130,7 @@ def export(language: Literal["c", "js"], folder: Path) -> list[Path]:
         If the folder has a file of one of these names that is not of an export; nothing is written
         then.
     OSError
-        If the folder cannot be made or written to; what was begun is removed.
+        If the folder cannot be made or written to; what was in it stays as it was.
     """
     text = _README.format(language=_NAMES[language], use=_USE[language])
     made = {Path(name).name: read(GENERATED / name) for name in _FILES[language]}
