@@ -9,9 +9,9 @@ from chr_notes.book import build
 
 
 @pytest.fixture(scope="session")
-def book(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The folder of the built pages."""
-    return build(output=tmp_path_factory.mktemp("book")).parent
+def book() -> Path:
+    """The folder of the pages: those of the clone, of which only what changed is built anew."""
+    return build().parent
 
 
 @pytest.fixture(scope="session")
