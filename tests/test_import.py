@@ -37,12 +37,16 @@ def test_what_is_imported_is_public() -> None:
     assert here == set(chr_notes.__all__)
 
 
-def test_demos_without_their_extra_say_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
-    for name in [name for name in sys.modules if name.startswith("chr_notes.demos")]:
+@pytest.mark.parametrize("package", ["demos", "plots"])
+def test_what_lacks_its_extra_says_what_to_install(
+    package: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in [name for name in sys.modules if name.startswith(f"chr_notes.{package}")]:
         monkeypatch.delitem(sys.modules, name)
-    monkeypatch.setitem(sys.modules, "anywidget", None)
+    for name in ("anywidget", "traitlets", "matplotlib", "mpl_toolkits"):
+        monkeypatch.setitem(sys.modules, name, None)
     with pytest.raises(ModuleNotFoundError, match=r'install "chr-notes\[notebooks\]"'):
-        importlib.import_module("chr_notes.demos")
+        importlib.import_module(f"chr_notes.{package}")
 
 
 def test_each_file_of_data_is_named_for_the_wheel() -> None:

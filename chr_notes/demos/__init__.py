@@ -1,5 +1,11 @@
 """Demos: widgets in a notebook, and the same modules on a page without a kernel."""
 
+try:
+    import anywidget  # noqa: F401 (before what is made with it)
+except ModuleNotFoundError as error:
+    MSG = 'demos need anywidget; run: python -m pip install "chr-notes[notebooks]"'
+    raise ModuleNotFoundError(MSG, name="anywidget") from error
+
 from chr_notes.demos.converter import ConverterDemo
 from chr_notes.demos.detective import DetectiveDemo
 from chr_notes.demos.drift import DriftDemo

@@ -12,15 +12,11 @@ import urllib.parse
 from pathlib import Path
 from typing import Any, ClassVar
 
+import anywidget
+import traitlets
+
 from chr_notes import palette
 from chr_notes._texts import is_there, read
-
-try:
-    import anywidget
-    import traitlets
-except ModuleNotFoundError as error:
-    MSG = 'demos need anywidget; run: python -m pip install "chr-notes[notebooks]"'
-    raise ModuleNotFoundError(MSG, name="anywidget") from error
 
 __all__ = [
     "BUILT",

@@ -1,5 +1,11 @@
 """Figures: arrays in, matplotlib Axes out."""
 
+try:
+    import matplotlib as mpl  # noqa: F401 (before what is made with it)
+except ModuleNotFoundError as error:
+    MSG = 'plots need matplotlib; run: python -m pip install "chr-notes[notebooks]"'
+    raise ModuleNotFoundError(MSG, name="matplotlib") from error
+
 from chr_notes.plots.clouds import draw_cloud, draw_ellipsoid
 from chr_notes.plots.figure import Picture, show
 from chr_notes.plots.frames import (
