@@ -44,17 +44,18 @@ def read(path: Path) -> str:
 
 
 def write(texts: Mapping[Path, str]) -> None:
-    """Write all of these files, or none: without room for one, all is as it was before."""
+    """Write all of these files, or none: stopped or without room, all is as it was before."""
     begun = {path: path.with_name(f".{path.name}.begun") for path in texts}
     try:
         for path, part in begun.items():
             part.write_bytes(texts[path].encode())
         for path, part in begun.items():
             part.replace(path)
-    except OSError as error:
+    except BaseException as error:
         for part in begun.values():
             part.unlink(missing_ok=True)
-        error.filename, error.filename2 = str(path), None
+        if isinstance(error, OSError):
+            error.filename, error.filename2 = str(path), None
         raise
 
 

@@ -89,9 +89,14 @@ def build(
         _say("Building the pages …" if whole else "Building the pages that changed …")
         _run_jupyter_book(root, aside.parent, whole=whole)
         _write(aside / _STAMP, made_by)
-        if built.exists():
-            built.rename(Path(beside) / "before")
-        aside.rename(built)
+        before = Path(beside) / "before"
+        try:
+            if built.exists():
+                built.rename(before)
+            aside.rename(built)
+        finally:
+            if before.exists() and not built.exists():
+                before.rename(built)  # stopped in between
     first = built / "html" / "index.html"
     _say(f"The book is in {first}")
     if as_pdf:

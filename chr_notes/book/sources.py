@@ -5,6 +5,7 @@ the book from it runs them first.
 """
 
 import json
+import subprocess
 import sys
 from pathlib import Path
 from typing import Any
@@ -16,6 +17,15 @@ CLONE = PACKAGE.parent
 PACKED = PACKAGE / "packed"  # in the archive of an installed package
 ORIGIN = CLONE if (CLONE / "book" / "_config.yml").is_file() else PACKED
 
+_RUN = """\
+import sys, pathlib
+from nbclient.exceptions import CellExecutionError
+from chr_notes.book import sources
+try:
+    sources.run(pathlib.Path(sys.argv[1]))
+except CellExecutionError as error:
+    sys.exit(f"{error.ename}: {error.evalue}")
+"""
 _WIDGET_VIEW = "application/vnd.jupyter.widget-view+json"
 _METADATA = {
     "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
@@ -45,13 +55,15 @@ def find(folder: Path) -> Path:
     _require_sources()
     if ORIGIN == CLONE:
         return CLONE
+    missing = {}
     for name, content in archived().items():
         _, packed, place = name.rpartition(f"{PACKED.name}/")
         target = folder / place
         if packed and not target.exists():
             target.parent.mkdir(parents=True, exist_ok=True)
-            whole = _written(numbered(content)).encode() if name.endswith(".ipynb") else content
-            target.write_bytes(whole)
+            notebook = target.suffix == ".ipynb"
+            missing[target] = _written(numbered(content)) if notebook else content.decode()
+    write(missing)
     for path in sorted((folder / "notebooks").glob("*.ipynb")):
         _run_once(path)
     return folder
@@ -136,23 +148,24 @@ def run(path: Path) -> None:
         for output in cell.get("outputs", []):
             output.pop("transient", None)
             output.get("data", {}).pop(_WIDGET_VIEW, None)
-    nbformat.write(notebook, path)
+    write({path: nbformat.writes(notebook) + "\n"})
 
 
 def _run_once(path: Path) -> None:
     import nbformat  # noqa: PLC0415
-    from nbclient.exceptions import CellExecutionError  # noqa: PLC0415
 
     cells = nbformat.read(path, as_version=4).cells
     if not any(cell.cell_type == "code" and cell.execution_count is None for cell in cells):
         return
     sys.stdout.write(f"Running {path.name} …\n")
     sys.stdout.flush()
-    try:
-        run(path)
-    except CellExecutionError as error:
-        msg = f"{path} does not run to its end: {error.ename}: {error.evalue}"
-        raise RuntimeError(msg) from error
+    # In a process of its own, for the client of a kernel takes to itself what is to stop us.
+    done = subprocess.run(  # noqa: S603 - a fixed command
+        [sys.executable, "-c", _RUN, str(path)], check=False, stderr=subprocess.PIPE, text=True
+    )
+    if done.returncode != 0:
+        msg = f"{path} does not run to its end: {done.stderr.strip().splitlines()[-1]}"
+        raise RuntimeError(msg)
 
 
 def _require_sources() -> None:

@@ -80,6 +80,25 @@ def test_a_book_is_put_in_place_when_it_is_whole(runs: list[bool], tmp_path: Pat
     assert runs == [True, False, False]
 
 
+def test_who_stops_it_between_two_books_has_the_one_before(
+    runs: list[bool], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    build(output=tmp_path)
+    rename = Path.rename
+
+    def stopped(self: Path, target: Path) -> Path:
+        if self.parent.name.startswith(".build-") and self.name == "_build":
+            raise KeyboardInterrupt
+        return rename(self, target)
+
+    monkeypatch.setattr(Path, "rename", stopped)
+    with pytest.raises(KeyboardInterrupt):
+        build(output=tmp_path)
+    assert runs == [True, False]
+    assert (tmp_path / "_build/html/index.html").read_text(encoding="utf-8") == "run 1"
+    assert [path.name for path in tmp_path.iterdir()] == ["_build"]
+
+
 def test_a_printed_book_lies_beside_its_pages_until_they_are_built_again(
     runs: list[bool], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

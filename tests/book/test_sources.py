@@ -1,6 +1,10 @@
 """The sources of the book where there is no clone: copied, run, and nobody's work overwritten."""
 
 import bz2
+import errno
+import os
+import signal
+import threading
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -67,6 +71,37 @@ def test_a_notebook_that_fails_is_named(packed: Path, tmp_path: Path) -> None:
     write(packed, fresh=new_code_cell("1 / 0"))
     with pytest.raises(RuntimeError, match=r"fresh\.ipynb does not run to its end: ZeroDivision"):
         sources.find(tmp_path / "mine")
+
+
+@pytest.mark.full
+def test_one_that_is_stopped_stays_as_it_was(
+    packed: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    write(packed, fresh=new_code_cell("import time\ntime.sleep(600)"))
+    stopped = (threading.get_ident(), signal.SIGTERM)
+    threading.Timer(3, signal.pthread_kill, stopped).start()
+    assert main(["book", str(tmp_path / "mine")]) == 143
+    assert capsys.readouterr().err == "book: stopped before the end\n"
+    folder = tmp_path / "mine" / "notebooks"
+    assert {path.name for path in folder.iterdir()} == {"fresh.ipynb", "run.ipynb"}
+    (cell,) = nbformat.read(folder / "fresh.ipynb", as_version=4).cells
+    assert cell.execution_count is None
+
+
+def test_sources_without_room_leave_nothing_begun(
+    packed: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    write_bytes = Path.write_bytes
+
+    def full(self: Path, content: bytes) -> int:
+        write_bytes(self, content[:1])
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr(Path, "write_bytes", full)
+    with pytest.raises(OSError, match="No space left on device"):
+        sources.find(tmp_path / "mine")
+    assert packed.is_dir()
+    assert not [path for path in (tmp_path / "mine").rglob("*") if path.is_file()]
 
 
 def test_notebooks_are_copied_and_never_over_others(
