@@ -21,7 +21,7 @@ def pytest(session: nox.Session, *given: str) -> None:
 
 @nox.session
 def lint(session: nox.Session) -> None:
-    """Check style, layers, generated files and types, the cheapest first."""
+    """Check style, layers, generated files, types and all verdicts, the cheapest first."""
     session.install("-e", ".[dev]")
     session.run("ruff", "check", ".")
     session.run("ruff", "format", "--check", ".")
@@ -29,6 +29,7 @@ def lint(session: nox.Session) -> None:
     session.run("python", "-m", "chr_notes.demos.build", "--check")
     session.run("python", "-m", "chr_notes.codegen", "--check")
     session.run("mypy")
+    session.run("python", "-m", "chr_notes", "ledger", "--check")
 
 
 @nox.session

@@ -1,5 +1,6 @@
 """Ellipsoids from clouds of points."""
 
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -76,16 +77,19 @@ def test_no_other_ellipsoid_makes_the_norms_more_equal() -> None:
     assert_allclose(np.sum((norms - 1) ** 2) / 2, best, rtol=1e-9)
 
 
-def test_the_standard_error_is_what_repetition_shows() -> None:
+def test_the_standard_error_is_what_repetition_shows(
+    samples: Callable[[int, int], int],
+) -> None:
     generator = np.random.default_rng(5)
     true = directions(generator, 200, 120.0)
     worst = -np.array([0.0, 0.0, 1.0])
     claims, norms = [], []
-    for _ in range(120):
+    for _ in range(samples(60, 120)):
         found = fit_ellipsoid(true + generator.normal(0, 0.01, true.shape))
         claims.append(found.standard_error)
         norms.append(np.linalg.norm((worst - found.centre) @ found.to_sphere) / found.radius)
-    # A standard deviation from 120 repetitions is itself known to 6.5 %, the claims vary by 10 %.
+    # A standard deviation from 120 repetitions is itself known to 6.5 %, from 60 to 9 %, and the
+    # claims vary by 10 %.
     assert_allclose(np.std(norms), np.mean(claims), rtol=0.2)
 
 
