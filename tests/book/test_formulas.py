@@ -100,7 +100,8 @@ def test_a_formula_that_cannot_be_set_stops_the_build(tmp_path: Path) -> None:
     assert not (tmp_path / "out" / "index.html").exists()
 
 
-def test_formulas_stand_without_a_script(visit: Visit, browser: Browser, address: str) -> None:
+def test_formulas_stand_without_a_script(visit: Visit, browser: Browser, book: Path) -> None:
+    address = (book / "notebooks" / "euler.html").as_uri()
     boxes = """() => [...document.querySelectorAll("math")].map((formula) => {
       const { width, height } = formula.getBoundingClientRect();
       return [width, height];
@@ -111,9 +112,9 @@ def test_formulas_stand_without_a_script(visit: Visit, browser: Browser, address
         java_script_enabled=False, viewport={"width": 1280, "height": 900}
     )
     plain = context.new_page()
-    plain.goto(address + "notebooks/euler.html")
+    plain.goto(address)
     assert plain.evaluate(fonts) == ["loaded"]
-    assert plain.evaluate(boxes) == visit(address + "notebooks/euler.html").evaluate(boxes)
+    assert plain.evaluate(boxes) == visit(address).evaluate(boxes)
     context.close()
 
 

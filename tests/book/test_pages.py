@@ -159,14 +159,14 @@ def test_on_a_phone_little_moves(
     assert shift <= MOST_SHIFT
 
 
-def test_first_page_leads_to_the_book(visit: Visit, address: str) -> None:
-    page = visit(address + "index.html")
+def test_first_page_leads_to_the_book(visit: Visit, served: str) -> None:
+    page = visit(served + "index.html")
     expect(page).to_have_title(re.compile("CH Robotics notes, derived"))
     expect(page.locator("[data-demo] canvas")).to_have_count(1)
 
 
-def test_demo_in_the_chapter_reacts_to_the_keyboard(visit: Visit, address: str) -> None:
-    page = visit(address + "notebooks/euler.html")
+def test_demo_in_the_chapter_reacts_to_the_keyboard(visit: Visit, served: str) -> None:
+    page = visit(served + "notebooks/euler.html")
     demo = page.locator("[data-demo='gimbal-lock']").first
     pitch = demo.locator("input[name=pitch]")
     pitch.fill("59")
