@@ -15,6 +15,18 @@ export function line(context, points, { colour, width = 2, dash = [] }) {
   context.restore();
 }
 
+/** Square dots at points in pixels. */
+export function dots(context, points, { colour, width = 2 }) {
+  context.beginPath();
+  for (const [x, y] of points) {
+    context.moveTo(x - width / 2, y);
+    context.lineTo(x + width / 2, y);
+  }
+  context.strokeStyle = colour;
+  context.lineWidth = width;
+  context.stroke();
+}
+
 /** An arrow, whose shaft may be dashed; none where it would be shorter than a pixel. */
 export function arrow(context, [x0, y0], [x1, y1], { colour, width = 2.5, dash = [] }) {
   const length = Math.hypot(x1 - x0, y1 - y0);

@@ -8,7 +8,8 @@
  *   legend    [{ colour, dash, width, symbol, text }]: the lines that need explaining
  *   controls  one slider and field each, see `slider` in parts.js; or `choices`, see typed.js
  *             and `also`, a part of the state that comes with each change of it, and `stops`,
- *             [[value, text]], buttons that go there
+ *             [[value, text]], buttons that go there; a `rare` one is folded away
+ *   rarely    what is folded away, in words
  *   texts     { name: what the whole of it matches }: the parts of the state that are texts, if any
  *   outputs   one readout each, see `readout` in parts.js
  *   python    the name of its class, for "Copy as Python"
@@ -46,7 +47,7 @@ function mountDemo(element, definition, opening, { now = {}, onChange = () => {}
   const state = begun(now);
   const cleanup = new AbortController();
   const parts = build(definition, { touched, tell, go });
-  const { root, canvas, live, sliders, outputs, said, play, reset, hint, hints } = parts;
+  const { root, canvas, live, sliders, outputs, sentence, said, play, reset, hint, hints, more } = parts;
   const seenFrom = definition.viewpoint;
   let viewpoint = seenFrom?.(state);
 
@@ -64,6 +65,12 @@ function mountDemo(element, definition, opening, { now = {}, onChange = () => {}
     outputs.forEach((each) => each.show(texts));
     hint.textContent = hints[state.view] ?? hints[0];
     redraw();
+  }
+
+  /** What is folded away is open where it is not as it usually is. */
+  function unfold() {
+    const unusual = ({ name, rare }) => rare && state[name] !== definition.start[name];
+    for (const each of more) each.open = definition.controls.some(unusual);
   }
 
   function announce() {
@@ -141,6 +148,9 @@ function mountDemo(element, definition, opening, { now = {}, onChange = () => {}
   play.addEventListener("click", () => {
     rest();
     goal = null;
+    // What is said is seen below the picture, also where that sticks to the top of the window.
+    sentence.style.scrollMarginTop = `calc(var(--chr-below, 0px) + ${canvas.offsetHeight}px)`;
+    sentence.scrollIntoView({ block: "nearest" });
     tour.press();
   });
   reset.addEventListener("click", () => {
@@ -180,11 +190,13 @@ function mountDemo(element, definition, opening, { now = {}, onChange = () => {}
   });
   element.replaceChildren(root);
   show();
+  unfold();
 
   return {
     update: follow,
     open(given) {
       follow(begun(given));
+      unfold();
       look(seenFrom?.(state));
     },
     destroy() {
@@ -232,16 +244,15 @@ function build(definition, { touched, tell, go }) {
   const hint = node("span", {});
   const trial = node("span", {}, node("b", {}, "Try first."), hint);
   const stage = node("div", { class: "chr-stage" }, canvas);
-  const buttons = node("div", { class: "chr-buttons" }, play, reset);
-  const panel = node(
-    "div",
-    { class: "chr-panel chr-controls" },
-    ...sliders.map((each) => each.element),
-    buttons,
-  );
+  const buttons = node("div", { class: "chr-buttons" });
+  const [often, seldom] = [false, true].map((rare) => sliders.filter((_, i) => Boolean(definition.controls[i].rare) === rare).map((each) => each.element));
+  const more = seldom.length > 0 ? [node("details", {}, node("summary", {}, definition.rarely), ...seldom)] : [];
+  // On a phone Play stands next to the sentence that it changes.
+  const panel = node("div", { class: "chr-panel chr-controls" }, node("div", { class: "chr-buttons" }, play, reset), ...often, ...more, buttons);
   const part = (name, wide) =>
     node("div", { class: name }, ...outputs.filter((each) => each.wide === wide).map((each) => each.element));
   const story = reserved(said, definition.story.map(({ says }) => says));
+  const sentence = node("div", { class: "chr-sentence" }, part("chr-meaning", true), story);
   const root = node(
     "div",
     // JupyterLab listens for shortcuts before the page does; this attribute tells it not to.
@@ -252,14 +263,14 @@ function build(definition, { touched, tell, go }) {
       { class: "chr-body" },
       stage,
       ...legend(definition.legend ?? []),
-      node("div", { class: "chr-sentence" }, part("chr-meaning", true), story),
+      sentence,
       panel,
       part("chr-panel chr-readouts", false),
     ),
     live,
   );
   keepKeys(root);
-  return { root, canvas, live, said, sliders, outputs, play, reset, buttons, hint, hints };
+  return { root, canvas, live, sentence, said, sliders, outputs, play, reset, buttons, hint, hints, more };
 }
 
 /** A slider, a field beside it, and a button for each of its stops below. */

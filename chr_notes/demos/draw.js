@@ -276,22 +276,24 @@ export function paint(context, polygons, view, radii = [], body = null) {
 
 /**
  * Words at a point of the picture, over everything, with a rim that keeps them legible: [words]
- * or [words, subscript]. `offset` moves them aside, in pixels; they never leave the picture. Where
+ * or [words, subscript]. `offset` moves them aside, in pixels; they never leave the picture, and stand
+ * to the right of what is at its upper edge. Where
  * one of the boxes `taken` is in the way, { x, y, half, high } round its middle, they stand above or
  * below it; their own one is added.
  */
 export function label(context, [text, subscript = ""], [x, y], { colour, rim, size = 14, offset = [0, 0], width, taken = [] }) {
   const parts = [
     { text, font: `600 ${size}px system-ui, sans-serif`, drop: 0 },
-    { text: subscript, font: `600 ${0.75 * size}px system-ui, sans-serif`, drop: 0.3 * size },
+    { text: subscript, font: `600 ${0.85 * size}px system-ui, sans-serif`, drop: 0.3 * size },
   ].filter((part) => part.text !== "").map((part) => {
     context.font = part.font;
     return { ...part, wide: context.measureText(part.text).width };
   });
   const half = parts.reduce((wide, part) => wide + part.wide, 0) / 2;
   const side = offset[0] === 0 ? 0 : Math.sign(offset[0]) * half + offset[0];
-  const middle = Math.min(Math.max(x + side, half + 6), width - half - 6);
-  const lines = [0, -1, 1, -2, 2, -3, 3].map((n) => y + offset[1] + 1.1 * n * size);
+  const above = Math.max(0, 0.6 * size - y - offset[1]); // of the picture
+  const middle = Math.min(Math.max(x + side + (above && half + 16), half + 6), width - half - 6);
+  const lines = [0, -1, 1, -2, 2, -3, 3].map((n) => y + offset[1] + above + 1.1 * n * size);
   const covers = (at) => (box) => Math.abs(box.x - middle) < box.half + half + 2 && Math.abs(box.y - at) < box.high + size / 2;
   const line = lines.find((at) => !taken.some(covers(at))) ?? lines[0];
   taken.push({ x: middle, y: line, half, high: size / 2 });

@@ -32,18 +32,18 @@ const SMALL = 20; // degrees, up to which an angle is about its sine
 function meaning(state, { velocity, position, byAccel, byGyro, noise, total }) {
   const { time, gyro_bias: gyro } = state;
   if (total === 0 && noise === 0) return "With an exact attitude gravity cancels, and a sensor at rest believes that it is at rest.";
-  if (total === 0) return `On average a sensor with noise alone believes to stay where it is. After ${duration(time).long} that scatters by ${distance(noise)}.`;
-  const after = `After ${duration(time).long} a sensor that has not moved believes that it is ${distance(total)} away${placesLeft(total)}`;
+  if (total === 0) return `On average a sensor with noise alone believes to stay where it is. After ${duration(time).short} that scatters by ${distance(noise)}.`;
+  const after = `After ${duration(time).short} a sensor that has not moved believes that it is ${distance(total)} away${placesLeft(total)}`;
   if (total === position && noise === 0)
     return `${after}, and moves at ${formatted(velocity)} m/s. In ten times as long, its velocity gets ten times as wrong, its position a hundred times.`;
   const causes = [
-    [position, "by the angle, with the square of the time"],
-    [byAccel, "by the accelerometer's bias, with the square too"],
-    [byGyro, "by the gyro's bias, with the cube: it turns the vertical further and further"],
+    [position, "by the angle"],
+    [byAccel, "by the accelerometer's bias"],
+    [byGyro, "by the gyro's bias, with the cube of the time"],
   ].filter(([error]) => error > 0).map(([error, words]) => `${distance(error)} ${words}`);
   const scatter = noise > 0 ? ` Noise scatters that by ${distance(noise)}.` : "";
-  const beyond = gyro * time > SMALL ? ` By now the gyro's bias has turned the vertical by ${formatted(gyro * time)}°, too far for these formulas.` : "";
-  return `${after}${causes.length > 0 ? `: ${causes.join("; ")}` : ""}.${scatter}${beyond}`;
+  const beyond = gyro * time > SMALL ? ` The vertical has turned by ${formatted(gyro * time)}°, too far for these formulas.` : "";
+  return `${after}: ${causes.join(", ")}.${scatter}${beyond}`;
 }
 
 const COLUMNS = [
@@ -117,8 +117,9 @@ function drawMap(context, size, state, colours) {
   // Between the rings, what is within the outer one, and how far that is.
   PLACES.forEach(([metres, name], i) => {
     const off = i === 0 ? 0.6 * far(metres) : (far(metres) + far(PLACES[i - 1][0])) / 2;
-    words(context, name, [x, y + off], { ...small, align: "center", weight: i === left ? 700 : 400 });
-    words(context, distance(metres), [x, y - off], { ...small, align: "center", weight: i === left ? 700 : 400 });
+    const style = { colour: colours(i === left ? "ink" : "muted"), rim: colours("page"), size: 12, width };
+    label(context, [name], [x, y + off], style);
+    label(context, [distance(metres)], [x, y - off], style);
   });
   context.fillStyle = colours("page");
   context.fillRect(0, 0, width, 25);
@@ -180,7 +181,7 @@ function drawGrowth(context, { width, height }, state, colours) {
   const small = { colour: colours("muted"), size: 12 };
 
   words(context, byAngle ? "error of position, m, and of velocity, m/s" : "error of position by each cause, m", [8, 14], { ...small, weight: 600 });
-  words(context, "time without help from outside", [right, height - 10], { ...small, align: "right", weight: 600 });
+  words(context, "time without help from outside", [width - 8, height - 10], { ...small, align: "right", weight: 600 });
   for (const [value, text] of DECADES) {
     line(context, [[LEFT, y(value)], [right, y(value)]], { colour: colours("line"), width: 1 });
     words(context, text, [LEFT - 6, y(value)], { ...small, align: "right" });
@@ -220,7 +221,7 @@ const handles = (state, size) => {
     return [{ at: [reached(state.time), y], hold: () => ([place]) => ({ time: timeAt(place) }) }];
   }
   const [right, from, to] = [size.width - NAMES, Math.log10(FIRST), Math.log10(LAST)];
-  const at = [logarithmic(FIRST, LAST, LEFT, right)(state.time), size.height - 40];
+  const at = [logarithmic(FIRST, LAST, LEFT, right)(state.time), size.height - 56]; // clear of the times below
   const timeAt = (x) => 10 ** Math.min(to, Math.max(from, linear(LEFT, right, from, to)(x)));
   return [{ at, tall: 2 * size.height, hold: () => ([x]) => ({ time: Number(timeAt(x).toPrecision(2)) }) }];
 };

@@ -1,7 +1,7 @@
 /**
  * The fixed-gain observer: gyro alone, accelerometer alone, both together, and the gain between.
  */
-import { line, linear, logarithmic, mark, named, words } from "./chart.js";
+import { dots, line, linear, logarithmic, mark, named, words } from "./chart.js";
 import { mountOf } from "./controls.js";
 import { label } from "./draw.js";
 import { DURATION, GAINS, SPACING, errors, rms } from "./filter_run.js";
@@ -58,7 +58,7 @@ function describe(state) {
 const LIMITS = [1, 2, 4, 10, 20, 40, 60, 90, 180]; // degrees
 const LINES = [
   { filter: "gyro", text: "gyro alone, from the first reading on", name: "gyro", colour: "z", width: 2.5, dash: [2, 3] },
-  { filter: "accelerometer", text: "accelerometer alone", name: "accel.", colour: "muted", width: 0.7, dash: [] },
+  { filter: "accelerometer", text: "accelerometer alone", name: "accel.", colour: "muted", width: 2, dash: [2, 7], single: true },
   { filter: "observer", text: "both together, by the gain L", name: "both", colour: "x", width: 2.5, dash: [] },
   { filter: "averaging", text: "average in a frame that does not turn", name: "average", colour: "y", width: 2.5, dash: [8, 4] },
 ];
@@ -91,9 +91,9 @@ function overTime(context, [left, right, top, bottom], { push, bank }, all, colo
   context.beginPath();
   context.rect(left, top, right - left, bottom - top);
   context.clip();
-  for (const { filter, colour, width, dash } of DRAWN) {
+  for (const { filter, colour, single, ...style } of DRAWN) {
     const points = all[filter].map((error, n) => [x(SPACING * (n + 1)), y(error)]);
-    line(context, points, { colour: colours(colour), width, dash });
+    (single ? dots : line)(context, points, { colour: colours(colour), ...style });
   }
   context.restore();
   const event = [push > 0 && "push", bank > 0 && "turn"].filter(Boolean).join(" and ");
@@ -127,7 +127,7 @@ function overGain(context, size, state, all, colours) {
   }
   for (const tick of [1e-4, 1e-3, 0.01, 0.1, 1]) words(context, String(tick), [x(tick), bottom + 13], { ...small, align: "center" });
   words(context, "← gyro alone", [left - 22, bottom + 31], { colour: colours("z"), weight: 600 });
-  words(context, "accelerometer alone →", [right + 14, bottom + 31], { ...small, align: "right", weight: 600 });
+  words(context, "accel. alone →", [right + 14, bottom + 31], { ...small, align: "right", weight: 600 });
   const curve = (points) => points.map(([each, error]) => [x(each), y(error)]);
   const level = y(rms(all.averaging));
   line(context, [[left, level], [right, level]], { colour: colours("y"), width: 2.5, dash: [8, 4] });

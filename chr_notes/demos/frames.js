@@ -54,7 +54,7 @@ function meaning(state, both, components) {
   const first = `In ${nameOf(frame)} axes the wind is (${listed(components)}). Its ${AXES[axis]}-component is row ${AXES[axis]} of the matrix times the wind: ${products} = ${entry(components[axis]).trim()}.`;
   const off = rounded(apart(both));
   if (frame <= 1) return `${first} The wind is the same in each frame; only the axes turn.`;
-  return `${first} ${off === "0" ? "Here the order of yaw and pitch makes no difference to the nose." : `Pitch before yaw leads elsewhere: the two noses are ${off}° apart.`}`;
+  return `${first} ${off === "0" ? "The order of yaw and pitch makes no difference to the nose." : `Pitch before yaw leads elsewhere, the nose ${off}° away.`}`;
 }
 
 const table = ({ axis }, matrix, components) => [
@@ -159,7 +159,7 @@ const definition = {
     { name: "wind", label: "Wind blows to (90° is east)", symbol: [], min: -180, max: 180, step: 1, unit: DEGREES },
   ],
   outputs: [
-    { name: "meaning", label: "What it means", wide: true, longestAt: [{ ...start, yaw: -140, pitch: -30, wind: 140, frame: 2 }] },
+    { name: "meaning", label: "What it means", wide: true, longestAt: [{ ...start, axis: 0, yaw: -59, pitch: 90, roll: 0, wind: -157, frame: 1.25 }] },
     { name: "matrix", table: true },
     { name: "components", label: "Wind, yaw first", grid: true, rows: AXES },
     { name: "other_order", label: "Wind, pitch first", grid: true, rows: AXES },

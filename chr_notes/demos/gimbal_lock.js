@@ -48,12 +48,12 @@ function rates(state) {
   const { locked } = axesOf(state);
   const [forRoll, forPitch, forYaw] = parts(roll, pitch).map((part) => formatted(Math.abs(part) < TINY ? 0 : part));
   if (state.view === 1) {
-    const same = `The four numbers of the quaternion go on smoothly: taken together, at ${formatted(Math.hypot(...quaternionRates(...q, 0, 1, 0)))} × its speed, as everywhere.`;
+    const same = `The quaternion's four numbers go on smoothly, together at ${formatted(Math.hypot(...quaternionRates(...q, 0, 1, 0)))} × its speed, as everywhere.`;
     if (locked) return `The nose is on the vertical, where roll and yaw jump. ${same}`;
-    return `Here, for each degree that the aircraft pitches up, roll changes by ${forRoll}°, pitch by ${forPitch}°, yaw by ${forYaw}°. ${same}`;
+    return `For each degree that it pitches up, roll changes by ${forRoll}°, pitch by ${forPitch}°, yaw by ${forYaw}°. ${same}`;
   }
   if (locked) return "The three axes lie in one plane. Parts along them make no turn out of that plane, however large they are.";
-  return `The aircraft turns about its own y-axis. Split along the three axes, a speed of 1 is roll ${forRoll}, pitch ${forPitch} and yaw ${forYaw}. The box of their unit vectors has a volume of ${formatted(1 / eulerRatesDeterminant(pitch))}; the determinant of D is 1 over it.`;
+  return `It turns about its own y-axis. Split along the three axes, a speed of 1 is roll ${forRoll}, pitch ${forPitch} and yaw ${forYaw}. The box of their unit vectors has a volume of ${formatted(1 / eulerRatesDeterminant(pitch))}; the determinant of D is 1 over it.`;
 }
 
 function readouts(state) {
@@ -111,7 +111,7 @@ const definition = {
     { name: "flown", label: "In the flight over the top: pitched up by", symbol: [], min: 0, max: 360, also: { view: 1 } },
   ].map((control) => ({ ...control, step: 1, unit: { short: "°", long: "degrees" } })),
   outputs: [
-    { name: "rings", label: "What it means", wide: true, longestAt: [{ ...start, pitch: 90 }, { ...start, view: 2, pitch: -61, roll: -172 }, { ...start, view: 1, pitch: -61, roll: -172 }] },
+    { name: "rings", label: "What it means", wide: true, longestAt: [{ ...start, pitch: 90 }, { ...start, view: 2, pitch: 39, roll: -176 }, { ...start, view: 1, pitch: -61, roll: -172 }] },
     { name: "determinant", label: "Determinant of D" },
     { name: "condition", label: "Condition number" },
     { name: "matrix", label: "Matrix R", grid: true, rows: [..."xyz"] },

@@ -9,7 +9,7 @@ import { scaled } from "./draw.js";
 import { arcOf, direction, flown, globe, looking, path, pointer } from "./globe.js";
 import { keeping } from "./keeping.js";
 import { FIELD_DIP, STRENGTH, cloud, gap, headingErrors, ironOf, path as walked } from "./magnetometer_cloud.js";
-import { FEWEST, fit } from "./magnetometer_fit.js";
+import { AROUND, FEWEST, WIDEST_GAP, fit } from "./magnetometer_fit.js";
 import { TURNED, turning } from "./magnetometer_hand.js";
 import { rounded } from "./parts.js";
 
@@ -34,19 +34,25 @@ function readouts(state) {
   };
 }
 
-/** What the fit misses: reckoned from its own ellipsoid, if it finds one, and else from the field. */
-const gapWords = (state, { gap: own }) =>
-  `no reading comes from within ${rounded(own === undefined ? found(state).gap : (own * 180) / Math.PI)}° of one direction${own === undefined ? "" : " of the ellipsoid that it finds"}`;
+const DEGREE = Math.PI / 180;
+
+/** Why the fit refuses: by its own ellipsoid, if it finds one, and how far that is from the true one; else by the field. */
+function refusal(state, { gap: own, tooLong }) {
+  const within = (degrees) => `no reading comes from within ${rounded(degrees)}° of one direction`;
+  if (own === undefined) return `${within(found(state).gap)}, and one ellipsoid cannot be told from many`;
+  const why = own > WIDEST_GAP ? `where it takes ${rounded(WIDEST_GAP / DEGREE)}° at most` : "too far with so much noise";
+  const off = AROUND.map((each) => Math.abs(tooLong(ironAdded(...ironOf(state), ...scaled(each, STRENGTH)))));
+  return `${within(own / DEGREE)} of its ellipsoid, ${why}. It would get readings wrong by up to ${Number((100 * Math.max(...off)).toPrecision(2))} %`;
+}
 
 function meaning(state, fitted, errors) {
   const count = state.turned.length / 4;
   const worst = rounded(largest(errors, "before"));
-  const byHand = count > 0 ? `${count} readings by hand; the sliders of readings and tilt bring the walk back. ` : "";
-  const before = `${byHand}${worst === "0" ? "Without iron the heading is right." : `Uncalibrated, the heading is off by up to ${worst}°.`}`;
+  const before = `${worst === "0" ? "Without iron the heading is right." : `Uncalibrated, the heading is off by up to ${worst}°.`}`;
   if (fitted.refused && count > 0 && count < FEWEST)
-    return `${before} A fit needs ${FEWEST} at least: turn the sensor further.`;
+    return `${before} ${count} ${count === 1 ? "reading" : "readings"} by hand; a fit needs ${FEWEST} at least: turn the sensor further. Readings and Tilt bring the walk back.`;
   if (fitted.refused)
-    return `${before} The fit refuses: ${gapWords(state, fitted)}, and with a little noise very different ellipsoids fit such a cloud. Turn the sensor further.`;
+    return `${before} The fit refuses: ${refusal(state, fitted)}. Turn the sensor further.`;
   return `${before} The fitted ellipsoid is brought back to a sphere about zero, and the heading is off by up to ${rounded(largest(errors, "after"))}°.`;
 }
 
@@ -200,8 +206,8 @@ const definition = {
     { name: "noise", label: "Noise", symbol: [], min: 0, max: 2, step: 0.1, unit: FIELD },
   ],
   outputs: [
-    { name: "meaning", label: "What it means", wide: true, longestAt: [{ ...start, turned: "gICA".repeat(100) }, start] },
-    { name: "gap", label: "Largest gap in direction, without iron", unit: DEGREES },
+    { name: "meaning", label: "What it means", wide: true, longestAt: [{ ...start, readings: 200, tilt: 50, hard_iron: 29, soft_iron: 0.09 }] },
+    { name: "gap", label: "Largest gap, without iron", unit: DEGREES },
     { name: "error_before", label: "Heading error before", unit: DEGREES },
     { name: "error_after", label: "Heading error after", unit: DEGREES },
   ],

@@ -6,11 +6,11 @@ import { solved } from "./equations.js";
 
 /* global MAGNETOMETER: build.py puts it in, from magnetometer.py */
 
-const { widest_gap: WIDEST_GAP, largest_error: LARGEST_ERROR } = MAGNETOMETER;
+export const { widest_gap: WIDEST_GAP, largest_error: LARGEST_ERROR } = MAGNETOMETER;
 const [STEPS, CONVERGED] = [30, 1e-9]; // of Gauss and Newton
 const [HALVINGS, ROUNDING] = [60, 1e-12]; // of the largest element
 export const FEWEST = 10; // one more than there are unknowns
-const AROUND = evenlySpread(500);
+export const AROUND = evenlySpread(500);
 
 const column = (count, make) => Array.from({ length: count }, (_, i) => make(i));
 const dot = (a, b) => a.reduce((total, part, i) => total + part * b[i], 0);
@@ -129,7 +129,10 @@ function refined(points) {
   return null;
 }
 
-/** What a fit finds: { refused, gap } or { iron }, the numbers that `ironRemoved` takes; the gap, radians, is that in the ellipsoid. */
+/**
+ * What a fit finds: { iron }, the numbers that `ironRemoved` takes, or { refused }, with the ellipsoid if there
+ * is one: the gap in it, radians, and how much too long a point of any direction comes out of it, a part of 1.
+ */
 export function fit(points) {
   if (points.length < FEWEST) return { refused: true };
   const middle = scaled(points.reduce(sum), 1 / points.length);
@@ -141,7 +144,10 @@ export function fit(points) {
   const [matrix, centre] = [full(found), found.slice(6)];
   const corrected = (point) => toChild(matrix, sum(point, scaled(centre, -1)));
   const gap = gapOf(near.map(corrected).map(unit));
-  if (gap > WIDEST_GAP || worstError(near, found, matrix, centre) > LARGEST_ERROR) return { refused: true, gap };
+  if (gap > WIDEST_GAP || worstError(near, found, matrix, centre) > LARGEST_ERROR) {
+    const tooLong = (point) => Math.hypot(...corrected(scaled(sum(point, scaled(middle, -1)), 1 / extent))) - 1;
+    return { refused: true, gap, tooLong };
+  }
   const shape = scaled(matrix, determinant(matrix) ** (-1 / 3));
   const middleOfAll = sum(scaled(centre, extent), middle);
   return { refused: false, iron: [...shape, ...toChild(shape, middleOfAll)] };

@@ -68,7 +68,7 @@ export function slider(control, touched, typed) {
       input.style.setProperty("--from", `${Math.min(zero, along(position))}%`);
       input.style.setProperty("--to", `${Math.max(zero, along(position))}%`);
       input.setAttribute("aria-valuetext", long);
-      value.textContent = typed?.text() === short ? "" : short;
+      value.textContent = typed && (!control.words || typed.text() === short) ? "" : short;
     },
   };
 }

@@ -123,7 +123,7 @@ const handles = (state, { width, height }, viewpoint) => [
 
 /** The angle as the aircraft turns it, round and round, and half of it as the quaternion holds it. */
 function dial(context, { width, height }, { angle }, colours) {
-  words(context, "angle, and half", [12, 12], { colour: colours("muted"), weight: 600 });
+  words(context, "angle, half", [12, 12], { colour: colours("muted"), weight: 600 });
   const [middle, radius] = [[width / 2, 24 + (height - 32) / 2], Math.min(width / 2 - 12, (height - 36) / 2)];
   const at = (degrees, far) => [
     middle[0] + far * radius * Math.cos(degrees * DEGREE), middle[1] - far * radius * Math.sin(degrees * DEGREE),

@@ -6,7 +6,7 @@ import { mount as converter } from "./converter.js";
 import { DEMOS } from "./demos.js";
 import { parsed } from "./draw.js";
 
-const WIDTH = 420;
+const WIDTH = 380;
 const PER_LETTER = 0.56; // of the size: about as wide as a letter is
 
 const FINE = 2; // units of the picture to a pixel, all of them whole

@@ -39,21 +39,21 @@ function readouts(state) {
 function meaning(state) {
   const [roll, pitch] = angles(state);
   if (pitch.unknown)
-    return "The body falls freely: nothing holds it up, and its accelerometer feels nothing. Its angles are what rounding makes of no reading, and mean nothing.";
+    return "The body falls freely: nothing holds it up, and its accelerometer feels nothing. Angles from no reading mean nothing.";
   const wrong = [roll, pitch].filter((angle) => angle.wrong && !angle.unknown);
   const sentences = [];
   if (roll.unknown)
-    sentences.push(`What the sensor feels lies along the roll axis: at any roll it would feel the same. The ${roll.estimate}° is left by rounding and means nothing.`);
+    sentences.push(`What the sensor feels lies along the roll axis, the same at any roll: the ${roll.estimate}° is left by rounding.`);
   if (wrong.length > 0) {
-    const list = wrong.map(({ name, error }) => `its ${name} is wrong by ${error}°`).join(" and ");
-    sentences.push(`The sensor takes the acceleration for tilt: ${list}, for as long as the acceleration lasts.`);
+    const list = wrong.map(({ name, error }) => `${name} is wrong by ${error}°`).join(" and ");
+    sentences.push(`It takes the acceleration for tilt: ${list} as long as that lasts.`);
   } else if (!roll.unknown)
     sentences.push(
       unaccelerated(state)
         ? "The body does not accelerate, so the two verticals agree and both angles are right."
         : "The acceleration happens to leave both angles as they are.",
     );
-  if (roll.scattered || pitch.scattered) sentences.push("Single readings scatter; the average reading does not.");
+  if (roll.scattered || pitch.scattered) sentences.push("Single readings scatter; their average does not.");
   return sentences.join(" ");
 }
 
@@ -83,9 +83,8 @@ const DEGREES = { short: "°", long: "degrees" };
 const METRES = { short: " m/s²", long: "metres per second squared" };
 const still = { roll: 0, pitch: 0, forward_acceleration: 0, lateral_acceleration: 0, vibration: 0 };
 
-const FALLING = { ...still, roll: 90, lateral_acceleration: 9.80665 };
 const PUSHED = { roll: -150, pitch: 10, forward_acceleration: -9.9, lateral_acceleration: -9.9, vibration: 5 };
-const UPRIGHT = { ...PUSHED, roll: -180, pitch: 90, forward_acceleration: -10, lateral_acceleration: 0 };
+const UPRIGHT = { ...PUSHED, roll: -100, pitch: 90, forward_acceleration: -10, lateral_acceleration: 0 };
 
 const definition = {
   python: "TiltDemo",
@@ -103,7 +102,7 @@ const definition = {
     { name: "vibration", label: "Vibration, RMS", symbol: [], min: 0, max: 5, step: 0.1, unit: METRES },
   ],
   outputs: [
-    { name: "meaning", label: "What it means", wide: true, longestAt: [FALLING, PUSHED, UPRIGHT] },
+    { name: "meaning", label: "What it means", wide: true, longestAt: [PUSHED, UPRIGHT] },
     { name: "roll_estimate", label: "Roll estimate", unit: DEGREES },
     { name: "pitch_estimate", label: "Pitch estimate", unit: DEGREES },
     { name: "roll_error", label: "Roll error", unit: DEGREES },

@@ -24,6 +24,11 @@ export function typed({ name, label, unit, min, max, step, toPosition, toValue =
     }
     input.value = now;
   });
+  input.addEventListener("beforeinput", (event) => {
+    if (!event.data?.includes(",")) return;
+    event.preventDefault(); // else some browsers drop the comma, and 0,5 is 5
+    document.execCommand("insertText", false, event.data.replace(",", "."));
+  });
   input.addEventListener("wheel", () => input.blur(), { passive: true }); // the wheel scrolls the page
   return {
     text: () => now.replace("-", "−") + (unit?.short ?? ""),

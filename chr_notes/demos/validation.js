@@ -5,7 +5,7 @@
 import { matrixFromEuler } from "../generated/javascript/attitude.mjs";
 import { inPart, line, linear, mark, words } from "./chart.js";
 import { mountOf } from "./controls.js";
-import { scaled } from "./draw.js";
+import { label, scaled } from "./draw.js";
 import { directed, direction, flown, globe, looking, pointer } from "./globe.js";
 import { keeping } from "./keeping.js";
 import { rounded } from "./parts.js";
@@ -88,7 +88,7 @@ function cut(corners, of) {
   });
 }
 
-const [SPLIT, SHOWN] = [0.66, 3.3]; // of the height, for the globe; what it shows, in radii
+const [SPLIT, SHOWN] = [0.62, 3.3]; // of the height, for the globe; what it shows, in radii
 const TIP = 1.25; // where the arrows end
 
 function draw(context, { width, height }, state, colours, viewpoint) {
@@ -119,15 +119,17 @@ function scene(context, size, state, colours, viewpoint) {
   }
   context.fillStyle = colours("alert");
   context.fill();
-  const style = { colours, room: size.width };
+  const taken = [];
+  const key = (text, x, colour) => label(context, [text], [x, 14], { colour: colours(colour), rim: colours("page"), size: 12, width: size.width, taken });
+  key("■ E sees", 0, "alert"); // in the corners, where no end of an axis gets
+  key("□ E is blind", size.width, "muted");
+  const style = { colours, room: size.width, taken };
   const out = (end, name, colour, dash) =>
     pointer(context, view, scaled(end, TIP), { ...style, name: [name], held: name === "axis", colour, dash, width: facing({ point: scaled(end, TIP) }) > 0 ? 4 : 2.5 });
-  globe(context, view, colours, size);
+  globe(context, view, colours, size, { taken });
   flown(context, view, matrixFromEuler(0, 0, (state.heading * Math.PI) / 180), colours, 0.9);
   out(fieldOf(state), "field", "z", [6, 3]);
   out(axisOf(state), "axis", "ink");
-  words(context, "■ axes that E sees", [8, 14], { colour: colours("alert"), weight: 600 });
-  words(context, "□ axes it is blind to", [8, 31], { colour: colours("muted"), weight: 600 });
 }
 
 /** The axis by its end, and the threshold by its line. */
@@ -153,7 +155,7 @@ const LIMITS = [0.1, 0.2, 0.3, 0.5, 1, 2]; // of E
 /** Where the chart stands, and its scales: as much of the axis of E as there are values. */
 function scalesOf({ width, height }, state) {
   const { all, quiet, seen } = found(state);
-  const [left, right, top, bottom] = [50, width - 22, SPLIT * height + 50, height - 36];
+  const [left, right, top, bottom] = [50, width - 22, SPLIT * height + 48, height - 34];
   const limit = LIMITS.find((each) => each >= Math.max(all.at(-1), quiet.at(-1), seen)) ?? 2;
   const x = linear(0, limit, left, right);
   return { left, right, top, bottom, limit, x: (value) => x(Math.min(limit, value)), y: linear(0, 100, bottom, top) };
@@ -206,11 +208,12 @@ const definition = {
     { name: "axis_pitch", label: "Axis of the error, upwards", symbol: [], min: -90, max: 90, step: 1, unit: DEGREES },
     { name: "error", label: "Error", symbol: [], min: 0, max: 30, step: 0.5, unit: DEGREES },
     { name: "threshold", label: "Threshold of E", symbol: [], min: 0, max: MOST, step: STEP, unit: { short: "", long: "threshold" }, words: (value) => ({ short: three(value), long: `a threshold of ${three(value)}` }) },
-    { name: "iron", label: "Field of iron, down", symbol: [], min: -0.5, max: 0.5, step: 0.01, unit: { short: "", long: "of the field" } },
-    { name: "inclination", label: "Inclination of the field", symbol: [], min: -90, max: 90, step: 1, unit: DEGREES },
+    { name: "iron", rare: true, label: "Field of iron, down", symbol: [], min: -0.5, max: 0.5, step: 0.01, unit: { short: "", long: "of the field" } },
+    { name: "inclination", rare: true, label: "Inclination of the field", symbol: [], min: -90, max: 90, step: 1, unit: DEGREES },
   ],
+  rarely: "Iron and inclination",
   outputs: [
-    { name: "meaning", label: "What it means", wide: true, longestAt: [{ ...start, error: 12.5 }] },
+    { name: "meaning", label: "What it means", wide: true, longestAt: [{ ...start, axis_yaw: -117, axis_pitch: 50, error: 10.5, threshold: 0.03, iron: -0.5, inclination: 78 }] },
     { name: "factor", label: "Factor E" },
     { name: "missed", label: "Directions missed", unit: SHARE },
     { name: "false_alarms", label: "False alarms", unit: SHARE },

@@ -38,6 +38,9 @@ HELD_BY_KEYS: dict[type[Demo], set[str]] = {
     ValidationDemo: {"axis_yaw", "axis_pitch"},
 }
 
+# The parts of the state whose sliders are folded away until they are asked for.
+FOLDED: dict[type[Demo], tuple[str, ...]] = {ValidationDemo: ("iron", "inclination")}
+
 each_demo = pytest.mark.parametrize("demo", DEMOS, ids=lambda demo: demo.element)
 
 # What all do by the same code is tried on one of each kind of picture; on all with --full.
@@ -71,6 +74,13 @@ def state_of(page: Page | Locator) -> dict[str, float]:
         str(page.locator(".chr-demo").first.get_attribute("data-state"))
     )
     return state
+
+
+def unfold(page: Page) -> None:
+    """Open what holds the sliders that are folded away."""
+    page.locator(".chr-controls details").evaluate_all(
+        "(all) => all.forEach((each) => { each.open = true; })"
+    )
 
 
 def changed(page: Page, demo: Demo) -> set[str]:

@@ -10,6 +10,7 @@ from chr_notes.demos.base import Demo
 
 from .colours import channels, contrast, of_palette
 from .parts import (
+    FOLDED,
     HELD_BY_KEYS,
     KINDS,
     PageOf,
@@ -20,6 +21,7 @@ from .parts import (
     picture,
     slider,
     state_of,
+    unfold,
 )
 
 MINUS_ZERO = re.compile(r"[−-]0(?:\.0+)?(?![\d.])")
@@ -31,7 +33,7 @@ UNITS = (
 
 # ── by keyboard ────────────────────────────────────────────────────────────────────────────────
 
-BUTTONS = ("play", "reset", "link", "python")
+BUTTONS = ("link", "python")
 
 
 @each_demo
@@ -42,6 +44,7 @@ def test_everyone_can_use_it(
     page = visit(page_of(demo()))
     the_reader_is_told_first_what_to_try(page)
     everything_has_a_name(page)
+    unfold(page)
     tab_reaches_each_control_and_shows_where_it_is(page, demo, "light")
     if demo in KINDS or pytestconfig.getoption("full"):
         page.evaluate("document.documentElement.dataset.theme = 'dark'")
@@ -63,7 +66,9 @@ def tab_reaches_each_control_and_shows_where_it_is(
     picture_first = [None] * page.locator("canvas.chr-turns").count()
     reached = []
     beside = {name: [] if demo.class_traits()[name].whole else [""] for name in demo.controls}
-    stops = [each for name in demo.controls for each in (name, *beside[name])]
+    words = {names[0]: [None] for names in [FOLDED.get(demo, ())] if names}  # of what is folded
+    stops = [each for name in demo.controls for each in (*words.get(name, []), name, *beside[name])]
+    stops = ["play", "reset", *stops]
     buttons = [*BUTTONS, *(["phone"] if demo is TiltDemo else [])]
     for _ in range(len([*picture_first, *stops, *buttons])):
         page.keyboard.press("Tab")
@@ -105,6 +110,9 @@ def a_number_can_be_typed(page: Page, demo: type[Demo]) -> None:
         inside = round(0.5 * (limits.min + limits.max) + 0.001, 3)
         field(page, name).fill(str(inside))
         assert state_of(page)[name] == inside
+        field(page, name).fill("")
+        field(page, name).press_sequentially(str(inside).replace(".", ","))
+        assert state_of(page)[name] == inside, "with a comma"
         wrong = (
             ("", "a number from ", inside),
             (str(limits.min - 1), "at least ", limits.min),

@@ -117,7 +117,7 @@ def test_a_sensor_turned_by_hand_grows_its_cloud(visit: Visit, page_of: PageOf) 
     drag(canvas, (0.15, 0.15), (0.2, 0.15))
     few = state_of(page)
     assert 0 < len(str(few["turned"])) // 4 < 10
-    expect(output(page, "meaning")).to_contain_text("A fit needs 10 at least")
+    expect(output(page, "meaning")).to_contain_text("a fit needs 10 at least")
     expect(output(page, "error_after")).to_have_text("–")
     drag(canvas, (0.15, 0.15), (0.5, 0.2), (0.2, 0.6), (0.7, 0.5))
     more = state_of(page)

@@ -1,6 +1,7 @@
 """The magnetometer demo: its fit is the project's, and refuses where the project's does."""
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -10,6 +11,8 @@ import chr_notes
 from chr_notes.demos import MagnetometerDemo
 from chr_notes.demos.base import rounded
 from chr_notes.demos.magnetometer import SETTING
+from chr_notes.sensors import ellipsoid
+from chr_notes.sensors.coverage import evenly_spread
 
 from .parts import SET_AND_READ, PageOf, Samples, Visit, output, random_states
 
@@ -81,6 +84,27 @@ def test_a_turn_about_one_axis_is_refused(visit: Visit, page_of: PageOf) -> None
     expect(page.locator(".chr-note").last).to_have_text("refused")
     expect(output(page, "meaning")).to_contain_text("The fit refuses: no reading comes from within")
     assert "the fit refuses" in MagnetometerDemo(tilt=0).fallback()
+
+
+def test_a_refusal_says_how_far_off_the_ellipsoid_is(
+    visit: Visit, page_of: PageOf, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(ellipsoid, "WIDEST_GAP", math.pi)  # so that it answers
+    monkeypatch.setattr(ellipsoid, "LARGEST_ERROR", math.inf)
+    few = MagnetometerDemo(tilt=60, noise=0.1)
+    noisy = MagnetometerDemo(readings=200, tilt=0, hard_iron=4, soft_iron=0.5, noise=0.8)
+    cases = {few: "where it takes 100° at most", noisy: "too far with so much noise"}
+    for demo, why in cases.items():
+        found = chr_notes.fit_ellipsoid(demo.cloud())
+        stretch = np.eye(3) + demo.soft_iron * np.reshape(SETTING.soft, (3, 3))
+        everywhere = evenly_spread(500) * np.linalg.norm(SETTING.field)
+        true = (everywhere + demo.hard_iron * np.array(SETTING.hard)) @ stretch.T
+        norms = np.linalg.norm((true - found.centre) @ found.to_sphere, axis=1) / found.radius
+        said = str(output(visit(page_of(demo)), "meaning").text_content())
+        assert why in said
+        numbers = [float(each) for each in re.findall(r"(?<=within )[\d.]+|[\d.]+(?= %)", said)]
+        gap, off = math.degrees(found.gap), 100 * np.abs(norms - 1).max()
+        assert numbers == pytest.approx([gap, off], rel=0.03)
 
 
 def test_text_has_the_state_and_the_numbers() -> None:

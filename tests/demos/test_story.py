@@ -4,6 +4,7 @@ import json
 
 from playwright.sync_api import Page, expect
 
+from chr_notes.demos import DriftDemo, GimbalLockDemo
 from chr_notes.demos.base import Demo
 
 from .parts import PageOf, Visit, each_demo, each_kind, hold, let_pass, picture, slider, state_of
@@ -95,6 +96,20 @@ def a_wish_for_less_motion_is_heard_at_once(page: Page) -> None:
     assert state_of(page) == state
     page.emulate_media(reduced_motion="no-preference")
     expect(page.get_by_role("button", name="Play")).to_have_count(1)
+
+
+def test_what_is_said_stands_below_the_picture_of_a_phone(visit: Visit, page_of: PageOf) -> None:
+    page = visit(page_of(GimbalLockDemo(pitch=60), DriftDemo()), width=390)
+    page.evaluate("document.querySelector('[name=play]').scrollIntoView()")
+    height = page.locator("canvas").first.evaluate("(each) => each.offsetHeight")
+    scrolled = page.evaluate("(height) => { scrollBy(0, -height - 20); return scrollY; }", height)
+    page.get_by_role("button", name="Play").first.click()
+    canvas = page.locator("canvas").first.bounding_box()
+    said = page.locator(".chr-said").first.bounding_box()
+    assert canvas is not None
+    assert said is not None
+    assert canvas["y"] + canvas["height"] <= said["y"] + 1
+    assert page.evaluate("scrollY") < scrolled
 
 
 PLACES = """() => {

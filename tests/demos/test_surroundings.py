@@ -16,6 +16,7 @@ from .parts import (
     output,
     picture,
     slider,
+    unfold,
 )
 
 MINUS_ZERO = re.compile(r"[−-]0(?:\.0+)?(?![\d.])")
@@ -60,6 +61,7 @@ def test_demos_work_from_a_server_with_a_strict_policy(
 
 def test_all_fit_a_finger_paper_and_chosen_colours(visit: Visit, page_of: PageOf) -> None:
     page = visit(page_of(*(demo() for demo in ALL)), width=390, has_touch=True, is_mobile=True)
+    unfold(page)
     what_a_finger_hits_is_large_enough(page)
     page.emulate_media(media="print")
     for kind, name, value in (
@@ -87,8 +89,8 @@ def styles_of(page: Page, selector: str, name: str) -> set[str]:
 
 def what_a_finger_hits_is_large_enough(page: Page) -> None:
     sizes = page.evaluate(
-        "() => [...document.querySelectorAll('.chr-demo :is(input, button, select, textarea)')]"
-        ".filter((each) => !each.hidden)"
+        "() => [...document.querySelectorAll("
+        "'.chr-demo :is(input, button, select, textarea, summary)')].filter((each) => !each.hidden)"
         ".map((each) => each.getBoundingClientRect()).map(({ width, height }) => [width, height])"
     )
     assert len(sizes) > 60

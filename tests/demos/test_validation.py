@@ -8,7 +8,7 @@ import chr_notes
 from chr_notes.demos import ValidationDemo
 from chr_notes.demos.base import rounded
 
-from .parts import SET_AND_READ, PageOf, Visit, output, random_states
+from .parts import FOLDED, SET_AND_READ, PageOf, Visit, output, random_states, slider
 
 STEPS = dict.fromkeys(ValidationDemo.controls, 1.0) | {
     "error": 0.5,
@@ -76,6 +76,18 @@ def test_iron_raises_an_alarm_although_the_angles_are_right(visit: Visit, page_o
     page = visit(page_of(ValidationDemo(error=0, iron=-0.37)))
     expect(output(page, "meaning")).to_contain_text("the magnetometer lies")
     expect(output(page, "false_alarms")).to_have_text("100")
+
+
+def test_what_is_rarely_moved_is_folded_away_while_it_is_as_usual(
+    visit: Visit, page_of: PageOf
+) -> None:
+    address = page_of(ValidationDemo())
+    page = visit(address)
+    (first, *_) = FOLDED[ValidationDemo]
+    expect(slider(page, first)).not_to_be_visible()
+    for state, seen in (("iron=0.1", True), ("heading=90", False), ("inclination=-20", True)):
+        page.goto(f"{address}#validation?{state}")
+        expect(slider(page, first)).to_be_visible(visible=seen)
 
 
 def test_text_has_the_state_and_the_numbers() -> None:
