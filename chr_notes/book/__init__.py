@@ -1,7 +1,9 @@
 """The book: write the pages that come from data, then let Jupyter Book make HTML of it all."""
 
+import errno
 import hashlib
 import importlib.util
+import os
 import shutil
 import subprocess
 import sys
@@ -29,6 +31,8 @@ _INSTALL = 'python -m pip install -e ".[book]", or "chr-notes[book]" without a c
 _MAKERS = ("jupyter-book", "matplotlib", "myst-nb", "sphinx", "sphinx-book-theme", "sympy")
 _STAMP = "made_by"
 _PDF = "chr-notes.pdf"
+_ROOM = 5_000_000
+"""Bytes free below which a page or picture may have found no room."""
 
 
 def build(
@@ -182,6 +186,8 @@ def _run_jupyter_book(root: Path, output: Path, *, whole: bool) -> None:
     ]  # fmt: skip
     done = subprocess.run(command, cwd=root, check=False)  # noqa: S603 - a fixed command
     if done.returncode != 0:
+        if shutil.disk_usage(output).free < _ROOM:
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(output.parent))
         msg = "Jupyter Book found errors or warnings, in its output above; no page was changed"
         raise RuntimeError(msg)
 

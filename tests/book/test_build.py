@@ -3,10 +3,12 @@
 import errno
 import importlib.util
 import os
+import shutil
 import subprocess
 import sys
 from collections import Counter
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -47,6 +49,26 @@ def test_jupyter_book_names_no_folder_that_goes_away_and_says_what_is_wrong() ->
     out = subprocess.run(run, check=True, capture_output=True, text=True).stdout
     assert "wrong" in out
     assert "here" not in out
+
+
+@pytest.mark.parametrize(
+    ("free", "told"), [(1_000, "No space left on device: {}"), (10**9, "Jupyter Book found errors")]
+)
+def test_what_jupyter_book_found_no_room_for_is_told_by_the_disk(
+    free: int,
+    told: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.setattr(sources, "find", lambda _: tmp_path)
+    monkeypatch.setattr(chr_notes.book, "_made_by", lambda _: "of today")
+    monkeypatch.setattr(chr_notes.book, "write_generated", lambda *_: None)
+    monkeypatch.setattr(chr_notes.book, "JUPYTER_BOOK", "raise SystemExit(1)")
+    monkeypatch.setattr(shutil, "disk_usage", lambda _: SimpleNamespace(free=free))
+    assert main(["book"]) == 1
+    assert f"book: {told.format(tmp_path / 'book')}" in capsys.readouterr().err
+    assert list((tmp_path / "book").iterdir()) == []
 
 
 @pytest.fixture
