@@ -156,7 +156,7 @@ def typed(page: Page, given: list[dict[str, str]]) -> list[dict[str, list[float]
 
 @pytest.mark.full
 def test_all_states_and_texts_on_a_page_from_a_file(visit: Visit, page_of: PageOf) -> None:
-    page = visit(page_of(ConverterDemo()))
+    page = visit(page_of(ConverterDemo()), width=1280)  # all digits
     given = states()
     choices = [{k: v for k, v in state.items() if k != "value"} for state in given]
     texts = [", ".join(map(repr, state["value"])) for state in given]

@@ -4,7 +4,7 @@ from playwright.sync_api import Page, expect
 
 from chr_notes.demos.base import Demo
 
-from .parts import PageOf, Visit, each_kind, hold, let_pass, slider, state_of
+from .parts import PageOf, Visit, each_kind, hold, let_pass, slider, state_of, unfold
 
 RENDER = """async ([source, values]) => {
   const url = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
@@ -35,6 +35,7 @@ def test_widget_and_model_follow_each_other(
     visit: Visit, page_of: PageOf, demo: type[Demo]
 ) -> None:
     page = rendered(visit, page_of, demo)
+    unfold(page)
     control = demo.controls[-1]
     slider(page, control).press("ArrowRight")
     assert page.evaluate("saved") == 1
