@@ -44,7 +44,7 @@ def read(path: Path) -> str:
 
 
 def write(texts: Mapping[Path, str]) -> None:
-    """Write all of these files, or none: stopped or without room, all is as it was before."""
+    """Write all of these files: without room for one none is changed, and each is whole."""
     begun = {path: path.with_name(f".{path.name}.begun") for path in texts}
     try:
         for path, part in begun.items():
