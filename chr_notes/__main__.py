@@ -8,7 +8,6 @@ import signal
 import sys
 import textwrap
 from collections.abc import Iterable, Mapping, Sequence
-from contextlib import suppress
 from pathlib import Path
 from types import FrameType
 
@@ -42,13 +41,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print(f"{options.command}: stopped before the end", file=sys.stderr)
         return SIGNALLED + (stopped.args[0] if stopped.args else signal.SIGINT)
     except BrokenPipeError:
-        _write_no_more()
+        _end_output()
         return UNREAD
     except (OSError, RuntimeError) as error:
-        # It says what is missing or wrong; where in the program does not help. Where the disk is
-        # full the output's own end would complain again.
+        # It says what is missing or wrong; where in the program does not help.
         print(f"{options.command}: {_said(error)}", file=sys.stderr)
-        _write_no_more()
+        _end_output()
         return 1
     finally:
         signal.signal(signal.SIGTERM, before)
@@ -59,9 +57,11 @@ def _stop(number: int, _: FrameType | None) -> None:
     raise KeyboardInterrupt(number)
 
 
-def _write_no_more() -> None:
-    """Let what is still to be printed go nowhere."""
-    with suppress(io.UnsupportedOperation):  # no file is behind it
+def _end_output() -> None:
+    """Write what is still to be printed; where that cannot be, it goes nowhere."""
+    try:
+        sys.stdout.flush()
+    except OSError:  # nobody reads it, or the disk is full; Python's own end would complain again
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
