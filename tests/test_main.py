@@ -144,6 +144,18 @@ def test_a_reader_who_has_read_enough_is_no_error(monkeypatch: pytest.MonkeyPatc
         assert command.main(["ledger"]) == command.UNREAD
 
 
+def test_what_failed_leaves_the_output_to_what_comes_after(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    taken = tmp_path / "taken"
+    taken.touch()
+    with (tmp_path / "output").open("w", encoding="utf-8") as output:
+        monkeypatch.setattr(sys, "stdout", output)
+        assert command.main(["export", "c", str(taken)]) == 1
+        output.write("after\n")
+    assert (tmp_path / "output").read_text("utf-8") == "after\n"
+
+
 def test_a_full_disk_is_told_in_a_line(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
