@@ -45,6 +45,10 @@ class _Printer(LatexPrinter):
         # A symbol needs none, nor a fraction, whose line holds it together.
         return not (argument.is_Symbol or fraction(argument)[1] != 1)
 
+    def _print_Symbol(self, symbol: Symbol, style: str = "plain") -> str:  # noqa: N802 (SymPy's hook)
+        # The letter that the text has: ε and not ϵ.
+        return super()._print_Symbol(symbol, style).replace(r"\epsilon", r"\varepsilon")
+
     def _print_MatrixBase(self, matrix: MatrixBase) -> str:  # noqa: N802 (SymPy's hook)
         # A dot product is written as a row times a column, and is a number.
         return (

@@ -4,6 +4,7 @@ Checked with each notebook, before its cells are run again.
 """
 
 import ast
+import base64
 import re
 from collections.abc import Callable, Generator, Iterator
 from pathlib import Path
@@ -13,6 +14,8 @@ import pytest
 
 Node = nbformat.NotebookNode
 WIDGET_VIEW = "application/vnd.jupyter.widget-view+json"
+FIGURE = re.compile(r'class="chr-figure"[^>]*;base64,([^"]+)"')
+ONE_COLOUR = re.compile(r"(?:fill|stroke): #\w+")
 CHANGES_EACH_TIME = re.compile(r"\bat 0x[0-9a-f]+|/(home|tmp|root|work|Users)/\w|file://")
 
 
@@ -75,6 +78,12 @@ def figures_that_are_drawn_are_shown(notebook: Node) -> None:
         assert drawn == texts(cell).count('class="chr-figure"'), cell.source
 
 
+def figures_have_colours_of_both_themes(notebook: Node) -> None:
+    for cell in code_cells(notebook):
+        for figure in FIGURE.findall(texts(cell)):
+            assert not ONE_COLOUR.findall(base64.b64decode(figure).decode()), cell.source
+
+
 def comments_do_not_steer_the_check(notebook: Node) -> None:
     # Tags do, and those are counted.
     for cell in code_cells(notebook):
@@ -87,6 +96,7 @@ CHECKS = (
     outputs_are_the_same_each_time,
     cells_do_not_end_in_a_semicolon,
     figures_that_are_drawn_are_shown,
+    figures_have_colours_of_both_themes,
     comments_do_not_steer_the_check,
 )
 

@@ -1,11 +1,8 @@
 """The picture of the two frames and of the right-hand rule, on the page on conventions."""
 
-from dataclasses import replace
-
 import numpy as np
 from matplotlib import pyplot as plt
 
-from chr_notes.book.speed_page import NOT_SEEN
 from chr_notes.euler import matrix_from_euler
 from chr_notes.palette import PALETTE
 from chr_notes.plots import Picture, draw_aircraft, draw_frame, draw_label, draw_turn, show, world
@@ -51,5 +48,4 @@ def picture() -> Picture:
         draw_turn(body, attitude, letter, f"{letter} {of_body}")
     for height, name in ((0.93, "inertial frame"), (0.56, "body frame")):
         figure.text(0.02, height, name, color=PALETTE["ink"].light, fontsize=12)
-    drawn = show(figure, ALT, CAPTION)
-    return replace(drawn, svg=NOT_SEEN.sub(r"\1", drawn.svg))
+    return show(figure, ALT, CAPTION)

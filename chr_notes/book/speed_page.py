@@ -1,9 +1,7 @@
 """The page on speed: curves of a stored run, and what of it to use when."""
 
 import json
-import re
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 from itertools import cycle
 from math import inf
 from typing import Any, Final
@@ -28,8 +26,6 @@ TOLD: Final = {1: "1 row", 100: "100", 1_000: "1,000", 1_000_000: "10⁶"}
 """Numbers of rows in the table; the curves have all."""
 LOOKS: Final = (("z", "y", "s"), ("y", "z", "^"), ("qualified", "alert", "D"), ("ink", "y", "v"))
 """Colour, dashes and marker of other libraries."""
-NOT_SEEN: Final = re.compile(r"<metadata>.*?</metadata>|\b([1-9]\d*\.\d\d)\d+", re.DOTALL)
-"""What only makes a page heavy: metadata, and digits beyond a hundredth of a point."""
 OF_A_STREAM: Final = "samples of a stream "
 """How the tasks begin that take samples one by one, and otherwise "samples "."""
 TENTH: Final = 0.1
@@ -147,7 +143,7 @@ def drawn(run: Mapping[str, Any]) -> dict[str, Times]:
 def curves(run: Mapping[str, Any]) -> Iterator[str]:
     """Yield a picture for each task that a library does: the time of a call against the rows."""
     for task, times in drawn(run).items():
-        figure, axes = plt.subplots(figsize=(6.4, 3.6))
+        figure, axes = plt.subplots(figsize=(5.4, 3.4))
         looks = cycle(LOOKS)
         shown = {name: each for name, each in times.items() if len(each) > 1}
         for name, each in shown.items():
@@ -175,8 +171,7 @@ def curves(run: Mapping[str, Any]) -> Iterator[str]:
         )
         yield f"### {task[0].upper()}{task[1:]}\n"
         picture = show(figure, words, nearest(times))
-        small = replace(picture, svg=NOT_SEEN.sub(r"\1", picture.svg))
-        yield f'<div class="curves">{small._repr_html_()}</div>\n'
+        yield f'<div class="curves">{picture._repr_html_()}</div>\n'
 
 
 def nearest(times: Times) -> str:

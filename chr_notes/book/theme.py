@@ -12,6 +12,7 @@ from chr_notes.book.access import mended
 from chr_notes.book.download import offered
 from chr_notes.book.entry_links import from_cards, from_docstring
 from chr_notes.book.figures import taken_out
+from chr_notes.book.spacing import spaced
 from chr_notes.book.type_names import shorten
 from chr_notes.book.unused_rules import used_words, without_unused
 
@@ -76,7 +77,7 @@ def _lighten(app: Sphinx, error: Exception | None) -> None:
             (built / "_images").mkdir(exist_ok=True)
             (built / "_images" / name).write_bytes(figure)
         text = _without_scripts(text, unused).replace(_LATE_THEME, _THEME)
-        page.write_text(mended(text), encoding="utf-8")
+        page.write_text(spaced(mended(text)), encoding="utf-8")
     styles = built / "_static" / "styles" / "pydata-sphinx-theme.css"
     text = styles.read_text(encoding="utf-8")
     styles.write_text(_ICON_RULES.sub("", text), encoding="utf-8")

@@ -3,14 +3,24 @@
 import base64
 import html
 import io
+import re
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Final
 
 import matplotlib as mpl
 from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
 
-from chr_notes.palette import DASHES
+from chr_notes.palette import DASHES, PALETTE
+
+_NOT_SEEN: Final = re.compile(r"<metadata>.*?</metadata>|\b([1-9]\d*\.\d\d)\d+", re.DOTALL)
+"""What only makes a page heavy: metadata, and digits beyond a hundredth of a point."""
+_COLOUR: Final = re.compile(r"(fill|stroke): (#[0-9a-f]{6})")
+_NAMES: Final = {colour.light: name for name, colour in reversed([*PALETTE.items()])} | {
+    "#000000": "ink",  # what matplotlib draws by itself: letters and frames,
+    "#cccccc": "line",  # a legend's edge,
+    "#b0b0b0": "line",  # a grid
+}
 
 
 @dataclass(frozen=True)
@@ -65,7 +75,29 @@ def show(figure: Figure, alt: str, caption: str) -> Picture:
             buffer, format="svg", metadata={"Date": None}, bbox_inches="tight" if whole else None
         )
     plt.close(figure)
-    return Picture(buffer.getvalue(), alt, caption)
+    return Picture(_in_both_themes(_NOT_SEEN.sub(r"\1", buffer.getvalue())), alt, caption)
+
+
+def _in_both_themes(svg: str) -> str:
+    """Let the page's theme choose between the two shades that the palette has of a colour."""
+    used = {"ink"}
+
+    def variable(found: re.Match[str]) -> str:
+        name = _NAMES.get(found[2])
+        if name is None:
+            return found[0]
+        used.add(name)
+        return f"{found[1]}: var(--{name})"
+
+    drawn = _COLOUR.sub(variable, svg)
+    names = [name for name in PALETTE if name in used]
+    light = "".join(f"--{name}:{PALETTE[name].light};" for name in names)
+    dark = "".join(f"--{name}:{PALETTE[name].dark};" for name in names)
+    # Black letters say nothing of their colour, and have the drawing's.
+    style = (
+        f"svg{{fill:var(--ink);{light}}}@media(prefers-color-scheme:dark){{svg{{{dark}}}}}</style>"
+    )
+    return drawn.replace("</style>", style, 1)
 
 
 def line_style(name: str) -> Any:  # noqa: ANN401 (matplotlib's line styles are untyped)

@@ -43,10 +43,10 @@ def draw_growth(
         msg = f"errors: expected at most {len(DASHES)}, got {len(errors)}"
         raise ValueError(msg)
     if axes is None:
-        axes = plt.subplots(figsize=(6.4, 3.6))[1]
+        axes = plt.subplots(figsize=(5.4, 3.4))[1]
     seconds = np.asarray(time, dtype=np.float64)
     if expected is not None:
-        axes.plot(seconds, np.abs(expected), color=PALETTE["body"].light, lw=4.5, label="expected")
+        axes.plot(seconds, np.abs(expected), color=PALETTE["shade"].light, lw=4.5, label="expected")
     for (label, error), line in zip(errors.items(), DASHES, strict=False):
         axes.plot(
             seconds, np.abs(error), color=PALETTE[line].light, lw=1.4, ls=line_style(line),

@@ -48,7 +48,7 @@ def draw_angles(
         msg = f"estimates: expected at most {len(DASHES)}, got {len(estimates)}"
         raise ValueError(msg)
     if axes is None:
-        size = (6.4, 0.6 + 1.5 * len(shown))
+        size = (5.4, 0.6 + 1.5 * len(shown))
         _, made = plt.subplots(len(shown), 1, sharex=True, figsize=size, squeeze=False)
         axes = list(made[:, 0])
     seconds = np.asarray(time, dtype=np.float64)
@@ -57,7 +57,7 @@ def draw_angles(
         colour = PALETTE[ANGLES[place][1]].light
         if truth is not None:
             panel.plot(
-                seconds, _degrees(truth, place), color=PALETTE["body"].light, lw=4.5, label="truth"
+                seconds, _degrees(truth, place), color=PALETTE["shade"].light, lw=4.5, label="truth"
             )
         for (label, estimate), line in zip(estimates.items(), DASHES, strict=False):
             panel.plot(

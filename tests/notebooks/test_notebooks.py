@@ -1,5 +1,6 @@
 """A notebook that was saved in a wrong state is refused, and few outputs are left unchecked."""
 
+import base64
 import re
 import shutil
 from pathlib import Path
@@ -30,6 +31,12 @@ def cell(source: str, count: int | None, *outputs: Node, tag: str = "") -> Node:
 ONE = new_output("stream", name="stdout", text="1\n")
 ERROR = new_output("error", ename="ZeroDivisionError", evalue="division by zero", traceback=[])
 ANNOUNCED = "raises-exception"
+DRAWN = base64.b64encode(b'<svg style="stroke: #123456"/>').decode()
+OF_ONE_COLOUR = new_output(
+    "execute_result",
+    data={"text/html": f'<img class="chr-figure" src="data:image/svg+xml;base64,{DRAWN}">'},
+    execution_count=1,
+)
 DRAWS = "def draw():\n    return plots.show()"
 WRONGLY_STORED = {
     "never_run": [cell("x = 1", None)],
@@ -40,6 +47,7 @@ WRONGLY_STORED = {
     "figure_that_is_not_last": [cell("plots.show()\nprint(1)", 1, ONE)],
     "figure_of_a_function_that_is_not_last": [cell(DRAWS, 1), cell("draw()\nprint(1)", 2, ONE)],
     "figure_that_is_kept": [cell("kept = plots.show()", 1)],
+    "figure_of_one_colour": [cell("plots.show()", 1, OF_ONE_COLOUR)],
     "semicolon": [cell("x = 1;", 1)],
     "comment_that_steers": [cell("# NBVAL_IGNORE_OUTPUT\nprint(2)", 1, ONE)],
 }

@@ -1,0 +1,42 @@
+"""The text of built pages: what belongs together is on one line, and a minus is no hyphen."""
+
+import re
+from typing import Final
+
+__all__ = ["spaced"]
+
+# What is not text stays as it is: code, signatures, formulas and tags.
+_PART: Final = re.compile(
+    r"<(head|script|style|pre|code|dt|math|svg)\b.*?</\1>|<[^>]*>|(?P<text>[^<]+)", re.DOTALL
+)
+_UNITS: Final = "°/s|°/h|°C|m/s²|m/s|µT|Hz|rad/s|rad|km|cm|mm|m|ms|µs|ns|s|min|h|kg|g|%"
+_BEFORE_UNIT: Final = re.compile(rf"(?<=\d) (?=(?:{_UNITS})(?![\w/]))")
+_HYPHEN: Final = re.compile(r"(?<![^\s(])-(?=\d)|(?:(?<=\b\w )|(?<=[°)] ))-(?= )")  # -1 or a - b
+_THEN_POINT: Final = re.compile(
+    r'(?<!<span class="whole">)(<span class="math[^"]*"><math>(?:(?!</math>).)*</math></span>)'
+    r"([,.:;?!)]+)",
+    re.DOTALL,
+)
+_NO_BREAK: Final = "\N{NO-BREAK SPACE}"
+_MINUS: Final = "\N{MINUS SIGN}"
+
+
+def spaced(page: str) -> str:
+    r"""Keep numbers with their units and formulas with their comma; no hyphen stands for a minus.
+
+    Parameters
+    ----------
+    page
+        HTML.
+
+    Examples
+    --------
+    >>> spaced("<p>It reads -9.8 m/s² in <code>f(-9.8 m)</code>.</p>")
+    '<p>It reads −9.8\xa0m/s² in <code>f(-9.8 m)</code>.</p>'
+    """
+    return _THEN_POINT.sub(r'<span class="whole">\1\2</span>', _PART.sub(_set, page))
+
+
+def _set(part: re.Match[str]) -> str:
+    text = part["text"]
+    return part[0] if text is None else _HYPHEN.sub(_MINUS, _BEFORE_UNIT.sub(_NO_BREAK, text))
