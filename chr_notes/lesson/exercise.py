@@ -231,7 +231,7 @@ def _data(task: Mapping[str, object]) -> str:
 
 def _asked(values: Sequence[float], unit: str) -> str:
     count = f"{len(values)} numbers" if len(values) > 1 else "a number"
-    return f"{count} in {unit}" if unit else count
+    return f"{count} in {unit}".replace("^2", "²") if unit else count
 
 
 def _numbers(found: ArrayLike) -> tuple[float, ...]:
