@@ -44,6 +44,7 @@ def world(axes: Any = None, *, height: float = HEIGHT) -> Any:  # noqa: ANN401 (
         axes = figure.add_axes((0, 0.4 * (1 - room), 1, room), projection="3d")
         axes.set_in_layout(height >= HEIGHT)
     axes.set_axis_off()
+    axes.patch.set_visible(False)  # it reaches beyond a lower figure
     axes.set_proj_type("ortho")
     # Room for the axes, which point north, east and down, and a little for wings and fin.
     axes.set(xlim=(-0.8, 1.2), ylim=(-1.15, 0.85), zlim=(-1.15, 0.85))
