@@ -64,9 +64,12 @@ OUT_OF_REACH = """() => [...document.querySelectorAll(".bd-article *")].filter((
 ).map((element) => element.outerHTML.slice(0, 80))"""
 
 
-CUT = """() => [...document.querySelectorAll(".bd-article div.cell_output pre")].filter((element) =>
+CUT = """() => [...document.querySelectorAll(
+  ".bd-article div.cell_output :is(pre, div:has(> figure))"
+)].filter((element) =>
   element.checkVisibility() && element.scrollWidth > element.clientWidth
-  && element.textContent.split("\\n").every((line) => line.length <= 57)
+  && getComputedStyle(element).overflowX !== "visible"
+  && element.textContent.split("\\n").every((line) => line.length <= 57 || element.matches("div"))
 ).map((element) => element.textContent.slice(0, 80))"""
 
 
