@@ -23,7 +23,7 @@ export function draw(context, { width, height }, state, colours, viewpoint) {
 
 function scene(context, size, { label, navigation, body }, attitude, colours, viewpoint) {
   const view = looking(viewpoint, size, 3.1);
-  const style = { colours, room: size.width };
+  const style = { colours, room: size };
   const column = (m, k) => [m[k], m[3 + k], m[6 + k]];
   words(context, label, [size.width / 2, 14], { colour: colours("muted"), align: "center", weight: 600 });
   globe(context, view, colours, size, { radius: 1.15 });

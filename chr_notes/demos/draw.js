@@ -277,10 +277,10 @@ export function paint(context, polygons, view, radii = [], body = null) {
 /**
  * Words at a point of the picture, over everything, with a rim that keeps them legible: [words]
  * or [words, subscript]. `offset` moves them aside, in pixels; they never leave the picture, and
- * stand to the right of what is at its upper edge. Where one of the boxes `taken` is in the way,
- * { x, y, half, high } round its middle, they stand above or below it; their own one is added.
+ * stand to the right of what is at its upper edge, or its lower one, where they know its `height`. Where one of the boxes `taken` is in the way,
+ * { x, y, half, high } round its middle, they stand above or below it, still in the picture; their own one is added.
  */
-export function label(context, [text, subscript = ""], [x, y], { colour, rim, size = 14, offset = [0, 0], width, taken = [] }) {
+export function label(context, [text, subscript = ""], [x, y], { colour, rim, size = 14, offset = [0, 0], width, height = Infinity, taken = [] }) {
   const parts = [
     { text, font: `600 ${size}px system-ui, sans-serif`, drop: 0 },
     { text: subscript, font: `600 ${0.85 * size}px system-ui, sans-serif`, drop: 0.3 * size },
@@ -290,11 +290,12 @@ export function label(context, [text, subscript = ""], [x, y], { colour, rim, si
   });
   const half = parts.reduce((wide, part) => wide + part.wide, 0) / 2;
   const side = offset[0] === 0 ? 0 : Math.sign(offset[0]) * half + offset[0];
-  const above = Math.max(0, 0.6 * size - y - offset[1]); // of the picture
-  const middle = Math.min(Math.max(x + side + (above && half + 16), half + 6), width - half - 6);
-  const lines = [0, -1, 1, -2, 2, -3, 3].map((n) => y + offset[1] + above + 1.1 * n * size);
+  const [high, low] = [0.6 * size, height - 0.6 * size];
+  const inside = Math.min(Math.max(y + offset[1], high), low) - y - offset[1]; // from above or below the picture
+  const middle = Math.min(Math.max(x + side + (inside && half + 16), half + 6), width - half - 6);
+  const lines = [0, -1, 1, -2, 2, -3, 3].map((n) => y + offset[1] + inside + 1.1 * n * size);
   const covers = (at) => (box) => Math.abs(box.x - middle) < box.half + half + 2 && Math.abs(box.y - at) < box.high + size / 2;
-  const line = lines.find((at) => !taken.some(covers(at))) ?? lines[0];
+  const line = lines.find((at) => at >= high && at <= low && !taken.some(covers(at))) ?? lines[0];
   taken.push({ x: middle, y: line, half, high: size / 2 });
   context.textAlign = "left";
   context.textBaseline = "middle";

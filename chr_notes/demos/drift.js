@@ -35,7 +35,7 @@ function meaning(state, { velocity, position, byAccel, byGyro, noise, total }) {
   if (total === 0) return `On average a sensor with noise alone believes to stay where it is. After ${duration(time).short} that scatters by ${distance(noise)}.`;
   const after = `After ${duration(time).short} a sensor that has not moved believes that it is ${distance(total)} away${placesLeft(total)}`;
   if (total === position && noise === 0)
-    return `${after}, and moves at ${formatted(velocity)} m/s. In ten times as long, its velocity gets ten times as wrong, its position a hundred times.`;
+    return `${after}, and moves at ${formatted(velocity)}\u00a0m/s. In ten times as long, its velocity gets ten times as wrong, its position a hundred times.`;
   const causes = [
     [position, "by the angle"],
     [byAccel, "by the accelerometer's bias"],
@@ -153,7 +153,7 @@ function drawMap(context, size, state, colours) {
 const RANGE = [3e-3, 3e7]; // m/s and m
 const TIMES = [[1, "1 s"], [10, "10 s"], [60, "1 min"], [600, "10 min"], [3600, "1 h"]];
 const DECADES = [[0.01, "0.01"], [0.1, "0.1"], [1, "1"], [10, "10"], [100, "100"], [1e3, "1000"], [1e4, "10⁴"], [1e5, "10⁵"], [1e6, "10⁶"], [1e7, "10⁷"]];
-const SIZES = [[100, "a sports field"], [1e4, "a city"], [1e6, "a country"]]; // for scale
+const SIZES = PLACES.slice(2); // for scale
 
 // What grows by the angle alone, and what by each cause.
 const BY_ANGLE = [
@@ -190,7 +190,7 @@ function drawGrowth(context, { width, height }, state, colours) {
     line(context, [[x(moment), top], [x(moment), bottom]], { colour: colours("line"), width: 1 });
     words(context, text, [x(moment), bottom + 14], { ...small, align: "center" });
   }
-  for (const [metres, text] of SIZES) words(context, text, [LEFT + 6, y(metres) - 8], small);
+  for (const [metres, text] of SIZES) words(context, text.replace("the", "a"), [LEFT + 6, y(metres) - 8], small);
   if (curves.length === 0) {
     label(context, ["no error of angle, no drift"], [(LEFT + right) / 2, (top + bottom) / 2], {
       colour: colours("ink"), rim: colours("page"), width,
@@ -237,21 +237,21 @@ const definition = {
   controls: [
     { name: "view", label: "Show", choices: ["where it believes to be", "the growth of the errors"] },
     { name: "angle_error", label: "Error of the angle", symbol: ["ε"], min: 0, max: 5, step: 0.1, unit: { short: "°", long: "degrees" } },
-    { name: "accel_bias", label: "Bias of the accelerometer", symbol: [], min: 0, max: 0.5, step: 0.01, unit: { short: " m/s²", long: "metres per second squared" } },
-    { name: "gyro_bias", label: "Bias of the gyro", symbol: [], min: 0, max: 0.02, step: 0.001, unit: { short: " °/s", long: "degrees per second" }, words: (bias) => ({ short: `${formatted(bias)} °/s`, long: `${formatted(bias)} degrees per second` }) },
-    { name: "accel_noise", label: "Noise of the accelerometer, m/s²/√Hz", symbol: [], min: 0, max: 0.05, step: 0.001, unit: { short: "", long: "metres per second squared per root hertz" }, words: (noise) => ({ short: formatted(noise), long: `${formatted(noise)} metres per second squared per root hertz` }) },
+    { name: "accel_bias", label: "Accelerometer bias", symbol: [], min: 0, max: 0.5, step: 0.01, unit: { short: " m/s²", long: "metres per second squared" } },
+    { name: "gyro_bias", label: "Gyro bias", symbol: [], min: 0, max: 0.02, step: 0.001, unit: { short: " °/s", long: "degrees per second" }, words: (bias) => ({ short: `${formatted(bias)} °/s`, long: `${formatted(bias)} degrees per second` }) },
+    { name: "accel_noise", label: "Accelerometer noise", symbol: [], min: 0, max: 0.05, step: 0.001, unit: { short: "", long: "metres per second squared per root hertz" }, words: (noise) => ({ short: "m/s²/√Hz", long: `${formatted(noise)} metres per second squared per root hertz` }) },
     { name: "time", label: "Time", symbol: ["t"], min: 0, max: STEPS, step: 1, unit: { short: " s", long: "seconds" }, words: duration, ...SECONDS },
   ],
   outputs: [
     { name: "meaning", label: "What it means", wide: true, longestAt: [{ ...still, angle_error: 4.6, accel_bias: 0.46, gyro_bias: 0.019, accel_noise: 0.049, time: 2597 }] },
     { name: "total_error", label: "Position error" },
     { name: "position_error", label: "… by the angle" },
-    { name: "accel_bias_error", label: "… by the accelerometer" },
-    { name: "gyro_bias_error", label: "… by the gyro" },
+    { name: "accel_bias_error", label: "… by accel. bias" },
+    { name: "gyro_bias_error", label: "… by gyro bias" },
     { name: "noise_error", label: "… by noise, RMS" },
-    { name: "printed_position_error", label: "… as the note reckons, without ½" },
-    { name: "acceleration_error", label: "Acceleration, by the angle", unit: { short: "m/s²", long: "metres per second squared" } },
-    { name: "velocity_error", label: "Velocity, by the angle", unit: { short: "m/s", long: "metres per second" } },
+    { name: "printed_position_error", label: "… without ½ (note)" },
+    { name: "acceleration_error", label: "Acceleration by ε", unit: { short: "m/s²", long: "metres per second squared" } },
+    { name: "velocity_error", label: "Velocity by ε", unit: { short: "m/s", long: "metres per second" } },
     { name: "row", table: true, folded: "The note's Table 1 beside the right numbers" },
   ],
   story: [

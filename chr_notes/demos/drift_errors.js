@@ -47,10 +47,10 @@ export function duration(time) {
   };
 }
 
-/** A length in words, three digits. */
+/** A length in words, three digits and the unit, which no line parts. */
 export function distance(metres) {
   const [value, unit] = metres < 1 ? [100 * metres, "cm"] : metres < 1000 ? [metres, "m"] : [metres / 1000, "km"];
-  return `${Number(value.toPrecision(3))} ${unit}`;
+  return `${Number(value.toPrecision(3))}\u00a0${unit}`;
 }
 
 export const SECONDS = {

@@ -100,7 +100,7 @@ function overTime(context, [left, right, top, bottom], { push, bank }, all, colo
   label(context, [event], [x((BEGINS + ENDS) / 2), top + 10], { colour: colours("muted"), rim: colours("surface"), size: 12, width: right });
   named(context, right + 5, [top + 6, bottom], LINES.map(({ filter, name, colour }) => ({ text: name, colour, y: y(rms(all[filter].slice(-10))) })), colours);
   const most = Math.max(...all.accelerometer);
-  if (most > limit) words(context, `↑ ${Math.round(most)}°`, [right + 5, top - 8], { ...small, weight: 600 });
+  if (most > limit) words(context, `accel. up to ${Math.round(most)}°`, [right + NAMES - 8, 14], { ...small, align: "right", weight: 600 });
 }
 
 const TICKS = [0.01, 0.03, 0.1, 0.3, 1, 3, 10, 30, 100]; // degrees
@@ -139,8 +139,9 @@ function overGain(context, size, state, all, colours) {
   line(context, curve(all.valley), { colour: colours("ink"), width: 2.5 });
   mark(context, "triangle", [x(all.best.gain), y(all.best.error) + 7], { colour: colours("ink"), rim: colours("page"), radius: 6 });
   line(context, [[x(gain), top], [x(gain), bottom]], { colour: colours("x"), width: 1.5 });
-  mark(context, "circle", [x(gain), y(rms(all.observer))], { colour: colours("x"), rim: colours("page"), radius: 6 });
-  label(context, ["L"], [x(gain), top + 4], { colour: colours("x"), rim: colours("page"), width: size.width, offset: [gain > 0.3 ? -8 : 8, 0] });
+  const held = y(rms(all.observer));
+  mark(context, "circle", [x(gain), held], { colour: colours("x"), rim: colours("page"), radius: 6 });
+  label(context, ["L"], [x(gain), held < top + 30 ? bottom - 12 : top + 4], { colour: colours("x"), rim: colours("page"), width: size.width, offset: [gain > 0.3 ? -8 : 8, 0] });
   named(context, right + 5, [top, bottom], names, colours);
 }
 

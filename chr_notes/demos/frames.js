@@ -101,7 +101,7 @@ function scene(context, size, state, matrix, title, colours, viewpoint) {
   const view = looking(viewpoint, size, SHOWN);
   const wind = windOf(state);
   const [x, y] = view.project(wind);
-  const style = { colours, room: size.width, taken: [{ x, y, half: 13, high: 13 }] }; // the ring by which it is held
+  const style = { colours, room: size, taken: [{ x, y, half: 13, high: 13 }] }; // the ring by which it is held
   words(context, title, [size.width / 2, 14], { colour: colours("muted"), align: "center", weight: 600 });
   UNITS.forEach((axis, k) => pointer(context, view, scaled(axis, OUT), { ...style, name: [INERTIAL[k]], colour: "muted", width: 1.5 }));
   flown(context, view, matrix, colours, 1.5);

@@ -108,7 +108,7 @@ const definition = {
     { name: "yaw", label: "Yaw", symbol: ["ψ"], axis: "z", min: -180, max: 180 },
     { name: "pitch", label: "Pitch", symbol: ["θ"], axis: "y", min: -90, max: 90 },
     { name: "roll", label: "Roll", symbol: ["φ"], axis: "x", min: -180, max: 180 },
-    { name: "flown", label: "In the flight over the top: pitched up by", symbol: [], min: 0, max: 360, also: { view: 1 } },
+    { name: "flown", label: "In the flight, pitched up by", symbol: [], min: 0, max: 360, also: { view: 1 } },
   ].map((control) => ({ ...control, step: 1, unit: { short: "°", long: "degrees" } })),
   outputs: [
     { name: "rings", label: "What it means", wide: true, longestAt: [{ ...start, pitch: 90 }, { ...start, view: 2, pitch: 39, roll: -176 }, { ...start, view: 1, pitch: -61, roll: -172 }] },

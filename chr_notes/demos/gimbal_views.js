@@ -139,7 +139,7 @@ export function drawRates(context, { width, height }, state, colours, viewpoint,
     });
     if (unit === SIZE) label(context, ["box"], beyond(view.project([0, 0, 0]), corner(1, 1, 1)), { ...style, colour: colours("muted") });
     const turn = toParent(matrixFromEuler(...euler), [0, unit, 0]);
-    pointer(context, view, turn, { name: ["turn"], colour: "ink", colours, width: 3.5, room: size.width, taken });
+    pointer(context, view, turn, { name: ["turn"], colour: "ink", colours, width: 3.5, room: size, taken });
   });
   overPitch(context, [44, width - 14, split + 24, height - 24], euler, found, colours);
 }

@@ -66,13 +66,13 @@ export function beyond([x0, y0], [x1, y1], letters = 1, held = false) {
   return [x1 + (6 + off + 4 * letters) * right, y1 + (11 + off) * down];
 }
 
-/** An arrow from the centre, or from another point, with a name beyond its end, in a picture `room` wide. */
+/** An arrow from the centre, or from another point, with a name beyond its end, in a picture of the size `room`. */
 export function pointer(context, view, end, { name, from = [0, 0, 0], colour, colours, room, taken, held, ...style }) {
   const [start, tip] = [from, end].map(view.project);
   arrow(context, start, tip, { colour: colours(colour), width: 3, ...style });
   if (name)
     label(context, name, beyond(start, tip, name.join("").length, held), {
-      colour: colours(colour), rim: colours("page"), size: 13, width: room, taken,
+      colour: colours(colour), rim: colours("page"), size: 13, ...room, taken,
     });
 }
 

@@ -42,7 +42,7 @@ function refusal(state, { gap: own, tooLong }) {
   if (own === undefined) return `${within(found(state).gap)}, and one ellipsoid cannot be told from many`;
   const why = own > WIDEST_GAP ? `where it takes ${rounded(WIDEST_GAP / DEGREE)}° at most` : "too far with so much noise";
   const off = AROUND.map((each) => Math.abs(tooLong(ironAdded(...ironOf(state), ...scaled(each, STRENGTH)))));
-  return `${within(own / DEGREE)} of its ellipsoid, ${why}. It would get readings wrong by up to ${Number((100 * Math.max(...off)).toPrecision(2))} %`;
+  return `${within(own / DEGREE)} of its ellipsoid, ${why}. It would get readings wrong by up to ${Number((100 * Math.max(...off)).toPrecision(2))}\u00a0%`;
 }
 
 function meaning(state, fitted, errors) {
@@ -128,7 +128,7 @@ function calibrated(context, size, points, fitted, colours, viewpoint) {
 function sensor(context, size, now, colours, viewpoint) {
   const view = looking(viewpoint, size, 2.5);
   const matrix = matrixFromQuaternion(...now);
-  const style = { colours, room: size.width };
+  const style = { colours, room: size, taken: [] };
   flown(context, view, matrix, colours, 1.5);
   AXES.forEach((_, k) => pointer(context, view, matrix.slice(3 * k, 3 * k + 3), { ...style, name: ["xyz"[k]], colour: "muted", width: 1.5 }));
   pointer(context, view, scaled(direction(0, -FIELD_DIP), 1.1), { ...style, name: ["field"], colour: "z", dash: [6, 3], width: 3 });
@@ -164,7 +164,7 @@ function chart(context, [left, right, top, bottom], fitted, errors, colours) {
   const most = Math.max(largest(errors, "before"), fitted.refused ? 0 : largest(errors, "after"));
   const limit = LIMITS.find((each) => each >= most) ?? 180;
   const [x, y] = [linear(0, 360, left, right), linear(-limit, limit, bottom, top)];
-  words(context, "error of the heading, by heading", [8, top - 12], { ...small, weight: 600 });
+  words(context, "error of the heading, by heading", [8, top - 16], { ...small, weight: 600 });
   for (const tick of [-limit, 0, limit]) {
     line(context, [[left, y(tick)], [right, y(tick)]], { colour: colours("line"), width: 1 });
     words(context, `${tick}°`.replace("-", "−"), [left - 5, y(tick)], { ...small, align: "right" });

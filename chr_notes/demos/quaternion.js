@@ -101,7 +101,7 @@ function draw(context, { width, height }, state, colours, viewpoint) {
 function scene(context, size, state, q, product, colours, viewpoint) {
   const view = looking(viewpoint, size, SHOWN);
   const axis = axisOf(state);
-  const style = { colours, room: size.width, taken: [] };
+  const style = { colours, room: size, taken: [] };
   globe(context, view, colours, size, { taken: style.taken });
   const ends = [-1.25, 1.25].map((far) => view.project(scaled(axis, far)));
   line(context, ends, { colour: colours("accent"), width: 2, dash: [7, 4] });

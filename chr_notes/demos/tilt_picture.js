@@ -7,7 +7,7 @@ import { attitude, estimates, reading, readings, unaccelerated } from "./tilt_es
 
 /* global STANDARD_GRAVITY, DASHES: build.py puts them in, m/s² and { axis: pattern } */
 
-const PER_GRAVITY = 0.75; // length of an arrow of 1 g
+const PER_GRAVITY = 0.58; // length of an arrow of 1 g
 const SIZE = 1.25; // length of the aircraft
 const PLUMB = 1.0; // length of the plumb lines
 const DISTANCE = 60; // of the viewer: so far that angles look as they are
@@ -60,7 +60,8 @@ function scene(context, size, state, { title, view }, { unknown }, colours) {
   const at = (point) => look.project(point);
   const toInertial = (vector) => toParent(attitudeMatrix, vector);
 
-  words(context, title, [size.width / 2, 14], { colour: colours("muted"), align: "center", weight: 600 });
+  const taken = [];
+  label(context, [title], [size.width / 2, 14], { colour: colours("muted"), rim: colours("page"), size: 12, width: size.width, taken });
   const centre = at([0, 0, 0]);
   const level = [[8, centre[1]], [size.width - 8, centre[1]]];
   line(context, level, { colour: colours("shade"), width: 1 });
@@ -80,13 +81,13 @@ function scene(context, size, state, { title, view }, { unknown }, colours) {
     mark(context, "circle", bob, { colour: colours("alert"), rim: colours("page"), radius: 7 });
   }
   line(context, [centre, at([0, 0, PLUMB * 1.2])], { colour: colours("ink"), width: 2, dash: DASH.real });
-  arrows(context, state, { at, toInertial, colours, width: size.width });
+  arrows(context, state, { at, toInertial, colours, width: size.width, taken });
 }
 
 const LEGIBLE = 12; // pixels: a shorter arrow gets no letter
 
 /** The specific force and its parts, head to tail, each with its letter on the outer side. */
-function arrows(context, state, { at, toInertial, colours, width }) {
+function arrows(context, state, { at, toInertial, colours, width, taken }) {
   const [force, gravity, forward, lateral] = LEGEND;
   const parts = [
     { ...gravity, vector: accelerometerAtRest(...attitude(state), STANDARD_GRAVITY) },
@@ -97,7 +98,6 @@ function arrows(context, state, { at, toInertial, colours, width }) {
   const total = steps.reduce(sum);
   const [centre, tip] = [at([0, 0, 0]), at(total)];
   const middle = at(scaled(total, 0.5));
-  const taken = [];
   const letter = (symbol, point, colour) =>
     label(context, symbol, point, { colour: colours(colour), rim: colours("page"), width, size: 13, taken });
 

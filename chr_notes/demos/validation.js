@@ -40,10 +40,10 @@ function readouts(state) {
 
 function meaning({ error, threshold, iron }, { seen, missed, falsely }) {
   const above = seen > threshold;
-  const shares = `Of all directions of such an error it misses ${rounded(missed)} %. Where the angles are right, noise makes ${rounded(falsely)} % of the readings a false alarm.`;
+  const shares = `Of all directions of such an error it misses ${rounded(missed)}\u00a0%. Where the angles are right, noise makes ${rounded(falsely)}\u00a0% of the readings a false alarm.`;
   const said = `E is ${three(seen)}, ${above ? "above" : seen < threshold ? "below" : "at"} the threshold`;
-  if (error === 0 && iron !== 0 && above) return `${said}, although the angles are right: the magnetometer lies. Noise alone makes ${rounded(falsely)} % of the readings a false alarm.`;
-  if (error === 0) return `${said}, and the angles are right. Noise makes ${rounded(falsely)} % of the readings a false alarm.`;
+  if (error === 0 && iron !== 0 && above) return `${said}, although the angles are right: the magnetometer lies. Noise alone makes ${rounded(falsely)}\u00a0% of the readings a false alarm.`;
+  if (error === 0) return `${said}, and the angles are right. Noise makes ${rounded(falsely)}\u00a0% of the readings a false alarm.`;
   return above ? `${said}: it sees this error. ${shares}` : `${said}, although the attitude is off by ${rounded(error)}°: to this direction it is blind. ${shares}`;
 }
 
@@ -123,7 +123,7 @@ function scene(context, size, state, colours, viewpoint) {
   const key = (text, x, colour) => label(context, [text], [x, 14], { colour: colours(colour), rim: colours("page"), size: 12, width: size.width, taken });
   key("■ E sees", 0, "alert"); // in the corners, where no end of an axis gets
   key("□ E is blind", size.width, "muted");
-  const style = { colours, room: size.width, taken };
+  const style = { colours, room: size, taken };
   const out = (end, name, colour, dash) =>
     pointer(context, view, scaled(end, TIP), { ...style, name: [name], held: name === "axis", colour, dash, width: facing({ point: scaled(end, TIP) }) > 0 ? 4 : 2.5 });
   globe(context, view, colours, size, { taken });
@@ -176,13 +176,12 @@ function curves(context, size, state, colours) {
   line(context, steps.map((step) => [x(step), y(100 - belowOf(quiet, step))]), { colour: colours("qualified"), width: 2.5 });
   words(context, "missed", [right - 4, top + 11], { ...small, colour: colours("y"), align: "right", weight: 600 });
   words(context, "false alarms", [right - 4, bottom - 9], { ...small, colour: colours("qualified"), align: "right", weight: 600 });
-  const upright = (value, name, colour, [above, dash]) => {
-    line(context, [[x(value), top - above], [x(value), bottom]], { colour: colours(colour), width: 2, dash });
-    const align = value > limit / 2 ? "right" : "left";
-    words(context, value > limit ? `${name} ${three(value)} →` : name, [x(value) + (align === "left" ? 5 : -5), top - above + 5], { ...small, colour: colours(colour), align, weight: 600 });
-  };
-  upright(seen, "▲ E now", "alert", [12, [2, 3]]);
-  upright(state.threshold, "threshold", "ink", [27, []]);
+  const uprights = [[state.threshold, "threshold", "ink", 27, []], [seen, "▲ E now", "alert", 12, [2, 3]]];
+  for (const [value, , colour, above, dash] of uprights) line(context, [[x(value), top - above], [x(value), bottom]], { colour: colours(colour), width: 2, dash });
+  for (const [value, name, colour, above] of uprights)
+    label(context, [value > limit ? `${name} ${three(value)} →` : name], [x(value), top - above + 5], {
+      colour: colours(colour), rim: colours("page"), size: 12, width: size.width, offset: [value > limit / 2 ? -5 : 5, 0],
+    });
   mark(context, "triangle", [x(seen), bottom + 5], { colour: colours("alert"), rim: colours("page"), radius: 6 });
 }
 

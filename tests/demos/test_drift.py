@@ -44,7 +44,7 @@ def expected(state: dict[str, float]) -> dict[str, float]:
 def length(metres: float) -> str:
     value, unit = (metres, "m") if metres < 1000 else (metres / 1000, "km")
     value, unit = (100 * metres, "cm") if metres < 1 else (value, unit)
-    return f"{float(f'{value:.3g}'):.15g} {unit}"
+    return f"{float(f'{value:.3g}'):.15g}\u00a0{unit}"
 
 
 def readout(name: str, value: float) -> str:
@@ -66,12 +66,12 @@ def in_words(numbers: dict[str, float]) -> list[str]:
         return []
     return [
         length(numbers["position_error"]),
-        formatted(numbers["velocity_error"]) + " m/s",
+        formatted(numbers["velocity_error"]) + "\u00a0m/s",
     ]
 
 
 def meant(sentence: str) -> list[str]:
-    return re.findall(r"[\d.]+ (?:cm|km|m/s|m)\b", sentence)
+    return re.findall(r"[\d.]+\u00a0(?:cm|km|m/s|m)\b", sentence)
 
 
 def test_readouts_are_the_numbers_of_python(visit: Visit, page_of: PageOf) -> None:
@@ -183,7 +183,7 @@ def test_the_growth_has_a_line_for_each_cause(visit: Visit, page_of: PageOf) -> 
 def test_map_shows_where_the_sensor_believes_to_be(visit: Visit, page_of: PageOf) -> None:
     page = visit(page_of(DriftDemo(time=60)))
     words = [text for text, _ in drawn(page) if text]
-    assert {"the street", "100 m", "308 m after 1 min"} <= set(words)
+    assert {"the street", "100\u00a0m", "308\u00a0m after 1 min"} <= set(words)
     page.get_by_label("Show").select_option("the growth of the errors")
     assert {"velocity", "position", "without ½"} <= {text for text, _ in drawn(page)}
 

@@ -102,7 +102,9 @@ def test_a_refusal_says_how_far_off_the_ellipsoid_is(
         norms = np.linalg.norm((true - found.centre) @ found.to_sphere, axis=1) / found.radius
         said = str(output(visit(page_of(demo)), "meaning").text_content())
         assert why in said
-        numbers = [float(each) for each in re.findall(r"(?<=within )[\d.]+|[\d.]+(?= %)", said)]
+        numbers = [
+            float(each) for each in re.findall(r"(?<=within )[\d.]+|[\d.]+(?=\u00a0%)", said)
+        ]
         gap, off = math.degrees(found.gap), 100 * np.abs(norms - 1).max()
         assert numbers == pytest.approx([gap, off], rel=0.03)
 

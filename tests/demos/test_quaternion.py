@@ -9,7 +9,7 @@ import chr_notes
 from chr_notes.demos import QuaternionDemo
 from chr_notes.demos.base import SOURCES
 
-from .parts import PageOf, Visit, check_readouts, output, random_states, state_of
+from .parts import PageOf, Visit, check_readouts, output, picture, random_states, state_of
 
 STEPS = {"axis_yaw": 1, "axis_pitch": 1, "angle": 5, "product": 0.05}
 
@@ -90,3 +90,22 @@ def test_a_button_goes_to_a_stop(visit: Visit, page_of: PageOf) -> None:
         button.click()
         assert button.get_attribute("aria-pressed") == "true"
     assert state_of(page) == QuaternionDemo(angle=360, product=2).state()
+
+
+PLACES = """() => {
+  const { fillText } = CanvasRenderingContext2D.prototype;
+  window.places = {};
+  CanvasRenderingContext2D.prototype.fillText = function (text, x, y) {
+    window.places[text] = y / this.canvas.clientHeight;
+    return fillText.call(this, text, x, y);
+  };
+  document.body.dataset.again = "draw";
+}"""
+
+
+def test_the_name_of_an_axis_that_points_down_is_not_cut(visit: Visit, page_of: PageOf) -> None:
+    page = visit(page_of(QuaternionDemo(axis_yaw=-170, axis_pitch=-60)))
+    page.evaluate(PLACES)
+    picture(page)
+    # The sphere has this part of the height; half a letter is below the middle of the name.
+    assert page.evaluate("places.axis") <= 0.64 - 0.014

@@ -34,10 +34,10 @@ TOLD = [
         "The vertical that it believes in leans 11.53° from the real one.",
     ),
     (TiltDemo(vibration=2), "single readings scatter round it"),
-    (DriftDemo(time=600), "after 10 minutes it is 30.8 km away, out of the city"),
+    (DriftDemo(time=600), "after 10 minutes it is 30.8\u00a0km away, out of the city"),
     (
         DriftDemo(view=1, time=600),
-        "At 10 minutes velocity is off by 102.6 m/s, position by 30.8 km",
+        "At 10 minutes velocity is off by 102.6 m/s, position by 30.8\u00a0km",
     ),
     (
         QuaternionDemo(angle=360, product=2),
