@@ -15,6 +15,7 @@ from chr_notes import __version__, kernels_in_use
 
 # As shells tell of a program that a signal ended, and of one whose output nobody reads.
 SIGNALLED, UNREAD = 128, 141
+ENDS = [getattr(signal, name) for name in ("SIGTERM", "SIGHUP") if hasattr(signal, name)]
 VERDICTS = ("definition", "proved", "qualified", "corrected", "reported")
 DOCUMENTS = ("euler", "quaternions", "sensors", "estimation", "dead_reckoning", "validation")
 EXIT_CODES = (
@@ -32,8 +33,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")  # a sign that a console lacks is no reason to stop
-    # Ended from outside, it ends what it began, as when it is interrupted.
-    before = signal.signal(signal.SIGTERM, _stop)
+    # Ended from outside, it ends what it began, as when it is interrupted, but by nohup.
+    ends = [number for number in ENDS if signal.getsignal(number) is not signal.SIG_IGN]
+    before = {number: signal.signal(number, _stop) for number in ends}
     try:
         code = COMMANDS[options.command](options)
         sys.stdout.flush()
@@ -49,7 +51,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         _end_output()
         return 1
     finally:
-        signal.signal(signal.SIGTERM, before)
+        for number, handler in before.items():
+            signal.signal(number, handler)
     return code
 
 

@@ -126,14 +126,25 @@ def test_who_stops_it_gets_a_line(
     assert capsys.readouterr().err == "ledger: stopped before the end\n"
 
 
-def test_who_ends_it_gets_a_line(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+@pytest.mark.parametrize("number", command.ENDS)
+def test_who_ends_it_or_its_terminal_gets_a_line(
+    number: int, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setitem(command.COMMANDS, "ledger", lambda _: signal.raise_signal(signal.SIGTERM))
-    before = signal.getsignal(signal.SIGTERM)
-    assert command.main(["ledger"]) == 143
+    monkeypatch.setitem(command.COMMANDS, "ledger", lambda _: signal.raise_signal(number))
+    before = signal.getsignal(number)
+    assert command.main(["ledger"]) == 128 + number
     assert capsys.readouterr().err == "ledger: stopped before the end\n"
-    assert signal.getsignal(signal.SIGTERM) is before
+    assert signal.getsignal(number) is before
+
+
+def test_what_a_terminal_leaves_running_runs_on(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(command.COMMANDS, "ledger", lambda _: signal.raise_signal(signal.SIGHUP))
+    before = signal.signal(signal.SIGHUP, signal.SIG_IGN)
+    try:
+        assert command.main(["ledger"]) is None
+        assert signal.getsignal(signal.SIGHUP) is signal.SIG_IGN
+    finally:
+        signal.signal(signal.SIGHUP, before)
 
 
 def test_a_reader_who_has_read_enough_is_no_error(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -19,18 +19,12 @@ __all__ = ["build", "write_generated"]
 ROOT = sources.CLONE
 SOURCES = ROOT / "book"
 
-# Where the pages are it does not say, for it builds them aside; we do. What went wrong it says.
-JUPYTER_BOOK = """\
-from jupyter_book.cli import main
-box = main._message_box
-main._message_box = lambda text, color="green", **how: color == "green" or box(text, color, **how)
-main.main()
-"""
 _NEEDED = ("jupyter_book", "anywidget", "math_core", "fontTools", "brotli", "ziamath")
 _INSTALL = 'python -m pip install -e ".[book]", or "chr-notes[book]" without a clone'
 _MAKERS = ("jupyter-book", "matplotlib", "myst-nb", "sphinx", "sphinx-book-theme", "sympy")
 _STAMP = "made_by"
 _PDF = "chr-notes.pdf"
+_COPIED_ANEW = ("mystnb.*.css",)  # it would be said that ours, which is thinned out, differs
 _ROOM = 5_000_000
 """Bytes free below which a page or picture may have found no room."""
 
@@ -89,9 +83,9 @@ def build(
         aside = Path(beside) / "_build"
         whole = not _is_from(built, made_by)
         if not whole:
-            shutil.copytree(built, aside, ignore=shutil.ignore_patterns(_PDF))
+            shutil.copytree(built, aside, ignore=shutil.ignore_patterns(_PDF, *_COPIED_ANEW))
         _say("Building the pages …" if whole else "Building the pages that changed …")
-        _run_jupyter_book(root, aside.parent, whole=whole)
+        _run_sphinx(root, aside, whole=whole)
         _write(aside / _STAMP, made_by)
         before = Path(beside) / "before"
         try:
@@ -177,17 +171,14 @@ def _write(path: Path, text: str) -> None:
         path.write_text(text, encoding="utf-8")
 
 
-def _run_jupyter_book(root: Path, output: Path, *, whole: bool) -> None:
-    command = [
-        sys.executable, "-c", JUPYTER_BOOK, "build", ".",
-        "--config", "book/_config.yml", "--toc", "book/_toc.yml",
-        "--path-output", str(output.resolve()), "-W", "-n", "--keep-going",
-        *(["--all"] if whole else []),
-    ]  # fmt: skip
-    done = subprocess.run(command, cwd=root, check=False)  # noqa: S603 - a fixed command
+def _run_sphinx(root: Path, aside: Path, *, whole: bool) -> None:
+    command = [sys.executable, "-m", "chr_notes.book.run_sphinx", str(aside.resolve())]
+    command += ["--all"] if whole else []
+    # In a group of its own, so that who presses Ctrl-C stops us, and we end it without its words.
+    done = subprocess.run(command, cwd=root, check=False, process_group=0)  # noqa: S603 - a fixed command
     if done.returncode != 0:
-        if shutil.disk_usage(output).free < _ROOM:
-            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(output.parent))
+        if shutil.disk_usage(aside.parent).free < _ROOM:
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(aside.parent.parent))
         msg = "Jupyter Book found errors or warnings, in its output above; no page was changed"
         raise RuntimeError(msg)
 

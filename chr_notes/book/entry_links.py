@@ -3,11 +3,13 @@
 import re
 from typing import Final
 
-from chr_notes.book.ledger_pages import DOCUMENTS, ledger_ids
+from chr_notes.ledger.stored import DOCUMENTS
 
-__all__ = ["from_cards", "from_docstring"]
+__all__ = ["from_cards", "from_docstring", "ledger_ids"]
 
-_ID: Final = rf"((?:{'|'.join(DOCUMENTS)})\.[\w.]+)"
+_ID: Final = rf"((?:{'|'.join(DOCUMENTS)})\.\w+(?:\.\w+)*)"
+_NAME: Final = re.compile(rf"\b{_ID}")
+_LEDGER: Final = re.compile(r"\bLedger: (.*?)(?=\n\n|\Z)", re.DOTALL)
 # A card's id is the link. Where the id opens a line of small print, the words below it are.
 _CARD: Final = re.compile(rf'(<div class="entry-head"><p>\s*)<span class="entry-id">{_ID}</span>')
 _LINE: Final = re.compile(
@@ -47,6 +49,21 @@ def from_docstring(lines: list[str]) -> None:
     for number in range(first, len(lines)):
         if not lines[number].strip():
             break
-        lines[number] = re.sub(
-            _ID.replace("[\\w.]+", r"\w+(?:\.\w+)*"), r":ref:`\1 <\1>`", lines[number]
-        )
+        lines[number] = _NAME.sub(r":ref:`\1 <\1>`", lines[number])
+
+
+def ledger_ids(docstring: str) -> list[str]:
+    """Read from a docstring which entries of the ledger it names.
+
+    Parameters
+    ----------
+    docstring
+        Of a public function; its notes may begin "Ledger:".
+
+    Examples
+    --------
+    >>> ledger_ids("Ledger: euler.5.2, euler.5.3.")
+    ['euler.5.2', 'euler.5.3']
+    """
+    found = _LEDGER.search(docstring)
+    return _NAME.findall(found.group(1)) if found else []

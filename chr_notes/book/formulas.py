@@ -22,6 +22,7 @@ from chr_notes.book.mathml import mathml
 __all__ = ["FormulaError", "setup"]
 
 _STYLES: Final = "formulas.css"
+_DRAWN: Final = "chr_notes_drawn"  # the characters that the font has, kept with what Sphinx read
 
 
 class FormulaError(SphinxError):
@@ -61,10 +62,13 @@ def _merge(_app: Sphinx, env: BuildEnvironment, names: set[str], other: BuildEnv
 
 
 def _write_styles(app: Sphinx, env: BuildEnvironment) -> None:
-    """Write the font of all formulas, before any page is written that names it."""
-    occurring = set().union(*_kept(env).values())
-    data = base64.b64encode(font(sorted(occurring))).decode("ascii")
+    """Write the font of all formulas, if not there yet, before pages are written that name it."""
+    occurring = frozenset().union(*_kept(env).values())
     static = Path(app.outdir) / "_static"
+    if (static / _STYLES).is_file() and vars(env).get(_DRAWN) == occurring:
+        return
+    vars(env)[_DRAWN] = occurring
+    data = base64.b64encode(font(sorted(occurring))).decode("ascii")
     static.mkdir(parents=True, exist_ok=True)
     # Within the style sheet: Firefox loads no font from a file for a page read from the disk.
     (static / _STYLES).write_text(

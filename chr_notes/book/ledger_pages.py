@@ -1,18 +1,18 @@
 """The pages of the ledger: a table of all entries to look through, and each document's in full."""
 
 import inspect
-import re
 from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 from typing import Final
 
 import chr_notes
+from chr_notes.book.entry_links import ledger_ids
 from chr_notes.ledger import Entry
 from chr_notes.ledger.card import badge, display
 from chr_notes.ledger.show import show
 from chr_notes.ledger.table import show_table
 
-__all__ = ["DOCUMENTS", "citation", "functions", "generated", "ledger_ids"]
+__all__ = ["DOCUMENTS", "citation", "functions", "generated"]
 
 DOCUMENTS: Final[Mapping[str, str]] = MappingProxyType(
     {
@@ -27,8 +27,6 @@ DOCUMENTS: Final[Mapping[str, str]] = MappingProxyType(
 """Title of each document by its topic."""
 
 _CELL: Final = "table cell"
-_LEDGER: Final = re.compile(r"\bLedger: (.*?)(?=\n\n|\Z)", re.DOTALL)
-_ID: Final = re.compile(rf"\b(?:{'|'.join(DOCUMENTS)})\.\w+(?:\.\w+)*")
 
 
 def generated(ledger: tuple[Entry, ...]) -> dict[str, str]:
@@ -48,23 +46,6 @@ def generated(ledger: tuple[Entry, ...]) -> dict[str, str]:
         rows += _cells(cells) if cells else []
         parts[f"ledger/{document}.md"] = "\n".join(rows)
     return parts
-
-
-def ledger_ids(docstring: str) -> list[str]:
-    """Read from a docstring which entries of the ledger it names.
-
-    Parameters
-    ----------
-    docstring
-        Of a public function; its notes may begin "Ledger:".
-
-    Examples
-    --------
-    >>> ledger_ids("Ledger: euler.5.2, euler.5.3.")
-    ['euler.5.2', 'euler.5.3']
-    """
-    found = _LEDGER.search(docstring)
-    return _ID.findall(found.group(1)) if found else []
 
 
 def functions() -> dict[str, list[str]]:

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from sphinx.application import Sphinx
+from sphinx.config import Config
 from sphinx.util.osutil import relative_uri
 
 from chr_notes.book.access import mended
@@ -113,8 +114,14 @@ def _leave_place_unsaid(app: Sphinx) -> None:
     app.builder.epilog = ""  # it is built aside
 
 
+def _number_no_figures(_app: Sphinx, config: Config) -> None:
+    """Undo what comes with Jupyter Book: for numbers, which none has, all pages would be loaded."""
+    config["numfig"] = False
+
+
 def setup(app: Sphinx) -> dict[str, Any]:
     """Register with Sphinx."""
+    app.connect("config-inited", _number_no_figures, priority=900)
     app.connect("builder-inited", _leave_place_unsaid)
     app.connect("build-finished", _lighten)
     app.connect("autodoc-process-docstring", _link)

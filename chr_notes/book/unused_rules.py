@@ -23,7 +23,7 @@ def used_words(texts: Collection[str]) -> frozenset[str]:
     texts
         HTML and JavaScript.
     """
-    return frozenset(word for text in texts for word in _WORD.findall(text))
+    return frozenset().union(*map(_WORD.findall, texts))
 
 
 def without_unused(sheet: str, used: Collection[str]) -> str:

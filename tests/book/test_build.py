@@ -4,8 +4,10 @@ import errno
 import importlib.util
 import os
 import shutil
+import signal
 import subprocess
 import sys
+import time
 from collections import Counter
 from pathlib import Path
 from types import SimpleNamespace
@@ -14,7 +16,7 @@ import pytest
 
 import chr_notes.book
 from chr_notes.__main__ import main
-from chr_notes.book import build, pages, pdf, sources
+from chr_notes.book import ROOT, SOURCES, build, pages, pdf, run_sphinx, sources
 from chr_notes.conventions import CONVENTIONS
 from chr_notes.ledger import entries
 from chr_notes.palette import PALETTE, css
@@ -42,13 +44,31 @@ def test_the_command_says_what_is_missing_in_a_line(
     assert said.err.count("\n") == 1
 
 
-def test_jupyter_book_names_no_folder_that_goes_away_and_says_what_is_wrong() -> None:
-    begun, ended = chr_notes.book.JUPYTER_BOOK.rsplit("main.main()", 1)
-    said = "main._message_box('here'); main._message_box('wrong', color='red')"
-    run = [sys.executable, "-c", f"{begun}{said}{ended}"]
-    out = subprocess.run(run, check=True, capture_output=True, text=True).stdout
-    assert "wrong" in out
-    assert "here" not in out
+@pytest.mark.parametrize(("result", "code"), [(0, 0), (1, 1), (OSError("no such page"), 1)])
+def test_a_program_that_found_errors_or_ended_in_one_says_so(
+    result: int | OSError, code: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("jupyter_book.sphinx.build_sphinx", lambda *_, **__: result)
+    assert run_sphinx.run(tmp_path, whole=True) == code
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("after", [0.3, 1.0, 4.0])  # s: while it loads, and while it reads
+def test_who_presses_ctrl_c_while_pages_are_built_gets_a_line(book: Path, after: float) -> None:
+    run = [sys.executable, "-m", "chr_notes", "book"]
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True}
+    (SOURCES / "index.md").touch()
+    with subprocess.Popen(run, cwd=ROOT, start_new_session=True, **pipes) as command:
+        begun = next(line for line in command.stdout if line.startswith("Building"))
+        time.sleep(after)
+        os.killpg(command.pid, signal.SIGINT)  # as a terminal does
+        said = command.stdout.read()
+    assert command.returncode == 130
+    assert begun == "Building the pages that changed …\n"
+    assert said.endswith("book: stopped before the end\n")
+    assert "Traceback" not in said
+    assert (book / "index.html").is_file()
+    assert not [*SOURCES.glob(".build-*")]
 
 
 @pytest.mark.parametrize(
@@ -64,7 +84,7 @@ def test_what_jupyter_book_found_no_room_for_is_told_by_the_disk(
     monkeypatch.setattr(sources, "find", lambda _: tmp_path)
     monkeypatch.setattr(chr_notes.book, "_made_by", lambda _: "of today")
     monkeypatch.setattr(chr_notes.book, "write_generated", lambda *_: None)
-    monkeypatch.setattr(chr_notes.book, "JUPYTER_BOOK", "raise SystemExit(1)")
+    monkeypatch.setattr(subprocess, "run", lambda *_, **__: SimpleNamespace(returncode=1))
     monkeypatch.setattr(shutil, "disk_usage", lambda _: SimpleNamespace(free=free))
     assert main(["book"]) == 1
     assert f"book: {told.format(tmp_path / 'book')}" in capsys.readouterr().err
@@ -76,17 +96,20 @@ def runs(monkeypatch: pytest.MonkeyPatch) -> list[bool]:
     """Put a page of one word in place of the book's, and note whether each run is a whole one."""
     whole_ones = []
 
-    def run(_: Path, output: Path, *, whole: bool) -> None:
+    def run(_: Path, aside: Path, *, whole: bool) -> None:
         whole_ones.append(whole)
-        page = output / "_build" / "html" / "index.html"
+        page = aside / "html" / "index.html"
         assert page.exists() == (not whole)
+        sheet = page.with_name("mystnb.12.css")
+        assert not sheet.exists()  # it would be said that it is overwritten
         page.parent.mkdir(parents=True, exist_ok=True)
-        page.write_text(f"run {len(whole_ones)}", encoding="utf-8")
+        for file in (page, sheet):
+            file.write_text(f"run {len(whole_ones)}", encoding="utf-8")
         if len(whole_ones) == 3:
             msg = "the third"
             raise RuntimeError(msg)
 
-    monkeypatch.setattr(chr_notes.book, "_run_jupyter_book", run)
+    monkeypatch.setattr(chr_notes.book, "_run_sphinx", run)
     monkeypatch.setattr(chr_notes.book, "write_generated", lambda *_: None)
     return whole_ones
 

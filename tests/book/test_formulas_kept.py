@@ -11,6 +11,8 @@ from sphinx.application import Sphinx
 from sphinx.environment import BuildEnvironment
 from sphinx.util.docutils import docutils_namespace
 
+from chr_notes.book import formulas
+
 LETTERS = ("alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta")
 
 
@@ -53,3 +55,9 @@ def test_a_change_of_one_page_keeps_the_characters_of_the_others(
     )
     assert in_font(tmp_path) == {*"ψγδζηθ"}
     assert {*loaded} <= {"alpha", "index"}
+    # What has all that occurs is not made again.
+    page(tmp_path, "gamma", "gamma^2")
+    assert in_font(tmp_path) == {*"ψγδζηθ"}
+    monkeypatch.setattr(formulas, "font", None)
+    page(tmp_path, "gamma", "gamma_2")
+    assert in_font(tmp_path) == {*"ψγδζηθ"}

@@ -9,7 +9,8 @@ from playwright.sync_api import Page, expect
 
 import chr_notes
 from chr_notes.book import search
-from chr_notes.book.ledger_pages import citation, functions, ledger_ids
+from chr_notes.book.entry_links import ledger_ids
+from chr_notes.book.ledger_pages import citation, functions
 from chr_notes.ledger import entries, entry
 
 Visit = Callable[..., Page]

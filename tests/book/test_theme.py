@@ -1,15 +1,38 @@
 """The theme's scripts and fonts are gone, and what they drew is there."""
 
 import re
+import subprocess
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 from playwright.sync_api import Page, expect
+from sphinx.application import Sphinx
+from sphinx.util.docutils import docutils_namespace
 
 from chr_notes.book import SOURCES
 
 Visit = Callable[..., Page]
+
+
+def test_no_figure_is_numbered_for_which_each_build_would_load_all_pages(tmp_path: Path) -> None:
+    names = ["sphinx.ext.autodoc", "chr_notes.book.theme", "sphinx_jupyterbook_latex"]
+    with docutils_namespace():
+        app = Sphinx(
+            str(tmp_path), None, str(tmp_path / "html"), str(tmp_path / "read"), "html",
+            confoverrides={"extensions": names}, status=None, warningiserror=True,
+        )  # fmt: skip
+    assert app.config["numfig"] is False
+
+
+@pytest.mark.full
+def test_what_builds_pages_loads_no_sympy() -> None:
+    told = (
+        "import sys, chr_notes.book.formulas, chr_notes.book.theme; print('sympy' in sys.modules)"
+    )
+    run = [sys.executable, "-c", told]
+    assert subprocess.run(run, check=True, capture_output=True, text=True).stdout == "False\n"
 
 
 def test_nothing_of_the_icon_package_is_left(book: Path) -> None:
