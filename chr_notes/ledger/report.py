@@ -144,9 +144,12 @@ def judged(document: str) -> tuple[list[Entry], list[str]]:
     """Judge a document: its entries, and a line for each case that cannot be judged."""
     # Only here the ledger wants SymPy and all that is printed and derived.
     from chr_notes.ledger.case import CannotJudgeError  # noqa: PLC0415
-    from chr_notes.ledger.cases import CASES  # noqa: PLC0415
     from chr_notes.ledger.judgement import judge  # noqa: PLC0415
 
+    try:
+        from chr_notes.ledger.cases import CASES  # noqa: PLC0415
+    except CannotJudgeError as error:  # of what was brought, parts do not go together
+        return [], [str(error)]
     own = [case for case in CASES.values() if case.printed.document == document]
     errors, entries = [], []
     for case in own:

@@ -1,11 +1,15 @@
 """The ledger as a table and as JSON."""
 
 import json
+import sys
+from types import ModuleType
 
 import pytest
 
 from chr_notes import ledger
 from chr_notes.__main__ import main
+from chr_notes.ledger import report
+from chr_notes.ledger.case import CannotJudgeError
 from chr_notes.ledger.cases import CASES
 
 FIELDS = {
@@ -33,3 +37,17 @@ def test_table_has_a_line_an_entry_and_the_counts(capsys: pytest.CaptureFixture[
     assert [line.split()[0] for line in lines[: len(corrected)]] == corrected
     count, errors = len(corrected), len({ledger.entry(name).root for name in corrected})
     assert lines[-1] == f"{count} entries: {count} corrected; {count} places of {errors} errors"
+
+
+def test_cases_that_do_not_go_together_are_told_in_a_line(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    class Refused(ModuleType):
+        def __getattr__(self, _: str) -> None:
+            msg = "euler.5.5: expected readings, got none"
+            raise CannotJudgeError(msg)
+
+    monkeypatch.setitem(sys.modules, "chr_notes.ledger.cases", Refused("cases"))
+    monkeypatch.setattr(report.stored, "is_stale", lambda document: document == "euler")
+    assert main(["ledger", "--write"]) == 1
+    assert capsys.readouterr().err == "euler.5.5: expected readings, got none\n"
