@@ -247,11 +247,12 @@ export function paint(context, polygons, view, radii = [], body = null) {
   // What follows with the same fill in the same light is one area, whatever the colours are; an open
   // polygon, which may run either way, is its own.
   let [filled, lit] = [null, 0];
+  context.lineWidth = 0.6;
   const finish = () => {
     if (filled === null) return;
-    context.fillStyle = rgb(scaled(filled, lit));
-    context.strokeStyle = context.fillStyle; // covers the hairline between neighbours
-    context.lineWidth = 0.6;
+    const colour = rgb(scaled(filled, lit)); // reading it back from the context takes longer than painting
+    context.fillStyle = colour;
+    context.strokeStyle = colour; // covers the hairline between neighbours
     context.fill();
     context.stroke();
   };
