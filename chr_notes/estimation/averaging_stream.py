@@ -16,7 +16,7 @@ from chr_notes.estimation.averaging_settings import Settings
 from chr_notes.estimation.bias import REST, Bias, check_bias
 from chr_notes.estimation.earth_field import EarthField
 from chr_notes.estimation.fixed_gain import way_of
-from chr_notes.estimation.streams import Sample
+from chr_notes.estimation.streams import Sample, parts
 from chr_notes.generated.scalar.estimation import averaging_bound as bound
 from chr_notes.generated.scalar.estimation import bias_at_rest, tilt_from_accelerometer
 from chr_notes.generated.scalar.quaternions import euler_from_quaternion
@@ -93,7 +93,7 @@ def _observed(
     quick: Callable[..., Any] | None = None
     state, constants = np.empty(0), tuple[float, ...]()
     last, most, fields = inf, 0.0, 0
-    for body_rates, accel, dt, *field in stream:
+    for body_rates, accel, dt, field in map(parts, stream):
         rates, force, step = body_rates, accel, dt
         found = learn(learnt, rates, force, step, rest, longest, spare) if fast else None
         if found is None:

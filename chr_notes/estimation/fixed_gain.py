@@ -65,7 +65,11 @@ class _Way:
 def _angles(quaternion: Sequence[float]) -> Floats:
     a, b, c, d = quaternion
     roll, pitch, yaw, _ = euler_from_quaternion(a, b, c, d)
-    return np.array((roll if roll < pi else -pi, pitch, yaw if yaw < pi else -pi))
+    angles = np.empty(3)  # to fill it takes less time than to make an array of numbers
+    angles[0] = roll if roll < pi else -pi
+    angles[1] = pitch
+    angles[2] = yaw if yaw < pi else -pi
+    return angles
 
 
 def is_in_range(roll: float, pitch: float, yaw: float) -> bool:
@@ -78,7 +82,9 @@ def angles_in_range(euler: Sequence[float] | Floats) -> Floats:
     roll, pitch, yaw = euler
     # As is_in_range, to call which takes as long as to see it.
     if _LEAST <= roll < pi and _LEAST <= yaw < pi and _STEEP <= pitch <= -_STEEP:
-        return np.array(euler)
+        angles = np.empty(3)
+        angles[0], angles[1], angles[2] = roll, pitch, yaw
+        return angles
     return np.asarray(in_range(np.array([euler]))[0])
 
 
@@ -106,10 +112,11 @@ _WAYS = {
 
 def way_of(method: str) -> _Way:
     """Find a method by its name; refuse one that does not exist."""
-    if method not in _WAYS:
+    way = _WAYS.get(method)
+    if way is None:
         msg = f'method: expected "quaternion" or "euler", got {method!r}'
         raise ValueError(msg)
-    return _WAYS[method]
+    return way
 
 
 def refuse_magnetometer(method: str) -> None:

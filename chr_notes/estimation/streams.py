@@ -88,10 +88,11 @@ def observe_sample(  # noqa: PLR0913 (a state and a sample)
         # Of what is not usual, of several samples, or a start that is no attitude, the rest says.
         if type(found) is np.ndarray and found.ndim == 1 and is_in_range(*found.tolist()):
             return found
-    roll, pitch, yaw = before = start("euler", euler)
+    roll, pitch, yaw = before = one_sample("euler", euler)
     p, q, r = rates = one_sample("body_rates", body_rates)
     x, y, z = force = one_sample("accel", accel)
-    if not hypot(p, q, r) * step < pi:
+    if not (isfinite(roll + pitch + yaw) and hypot(p, q, r) * step < pi):
+        start("euler", euler)
         warn_of_turn(rates, step)
     if take is None:
         return angles_in_range(way.sample(roll, pitch, yaw, p, q, r, x, y, z, step, share))
@@ -101,6 +102,8 @@ def observe_sample(  # noqa: PLR0913 (a state and a sample)
 
 Sample = tuple[ArrayLike, ArrayLike, float] | tuple[ArrayLike, ArrayLike, float, ArrayLike]
 """Of a stream: body rates, specific force and time step, and the field of a magnetometer."""
+_PARTS = _ALONE, _WITH_FIELD = 3, 4
+_NEW = tuple.__new__  # of Estimate, in half the time of Estimate(...)
 
 
 class Estimate(NamedTuple):
@@ -153,7 +156,7 @@ def observe(  # noqa: PLR0913 (as for a recording)
     Raises
     ------
     ValueError
-        As for `fixed_gain_observer`, when the sample comes.
+        As for `fixed_gain_observer`; of a sample when it comes.
 
     Warns
     -----
@@ -183,50 +186,110 @@ def observe(  # noqa: PLR0913 (as for a recording)
     [0.     0.     1.5708]
     [0.     0.     1.5708]
     """
-    way, share = way_of(method), check_gain("gain", gain)
-    turning, level = check_gain("heading_gain", heading_gain), horizontal("reference", reference)
+    way, level = way_of(method), horizontal("reference", reference)
+    gains = check_gain("gain", gain), check_gain("heading_gain", heading_gain)
+    state = None if initial is None else way.begin(*canonical("initial", initial))
+    run = _by_numbers if way.quick_advance is None else _by_kernels
+    return run(stream, method, state, (*gains, *level))
+
+
+def _by_numbers(
+    stream: Iterable[Any],
+    method: Method,
+    state: Sequence[float] | None,
+    constants: Sequence[float],
+) -> Iterator[Estimate]:
     heading: Callable[..., tuple[float, ...]] = steps.observer_heading_turn
-    alone = way.quick_advance, way.step, (share,)
-    with_mag = sampled(heading, euler_from_quaternion), heading, (share, turning, *level)
-    keep: Callable[..., Any] = tuple if way.quick_advance is None else np.array
-    state: Any = None if initial is None else keep(way.begin(*canonical("initial", initial)))
-    angles, incomplete = way.angles, 0
-    by_hand = way.quick_advance is None and method == "quaternion"
-    for body_rates, accel, dt, *field in stream:
-        quick, advance, constants = with_mag if field else alone
-        euler = None
-        if quick is not None and state is not None:
-            euler = quick(state, body_rates, accel, *field, dt, *constants)
+    way, share, incomplete = way_of(method), constants[0], 0
+    for sample in stream:
+        mag: Sequence[float] = ()
+        if len(sample) == _ALONE:
+            body_rates, accel, dt = sample
+        else:
+            body_rates, accel, dt, (field,) = parts(sample)
+            refuse_magnetometer(method)
+            mag = one_sample("mag", field)
+        p, q, r = rates = one_sample("body_rates", body_rates)
+        x, y, z = force = one_sample("accel", accel)
+        step = dt if type(dt) is float and 0 <= dt < inf else period(dt)
+        size = hypot(p, q, r)
+        if not (z and isfinite(x + y + z) and size < WILD_RATE and size * step < pi):
+            incomplete += _is_left_out(rates, force)
+            warn_of_turn(rates, step)
+        if state is None:
+            first = _first(force, mag, constants)
+            if first is None:
+                continue
+            state = way.begin(*first)
+        elif mag:
+            state = heading(*state, *rates, *force, *mag, step, *constants)
+        elif method == "euler":
+            state = way.step(*state, *rates, *force, step, share)
+        else:  # as above, where arguments take a while to be put together
+            a, b, c, d = state
+            state = way.step(a, b, c, d, p, q, r, x, y, z, step, share)
+        yield _NEW(Estimate, (way.angles(state), incomplete))
+
+
+def _by_kernels(
+    stream: Iterable[Sample],
+    method: Method,
+    begin: Sequence[float] | None,
+    constants: Sequence[float],
+) -> Iterator[Estimate]:
+    way, incomplete = way_of(method), 0
+    alone: Any = way.quick_advance, constants[:1]
+    with_mag: Any = sampled(steps.observer_heading_turn, euler_from_quaternion), constants
+    state = None if begin is None else np.array(begin)
+    for sample in stream:
+        body_rates, accel, dt, field = parts(sample)
+        advance, own = with_mag if field else alone
+        euler = None if state is None else advance(state, body_rates, accel, *field, dt, *own)
         if euler is None or euler is False:
-            p, q, r = rates = one_sample("body_rates", body_rates)
-            x, y, z = force = one_sample("accel", accel)
-            step = dt if type(dt) is float and 0 <= dt < inf else period(dt)
-            heard, size = 0 < hypot(x, y, z) < inf, hypot(p, q, r)
-            if not (heard and size < WILD_RATE and size * step < pi):
-                heard = any(force) and all(map(isfinite, force))
-                incomplete += not (heard and size < WILD_RATE)
-                warn_of_turn(rates, step)
-            mag = _field(method, *field) if field else ()
+            rates, force = one_sample("body_rates", body_rates), one_sample("accel", accel)
+            mag, step = [one_sample("mag", each) for each in field], period(dt)
+            incomplete += _is_left_out(rates, force)
+            warn_of_turn(rates, step)
             if state is None:
-                if not heard:
+                first = _first(force, mag[0] if mag else (), constants)
+                if first is None:
                     continue
-                first = (*steps.tilt_from_accelerometer(x, y, z), 0.0)
-                begin = way.begin(*(with_heading(first, mag, level) if field else first))
-                state, euler = keep(begin), angles(begin)
-            elif by_hand and not field:  # as below, where arguments take a while to be put together
-                a, b, c, d = state
-                state = advance(a, b, c, d, p, q, r, x, y, z, step, share)
-                euler = angles(state)
-            elif quick is None:
-                state = advance(*state, *rates, *force, *mag, step, *constants)
-                euler = angles(state)
-            else:
-                if euler is None:
-                    euler = quick(state, rates, force, *([mag] if field else []), step, *constants)
-                euler = angles(state.tolist()) if euler is False else euler
-        yield tuple.__new__(Estimate, (euler, incomplete))  # in half the time of Estimate(...)
+                state, euler = np.array(way.begin(*first)), False
+            elif euler is None:
+                euler = advance(state, rates, force, *mag, step, *own)
+            euler = way.angles(state.tolist()) if euler is False else euler
+        yield _NEW(Estimate, (euler, incomplete))
 
 
-def _field(method: Method, mag: ArrayLike) -> Sequence[float]:
-    refuse_magnetometer(method)
-    return one_sample("mag", mag)
+def _is_left_out(rates: Sequence[float], force: Sequence[float]) -> bool:
+    """Say whether a reading is none: it holds NaN or infinity, is wild, or a force of zero."""
+    return not (hypot(*rates) < WILD_RATE and any(force) and all(map(isfinite, force)))
+
+
+def _first(
+    force: Sequence[float], mag: Sequence[float], constants: Sequence[float]
+) -> tuple[float, float, float] | None:
+    """Find the Euler angles that a first sample shows, if it shows a tilt."""
+    roll, pitch = steps.tilt_from_accelerometer(*force)
+    if not isfinite(roll):
+        return None
+    _, _, north, east = constants
+    return with_heading((roll, pitch, 0.0), mag, (north, east)) if mag else (roll, pitch, 0.0)
+
+
+def parts(sample: Sample) -> tuple[ArrayLike, ArrayLike, float, Sequence[ArrayLike]]:
+    """Take a sample of a stream apart: rates, force, time step, and one field or none.
+
+    Raises
+    ------
+    ValueError
+        If it has fewer parts or more.
+    """
+    if len(sample) not in _PARTS:
+        msg = (
+            "stream: expected samples of body rates, specific force, time step and perhaps a "
+            f"magnetic field, got one of {len(sample)} parts"
+        )
+        raise ValueError(msg)
+    body_rates, accel, dt, *field = sample
+    return body_rates, accel, dt, field

@@ -207,6 +207,15 @@ def test_a_wrong_step_is_refused_when_it_comes(dt: float) -> None:
             next(stream)
 
 
+@pytest.mark.parametrize("count", [2, 5])
+def test_a_sample_of_too_few_or_too_many_parts_is_refused(count: int) -> None:
+    sample: Any = (np.zeros(3), LEVEL, 0.01, LEVEL, LEVEL)[:count]
+    for run in (functools.partial(observe, gain=0.1), chr_notes.observe_averaging):
+        stream: Any = run([sample])
+        with pytest.raises(ValueError, match=f"stream: expected samples of .*one of {count} parts"):
+            next(stream)
+
+
 def test_a_stream_warns_of_a_turn_that_is_too_far() -> None:
     for run in (functools.partial(observe, gain=0.1), chr_notes.observe_averaging):
         fast = np.array([0.0, 0.0, 400.0])
