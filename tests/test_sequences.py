@@ -1,6 +1,7 @@
 """Any three turns: against SciPy, at the locks, and as the rest of the package has it."""
 
 import warnings
+from itertools import product
 
 import numpy as np
 import pytest
@@ -11,6 +12,7 @@ from scipy.spatial.transform import Rotation
 
 import chr_notes
 from chr_notes.derivations import sequences as derived
+from chr_notes.generated.scalar.sequences import angles_from_quaternion
 from chr_notes.sequences import SEQUENCES
 
 from .attitudes import of_quaternion
@@ -130,6 +132,16 @@ def test_the_lock_is_told() -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         chr_notes.angles_from_matrix(level, "ZYX")
+
+
+@pytest.mark.usefixtures("each_way")
+@pytest.mark.parametrize("sequence", ["XYZ", "ZXY", "XZY", "YXY"])
+def test_a_half_turn_has_the_same_sign_as_in_floats(sequence: str) -> None:
+    turns = np.array([q for q in product((0.0, 1.0, -1.0), repeat=4) if any(q)])
+    found = chr_notes.angles_from_quaternion(turns, sequence, on_gimbal_lock="ignore")
+    axes = [1.0 + "XYZ".index(letter) for letter in sequence]
+    expected = [angles_from_quaternion(*turn, *axes)[:3] for turn in turns.tolist()]
+    assert_allclose(found, expected, atol=1e-15)
 
 
 @pytest.mark.parametrize("sequence", ["ZYX", "zxz"])

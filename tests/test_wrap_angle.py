@@ -37,5 +37,7 @@ def test_whole_turns_are_those_of_pi_itself(angle: float) -> None:
 
 
 def test_angles_in_the_range_stay_as_they_are() -> None:
-    angles = [-np.pi, 1e-300, -1e-300, 0.0, np.nextafter(np.pi, 0)]
-    assert_array_equal(chr_notes.wrap_angle(angles), angles)
+    angles = [-np.pi, 1e-300, -1e-300, 0.0, -0.0, np.nextafter(np.pi, 0)]
+    wrapped = chr_notes.wrap_angle(angles)
+    assert_array_equal(wrapped, angles)
+    assert_array_equal(np.signbit(wrapped), np.signbit(angles))

@@ -14,8 +14,8 @@ from chr_notes.derivations.computation import NOTHING, Choice, Let
 NUMPY = NumPy()
 PRINCIPAL = '''
 # Arrays, which NumPy takes in less time than numbers.
-PI, INVERSE, TURN, LOW = (array(number) for number in
-    (3.141592653589793, 0.1591545, 6.2831853069365025, 2.430840202602477e-10))
+NONE, PI, INVERSE, TURN, LOW = (array(number) for number in
+    (0.0, 3.141592653589793, 0.1591545, 6.2831853069365025, 2.430840202602477e-10))
 
 
 def less_turns(angle: Floats, turns: Floats) -> Floats:
@@ -26,7 +26,7 @@ def less_turns(angle: Floats, turns: Floats) -> Floats:
 
 def principal(angle: Floats) -> Floats:
     """Angle in [-pi, pi) less whole turns; one that lies there is left as it is."""
-    turns = rint(angle*INVERSE)
+    turns = rint(angle*INVERSE + NONE)  # of -0.0 too it is 0.0, and what is left -0.0
     found = less_turns(angle, turns)
     if count_nonzero(abs(found) >= PI):
         # The number of turns was rounded, and is off for large angles: the inverse has few digits.

@@ -41,6 +41,13 @@ class Precision:
     language: Spelling
 
 
+_UNCONTRACTED = """
+/* No product and sum in one instruction: results are the same everywhere. */
+#ifdef __clang__
+#pragma STDC FP_CONTRACT OFF
+#elif defined(__GNUC__)
+#pragma GCC optimize("fp-contract=off")
+#endif"""
 PRECISIONS = (Precision("double", "", C()), Precision("float", "_f", SingleC()))
 
 
@@ -70,7 +77,8 @@ def source(programs: tuple[Program, ...]) -> str:
     bodies = [
         "\n".join(_function(program, precision)) for program in programs for precision in PRECISIONS
     ]
-    head = "\n".join([*_made_how(programs), '#include "attitude.h"', "", "#include <math.h>"])
+    includes = ('#include "attitude.h"', "", "#include <math.h>")
+    head = "\n".join([*_made_how(programs), *includes, _UNCONTRACTED])
     return "\n\n".join([head, *bodies]) + "\n"
 
 

@@ -193,10 +193,11 @@ INLINE int same_turns(const double *one, const double *other)
     return one[0] == other[0] && one[1] == other[1] && one[2] == other[2];
 }
 
+/* A zero stays one without a sign, so that a half turn is told on the same side. */
 #define ARRANGE(to, TO, from, FROM, width, order) \
     for (int element = 0; element < (width); element++) \
         for (int row = 0; row < BLOCK; row++) \
-            (to)[TO][row] = frame.order.sign[element] * (from)[FROM][row];
+            (to)[TO][row] = frame.order.sign[element] * (from)[FROM][row] + 0.0;
 #define TO_FRAME(to, from, width, order) \
     ARRANGE(to, element, from, frame.order.place[element], width, order)
 #define FROM_FRAME(to, from, width, order) \

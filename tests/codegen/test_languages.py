@@ -1,10 +1,15 @@
 """Python, NumPy, JavaScript and C give what mpmath gives, for ordinary and for special values."""
 
 import math
+import platform
+import re
+import subprocess
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+
+from chr_notes.export import export
 
 from . import languages
 from .reference import DOUBLE, SINGLE
@@ -135,3 +140,20 @@ def test_c_in_single_precision(program: Callable[[str], str], tmp_path: Path) ->
     single = vectors(SINGLE)
     write(tmp_path / "single.txt", single)
     check(single, languages.c(tmp_path / "single.txt", tmp_path, "float"), SINGLE.epsilon)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("compiler", ["gcc", "clang"])
+def test_c_is_not_contracted_whatever_the_flags(
+    compiler: str, program: Callable[[str], str], tmp_path: Path
+) -> None:
+    _, source, *_ = export("c", tmp_path)
+    fused = [] if platform.machine() == "aarch64" else ["-mfma"]
+    command = [program(compiler), "-O2", *fused, "-S", "-o", "-", str(source)]
+
+    def count(*more: str) -> int:
+        told = subprocess.run([*command, *more], capture_output=True, text=True, check=True).stdout
+        return len(re.findall(r"\bv?fn?m(?:add|sub)", told))
+
+    # Of alternate products GCC makes some against its own flag.
+    assert count() <= count("-ffp-contract=off") < 20
