@@ -27,7 +27,7 @@ function axesOf(state) {
   return { apart, locked: Math.hypot(north, east) < LOCKED, opposite: down < 0 };
 }
 
-const LOST = "About the dashed line no ring can turn it.";
+const LOST = "About the long dashed line no ring can turn it.";
 
 function rings(state) {
   const { apart, locked, opposite } = axesOf(state);
@@ -82,7 +82,7 @@ function describe(state) {
   const nose = euler[1] === 0 ? "level" : euler[1] > 0 ? "up" : "down";
   const { apart, locked } = axesOf(state);
   const axes = locked
-    ? "The yaw axis and the roll axis are one line, and a dashed line shows the axis about which no ring can turn"
+    ? "The yaw axis and the roll axis are one line, and a long dashed line shows the axis about which no ring can turn"
     : `The roll axis is ${formatted(Math.min(apart, 180 - apart))}° from the line of the yaw axis`;
   return `An aircraft in three rings, yaw outside, pitch in the middle, roll inside: ${angles}, nose ${nose}. ${axes}.`;
 }
