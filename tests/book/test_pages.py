@@ -97,6 +97,10 @@ OPENED = """() => {
   for (const line of document.querySelectorAll(".bd-article details")) line.open = true;
 }"""
 # In the end a page without frames, which a resized one can be for long, is looked at as it is.
+# Of tables with up to five columns all are seen at once.
+CUT_TABLES = """[...document.querySelectorAll("article table.table:not(:has(th:nth-child(6)))")]
+  .filter((table) => table.offsetWidth > table.parentElement.clientWidth + 1)
+  .map((table) => table.textContent.trim().slice(0, 60))"""
 IDLE = """new Promise((done) => {
   requestAnimationFrame(() => requestIdleCallback(done));
   setTimeout(done, 5000);
@@ -142,6 +146,7 @@ def test_page_stands_by_itself(
         page.set_viewport_size({"width": width, "height": 900})
         assert page.evaluate("document.documentElement.scrollWidth") <= width
         assert page.evaluate(TOO_WIDE) == []
+        assert page.evaluate(CUT_TABLES) == []
         page.evaluate(IDLE)  # the page has seen its width
         assert page.evaluate(OUT_OF_REACH) == []
         assert page.evaluate(CUT) == []
