@@ -4,47 +4,27 @@ import functools
 import sys
 import threading
 from collections.abc import Callable, Iterator
-from contextlib import ExitStack
-from functools import cache
-from http import HTTPStatus
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from types import ModuleType
 
 import pytest
 from hypothesis import settings
-from playwright.sync_api import (
-    Browser,
-    ConsoleMessage,
-    Page,
-    Request,
-    expect,
-    sync_playwright,
-)
+from playwright.sync_api import Browser, Page, expect
 
 from chr_notes import _recordings
 from chr_notes._kernels import kernel
 from chr_notes._rows import Rows
 from chr_notes.ledger.files import files_of
 
+from . import browsing
+
 # A first call compiles and caches; how long one example takes says nothing.
 # One commit gives one answer; other examples each time are for `--full`.
 settings.register_profile("project", deadline=None, derandomize=True)
 settings.register_profile("full", deadline=None, max_examples=2_000)
 
-CHROMIUM_FLAGS = [
-    "--no-sandbox",  # a container's only user is root, for whom Chromium has no sandbox
-    "--disable-gpu",
-    "--disable-quic",
-    "--no-first-run",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-    "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1",  # no name but this machine's
-]
-
-PATIENCE = 120_000  # milliseconds; the machine may be busy
-expect.set_options(timeout=PATIENCE)
+expect.set_options(timeout=browsing.PATIENCE)
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -127,33 +107,18 @@ def program(rules: ModuleType) -> Callable[[str], str]:
     return find
 
 
-# Playwright keeps an event loop running in its thread, which notebooks' kernels cannot stand: so
-# a browser lives for the tests of one folder, and is gone before nbval begins.
-RUNNING = ExitStack()
-
-
-@cache
-def chromium(path: str) -> Browser:
-    """Launch a browser, or give the one that runs."""
-    RUNNING.callback(chromium.cache_clear)
-    playwright = RUNNING.enter_context(sync_playwright())
-    launched = playwright.chromium.launch(executable_path=path, args=CHROMIUM_FLAGS)
-    RUNNING.callback(launched.close)
-    return launched
-
-
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_teardown(item: pytest.Item, nextitem: pytest.Item | None) -> Iterator[None]:
     """Close the browser when the tests of a folder are over."""
     yield
     if nextitem is None or nextitem.path.parent != item.path.parent:
-        RUNNING.close()
+        browsing.RUNNING.close()
 
 
 @pytest.fixture(scope="module")
 def browser(program: Callable[[str], str]) -> Browser:
     """Debian's Chromium."""
-    return chromium(program("chromium"))
+    return browsing.chromium(program("chromium"))
 
 
 Visit = Callable[..., Page]
@@ -169,44 +134,43 @@ def window() -> int:
 
 
 @pytest.fixture
-def visit(browser: Browser, window: int) -> Iterator[Visit]:
-    """Open a page; in the end, any request to elsewhere or error on the console fails the test."""
-    problems: list[str] = []
-    contexts = []
+def visit(request: pytest.FixtureRequest, browser: Browser, window: int) -> Iterator[Visit]:
+    """Open a page; in the end, any request to elsewhere or error on the console fails the test.
 
-    def listen(message: ConsoleMessage) -> None:
-        if message.type in ("error", "warning"):
-            problems.append(f"console {message.type}: {message.text}")
+    Another test goes on with it, unless it is this one's own: where time is stopped, or scripts,
+    routes or media are set for all that the page will show. A cold one has no file from before.
+    """
+    shared: list[browsing.Watched] = []
+    alone: list[browsing.Watched] = []
+    failed = request.session.testsfailed
 
-    def look(request: Request) -> None:
-        if not request.url.startswith(("file:", "data:", "blob:", "http://127.0.0.1:")):
-            problems.append(f"request to elsewhere: {request.url}")
-
-    def opened(address: str, *, width: int = window, **settings: str | bool) -> Page:
-        context = browser.new_context(viewport={"width": width, "height": 900}, **settings)  # type: ignore[arg-type]
-        contexts.append(context)
-        context.set_default_timeout(PATIENCE)
-        page = context.new_page()
-        page.on("console", listen)
-        page.on("request", look)
-        page.on("pageerror", lambda error: problems.append(f"uncaught: {error}"))
-        page.on("requestfailed", lambda request: problems.append(f"failed: {request.url}"))
-        page.on(
-            "response",
-            # 304 says of a file that the page has had before that it is as it was.
-            lambda response: (
-                response.ok
-                or response.status == HTTPStatus.NOT_MODIFIED
-                or problems.append(f"{response.status}: {response.url}")
-            ),
-        )
+    def opened(
+        address: str,
+        *,
+        width: int = window,
+        own: bool = False,
+        cold: bool = False,
+        **settings: str | bool,
+    ) -> Page:
+        kind = tuple(sorted(settings.items()))
+        if own or address == "about:blank":
+            alone.append(browsing.new_page(browser, width, kind))
+            page = alone[-1].page
+        else:
+            shared.append(browsing.shared_page(browser, address, width, kind))
+            page = shared[-1].page
+        if cold:
+            browsing.keep_nothing(page)
         page.goto(address)
         expect(page.locator(TO_COME)).to_have_count(0)
         return page
 
     yield opened
-    for context in contexts:
-        context.close()
+    problems = browsing.close(alone)
+    if request.session.testsfailed > failed:  # nobody knows how it left them
+        problems += browsing.close(shared)
+    else:
+        problems += browsing.put_back(browser, shared)
     assert problems == []
 
 

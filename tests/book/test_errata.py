@@ -34,7 +34,7 @@ def test_each_entry_that_is_not_right_stands_there_once_or_in_the_table() -> Non
 
 
 def test_printed_it_is_a_few_pages(visit: Callable[..., Page], served: str) -> None:
-    page = visit(f"{served}book/errata.html")
+    page = visit(f"{served}book/errata.html", own=True)
     assert page.pdf(format="A4").count(b"/MediaBox") <= 7
     page.emulate_media(media="print")
     expect(page.locator(".erratum").first).to_be_visible()

@@ -70,7 +70,7 @@ def test_a_link_on_an_open_page_and_back_and_forward_move_the_demo(
 
 
 def test_a_hand_that_ends_a_glide_leaves_nothing_half_way(visit: Visit, page_of: PageOf) -> None:
-    page = visit(page_of(TiltDemo(roll=7)) + "#tilt?roll=-50&pitch=33&vibration=2")
+    page = visit(page_of(TiltDemo(roll=7)) + "#tilt?roll=-50&pitch=33&vibration=2", own=True)
     hold(page)
     page.get_by_role("button", name="Reset").click()
     let_pass(page, 240, frame=80)
@@ -92,7 +92,7 @@ def test_a_hand_that_ends_a_glide_leaves_nothing_half_way(visit: Visit, page_of:
 
 
 def test_the_address_waits_until_nothing_moves(visit: Visit, page_of: PageOf) -> None:
-    page = visit(page_of(MagnetometerDemo()))
+    page = visit(page_of(MagnetometerDemo()), own=True)
     hold(page)
     page.get_by_role("button", name="Play").click()
     let_pass(page, 1_600, frame=400)  # longer between two frames than the address waits

@@ -122,7 +122,7 @@ def test_an_address_that_means_nothing_changes_nothing(
 
 
 def test_nothing_is_drawn_or_played_out_of_sight(visit: Visit, page_of: PageOf) -> None:
-    page = visit(page_of(GimbalLockDemo()), width=700)
+    page = visit(page_of(GimbalLockDemo()), width=700, own=True)
     hold(page)
     page.get_by_role("button", name="Play").click()
     let_pass(page, 600)

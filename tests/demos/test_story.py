@@ -19,7 +19,7 @@ COUNT = """() => {
 @each_kind
 def test_what_moves_is_asked_for_and_told(visit: Visit, page_of: PageOf, demo: type[Demo]) -> None:
     """One page, whose time passes as the test has it."""
-    page = visit(page_of(demo()))
+    page = visit(page_of(demo()), own=True)
     nothing_moves_unless_asked(page)
     page.evaluate(COUNT)
     hold(page)

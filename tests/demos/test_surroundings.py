@@ -60,7 +60,8 @@ def test_demos_work_from_a_server_with_a_strict_policy(
 
 
 def test_all_fit_a_finger_paper_and_chosen_colours(visit: Visit, page_of: PageOf) -> None:
-    page = visit(page_of(*(demo() for demo in ALL)), width=390, has_touch=True, is_mobile=True)
+    everything = page_of(*(demo() for demo in ALL))
+    page = visit(everything, width=390, own=True, has_touch=True, is_mobile=True)
     unfold(page)
     what_a_finger_hits_is_large_enough(page)
     page.emulate_media(media="print")

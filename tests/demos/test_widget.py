@@ -24,7 +24,7 @@ RENDER = """async ([source, values]) => {
 
 
 def rendered(visit: Visit, page_of: PageOf, demo: type[Demo]) -> Page:
-    page = visit(page_of())
+    page = visit(page_of(), own=True)
     hold(page)
     page.evaluate(RENDER, [demo().get_state()["_esm"], demo().state()])
     return page
