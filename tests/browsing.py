@@ -21,7 +21,6 @@ FLAGS = [
 ]
 
 PATIENCE = 120_000  # milliseconds; the machine may be busy
-HIGH = 900
 
 # Playwright keeps an event loop running in its thread, which notebooks' kernels cannot stand: so
 # a browser lives for the tests of one folder, and is gone before nbval begins.
@@ -77,10 +76,11 @@ def signs_of_a_new_page(browser: Browser, settings: Settings) -> object:
         return page.evaluate(SIGNS)
 
 
-def new_page(browser: Browser, width: int, settings: Settings) -> Watched:
+def new_page(browser: Browser, size: tuple[int, int], settings: Settings) -> Watched:
     """Open an empty page with a context of its own, and watch it."""
-    size = {"width": width, "height": HIGH}
-    context = browser.new_context(viewport=size, **dict(settings))  # type: ignore[arg-type]
+    width, height = size
+    viewport = {"width": width, "height": height}
+    context = browser.new_context(viewport=viewport, **dict(settings))  # type: ignore[arg-type]
     context.set_default_timeout(PATIENCE)
     watched = Watched(context.new_page(), settings)
     page, problems = watched.page, watched.problems
@@ -114,12 +114,15 @@ def origin(address: str) -> str:
     return f"{parts.scheme}://{parts.netloc}"
 
 
-def shared_page(browser: Browser, address: str, width: int, settings: Settings) -> Watched:
+def shared_page(
+    browser: Browser, address: str, size: tuple[int, int], settings: Settings
+) -> Watched:
     """Return the page that a test before left for such an address, or a new one."""
     watched = SPARE.pop((urlsplit(address).scheme, settings), None)
     if watched is None:
-        return new_page(browser, width, settings)
-    watched.page.set_viewport_size({"width": width, "height": HIGH})
+        return new_page(browser, size, settings)
+    width, height = size
+    watched.page.set_viewport_size({"width": width, "height": height})
     return watched
 
 

@@ -128,13 +128,15 @@ TO_COME = "[data-demo]:not([data-failed]):not(:has(> .chr-demo))"
 
 
 @pytest.fixture(scope="session")
-def window() -> int:
-    """How wide a page is that says nothing of it."""
-    return 1280
+def window() -> tuple[int, int]:
+    """How wide and how high a page is that says nothing of it."""
+    return 1280, 900
 
 
 @pytest.fixture
-def visit(request: pytest.FixtureRequest, browser: Browser, window: int) -> Iterator[Visit]:
+def visit(
+    request: pytest.FixtureRequest, browser: Browser, window: tuple[int, int]
+) -> Iterator[Visit]:
     """Open a page; in the end, any request to elsewhere or error on the console fails the test.
 
     Another test goes on with it, unless it is this one's own: where time is stopped, or scripts,
@@ -147,17 +149,17 @@ def visit(request: pytest.FixtureRequest, browser: Browser, window: int) -> Iter
     def opened(
         address: str,
         *,
-        width: int = window,
+        width: int = window[0],
         own: bool = False,
         cold: bool = False,
         **settings: str | bool,
     ) -> Page:
         kind = tuple(sorted(settings.items()))
         if own or address == "about:blank":
-            alone.append(browsing.new_page(browser, width, kind))
+            alone.append(browsing.new_page(browser, (width, window[1]), kind))
             page = alone[-1].page
         else:
-            shared.append(browsing.shared_page(browser, address, width, kind))
+            shared.append(browsing.shared_page(browser, address, (width, window[1]), kind))
             page = shared[-1].page
         if cold:
             browsing.keep_nothing(page)

@@ -11,9 +11,9 @@ MakePage = Callable[..., str]
 
 
 @pytest.fixture(scope="session")
-def window() -> int:
-    """Narrow, which takes a quarter less to draw; tests of the layout have widths of their own."""
-    return 480
+def window() -> tuple[int, int]:
+    """Small, which takes two fifths less to draw; tests of the layout have sizes of their own."""
+    return 480, 600
 
 
 @pytest.fixture
