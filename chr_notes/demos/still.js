@@ -10,7 +10,7 @@ const WIDTH = 380;
 const PER_LETTER = 0.56; // of the size: about as wide as a letter is
 
 const FINE = 2; // units of the picture to a pixel, all of them whole
-const SPECK = 16; // twice the area, in square units, up to which the edges of neighbours cover a facet
+const SPECK = 48; // twice the area, in square units, up to which the edges of neighbours cover a facet
 
 const NAMES = new Map(); // of the rules for dark pages, the same in all pictures, which are packed together
 

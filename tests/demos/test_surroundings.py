@@ -68,6 +68,7 @@ def test_all_fit_a_finger_paper_and_chosen_colours(visit: Visit, page_of: PageOf
     for kind, name, value in (
         ("input", "printColorAdjust", "exact"),  # else thumbs and fills stay white
         (".chr-stage", "position", "static"),  # else pictures cover what follows
+        ("", "breakInside", "avoid"),  # else a question parts from its picture
     ):
         assert styles_of(page, kind, name) == {value}
     for forced, slider_looks in (("none", "none"), ("active", "auto")):
