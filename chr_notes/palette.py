@@ -29,7 +29,7 @@ PALETTE: Final[Mapping[str, Colour]] = MappingProxyType(
         "surface": Colour("#f5f7fa", "#1c222b"),
         "raised": Colour("#ffffff", "#252c37"),
         "line": Colour("#d5dbe3", "#3a4452"),
-        "shade": Colour("#b4bdc9", "#4d5a6b"),
+        "shade": Colour("#b4bdc9", "#66758a"),
         # What is written.
         "ink": Colour("#17202b", "#e8edf3"),
         "muted": Colour("#566274", "#a3afbf"),

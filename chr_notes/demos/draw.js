@@ -278,8 +278,9 @@ export function paint(context, polygons, view, radii = [], body = null) {
 /**
  * Words at a point of the picture, over everything, with a rim that keeps them legible: [words]
  * or [words, subscript]. `offset` moves them aside, in pixels; they never leave the picture, and
- * stand to the right of what is at its upper edge, or its lower one, where they know its `height`. Where one of the boxes `taken` is in the way,
- * { x, y, half, high } round its middle, they stand above or below it, still in the picture; their own one is added.
+ * stand to the right of what is at its upper edge, or its lower one, where they know its `height`.
+ * Where one of the boxes `taken` is in the way, { x, y, half, high } round its middle, they stand
+ * above or below it, still in the picture; their own one is added.
  */
 export function label(context, [text, subscript = ""], [x, y], { colour, rim, size = 14, offset = [0, 0], width, height = Infinity, taken = [] }) {
   const parts = [
