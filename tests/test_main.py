@@ -126,7 +126,7 @@ def test_who_stops_it_gets_a_line(
     assert capsys.readouterr().err == "ledger: stopped before the end\n"
 
 
-@pytest.mark.parametrize("number", command.ENDS)
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])
 def test_who_ends_it_or_its_terminal_gets_a_line(
     number: int, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
