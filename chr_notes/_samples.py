@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from math import isfinite
-from typing import cast
+from typing import Any, cast
 
 import numpy as np
 from numpy import ndarray
@@ -71,12 +71,17 @@ def one_sample(name: str, value: ArrayLike) -> Sequence[float]:
         If the shape is not (3,); it states the received shape.
     """
     # Of what is the rule it is quick to see.
-    if type(value) is ndarray and value.dtype is DOUBLE and value.shape == _THREE:
-        return value.tolist()  # type: ignore[no-any-return]
-    if isinstance(value, (list, tuple)) and len(value) == 3:  # noqa: PLR2004 (axes)
-        x, y, z = value
-        if type(x) is type(y) is type(z) is float:
-            return value
+    given: Any = value
+    kind = type(given)
+    if kind is ndarray or kind is list or kind is tuple:
+        numbers: Sequence[float]
+        try:
+            x, y, z = numbers = given.tolist() if kind is ndarray else given
+        except (TypeError, ValueError):  # of which is told below
+            pass
+        else:
+            if type(x) is type(y) is type(z) is float:
+                return numbers
     array = floats(name, value, 3)
     if array.ndim != 1:
         msg = f"{name}: expected shape (3,), got {array.shape}"

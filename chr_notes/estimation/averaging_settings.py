@@ -10,7 +10,7 @@ from chr_notes._kernels import of_arrays
 from chr_notes._samples import positive
 from chr_notes.estimation.bias import Bias
 from chr_notes.estimation.earth_field import EarthField
-from chr_notes.estimation.fixed_gain import way_of
+from chr_notes.estimation.fixed_gain import WAYS
 from chr_notes.generated.scalar import estimation as steps
 
 
@@ -47,6 +47,6 @@ class Settings:
         """Give the state after the first sample, whose time step is nobody's."""
         step, given = self.step(heading=heading)
         known = self.field.begin() if heading else ()
-        state = np.array((*way_of("quaternion").begin(*tilt), *[0.0] * 6, *known))
+        state = np.array((*WAYS["quaternion"].begin(*tilt), *[0.0] * 6, *known))
         begun: Floats = of_arrays(step)(state, *sample, 0.0, *given, None)
         return begun

@@ -15,7 +15,7 @@ from chr_notes.estimation.averaging_bound import BIAS, SPEED
 from chr_notes.estimation.averaging_settings import Settings
 from chr_notes.estimation.bias import REST, Bias, check_bias
 from chr_notes.estimation.earth_field import EarthField
-from chr_notes.estimation.fixed_gain import way_of
+from chr_notes.estimation.fixed_gain import WAYS
 from chr_notes.estimation.streams import Sample, parts
 from chr_notes.generated.scalar.estimation import averaging_bound as bound
 from chr_notes.generated.scalar.estimation import bias_at_rest, tilt_from_accelerometer
@@ -87,7 +87,7 @@ def _observed(
     # A bias that is given is known at first, and never learnt.
     known, rest = (np.zeros(3), REST) if given is None else (given, inf)
     longest, constant = float(settings.longest_step), float(settings.time_constant)
-    fast, learn, angles = kernels_in_use(), of_arrays(bias_at_rest), way_of("quaternion").angles
+    fast, learn, angles = kernels_in_use(), of_arrays(bias_at_rest), WAYS["quaternion"].angles
     learnt, spare = np.concatenate([np.zeros(7), known]), np.empty(10)
     at_rest, next_at_rest, turning = learnt[7:], spare[7:], np.empty(3)
     quick: Callable[..., Any] | None = None

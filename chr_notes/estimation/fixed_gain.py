@@ -7,9 +7,10 @@ out, and the estimate goes on without it.
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from math import pi
-from typing import Any, Literal
+from typing import Any, Literal, NoReturn
 
 import numpy as np
+from numpy import empty
 from numpy.typing import ArrayLike, NDArray
 
 from chr_notes._arrays import Floats
@@ -65,7 +66,7 @@ class _Way:
 def _angles(quaternion: Sequence[float]) -> Floats:
     a, b, c, d = quaternion
     roll, pitch, yaw, _ = euler_from_quaternion(a, b, c, d)
-    angles = np.empty(3)  # to fill it takes less time than to make an array of numbers
+    angles = empty(3)  # to fill it takes less time than to make an array of numbers
     angles[0] = roll if roll < pi else -pi
     angles[1] = pitch
     angles[2] = yaw if yaw < pi else -pi
@@ -82,41 +83,42 @@ def angles_in_range(euler: Sequence[float] | Floats) -> Floats:
     roll, pitch, yaw = euler
     # As is_in_range, to call which takes as long as to see it.
     if _LEAST <= roll < pi and _LEAST <= yaw < pi and _STEEP <= pitch <= -_STEEP:
-        angles = np.empty(3)
+        angles = empty(3)
         angles[0], angles[1], angles[2] = roll, pitch, yaw
         return angles
     return np.asarray(in_range(np.array([euler]))[0])
 
 
-_WAYS = {
-    "quaternion": _Way(
-        steps.observer_turn,
-        steps.observer_step,
-        sampled(steps.observer_turn, euler_from_quaternion),
-        kernel("observer_step"),
-        quaternion_from_euler,
-        attitudes_in_range,
-        _angles,
-    ),
-    "euler": _Way(
-        steps.euler_observer_step,
-        steps.euler_observer_step,
-        None,
-        kernel("euler_observer_step"),
-        lambda *euler: euler,
-        in_range,
-        angles_in_range,
-    ),
-}
+class _Ways(dict[str, _Way]):
+    """The methods by their names; one that does not exist is refused."""
 
-
-def way_of(method: str) -> _Way:
-    """Find a method by its name; refuse one that does not exist."""
-    way = _WAYS.get(method)
-    if way is None:
+    def __missing__(self, method: object) -> NoReturn:
         msg = f'method: expected "quaternion" or "euler", got {method!r}'
         raise ValueError(msg)
-    return way
+
+
+WAYS = _Ways(
+    {
+        "quaternion": _Way(
+            steps.observer_turn,
+            steps.observer_step,
+            sampled(steps.observer_turn, euler_from_quaternion),
+            kernel("observer_step"),
+            quaternion_from_euler,
+            attitudes_in_range,
+            _angles,
+        ),
+        "euler": _Way(
+            steps.euler_observer_step,
+            steps.euler_observer_step,
+            None,
+            kernel("euler_observer_step"),
+            lambda *euler: euler,
+            in_range,
+            angles_in_range,
+        ),
+    }
+)
 
 
 def refuse_magnetometer(method: str) -> None:
@@ -218,7 +220,7 @@ def fixed_gain_observer(  # noqa: PLR0913 (a recording, and how to run through i
     >>> fixed_gain_observer(rates, accel, 0.01, 0.02, mag=mag, heading_gain=0.02)[-1].round(3)
     array([0.105, 0.004, 0.51 ])
     """
-    way, share = way_of(method), np.array(check_gain("gain", gain))
+    way, share = WAYS[method], np.array(check_gain("gain", gain))
     rates, forces = samples("body_rates", body_rates), samples("accel", accel)
     field = [] if mag is None else [samples("mag", mag)]
     count = same_length(("body_rates", rates), ("accel", forces), *(("mag", f) for f in field))

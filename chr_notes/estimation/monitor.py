@@ -11,7 +11,7 @@ from chr_notes._recordings import run
 from chr_notes._rows import Rows
 from chr_notes._samples import WILD_RATE, complete, number, periods, same_length, samples
 from chr_notes._units import warn_of_rates
-from chr_notes.estimation.fixed_gain import way_of
+from chr_notes.estimation.fixed_gain import WAYS
 from chr_notes.estimation.gyro import attitudes_in_range
 from chr_notes.estimation.starts import check_gain, first_tilt
 from chr_notes.generated.arrays import validation as generated
@@ -232,7 +232,7 @@ def monitored_observer(  # noqa: PLR0913 (three sensors, and what they are measu
     before[:, 3], before[begin:] = 0.0, (*first, watch.above)
     found = run(
         monitored_turn,
-        (*way_of("quaternion").begin(*first), float(watch.above)),
+        (*WAYS["quaternion"].begin(*first), float(watch.above)),
         *(rates[rest], forces[rest], field[rest], dt[rest] if dt.ndim else dt, down),
         *map(np.array, map(float, rules)),
         finish=_angles_and_count,

@@ -16,11 +16,11 @@ from chr_notes._kernels import sampled
 from chr_notes._samples import WILD_RATE, horizontal, one_sample, period, start
 from chr_notes._units import warn_of_turn
 from chr_notes.estimation.fixed_gain import (
+    WAYS,
     Method,
     angles_in_range,
     is_in_range,
     refuse_magnetometer,
-    way_of,
 )
 from chr_notes.estimation.starts import canonical, check_gain, with_heading
 from chr_notes.generated.scalar import estimation as steps
@@ -78,7 +78,7 @@ def observe_sample(  # noqa: PLR0913 (a state and a sample)
     >>> np.degrees(euler).round(4)
     array([0.0561, 0.    , 0.    ])
     """
-    way = way_of(method)
+    way = WAYS[method]
     # The usual case is looked at here: to call another function takes as long as to see it.
     share = gain if type(gain) is float and 0 <= gain <= 1 else check_gain("gain", gain)
     step = dt if type(dt) is float and 0 <= dt < inf else period(dt)
@@ -186,7 +186,7 @@ def observe(  # noqa: PLR0913 (as for a recording)
     [0.     0.     1.5708]
     [0.     0.     1.5708]
     """
-    way, level = way_of(method), horizontal("reference", reference)
+    way, level = WAYS[method], horizontal("reference", reference)
     gains = check_gain("gain", gain), check_gain("heading_gain", heading_gain)
     state = None if initial is None else way.begin(*canonical("initial", initial))
     run = _by_numbers if way.quick_advance is None else _by_kernels
@@ -200,7 +200,7 @@ def _by_numbers(
     constants: Sequence[float],
 ) -> Iterator[Estimate]:
     heading: Callable[..., tuple[float, ...]] = steps.observer_heading_turn
-    way, share, incomplete = way_of(method), constants[0], 0
+    way, share, incomplete = WAYS[method], constants[0], 0
     for sample in stream:
         mag: Sequence[float] = ()
         if len(sample) == _ALONE:
@@ -237,7 +237,7 @@ def _by_kernels(
     begin: Sequence[float] | None,
     constants: Sequence[float],
 ) -> Iterator[Estimate]:
-    way, incomplete = way_of(method), 0
+    way, incomplete = WAYS[method], 0
     alone: Any = way.quick_advance, constants[:1]
     with_mag: Any = sampled(steps.observer_heading_turn, euler_from_quaternion), constants
     state = None if begin is None else np.array(begin)
