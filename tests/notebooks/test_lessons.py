@@ -18,10 +18,11 @@ UNSHOWN = {"hide-input", "remove-input", "remove-cell"}
 FORMULA = re.compile(r"\$[^$]+\$")
 # A word at the pace of a text that is thought along with. Six seconds for a formula in it, half a
 # minute for a step that one goes along with, three seconds for a line of code or of what it prints.
-# An exercise takes two minutes with a pencil and up to ten with a program, four on average.
+# An exercise takes two minutes with a pencil and up to twelve with a program. With five and a half
+# on average the sum for a chapter is near what its readers took.
 MINUTES: Mapping[str, float] = {
     "word": 1 / 180, "formula": 0.1, "card": 0.5, "step": 0.4, "line": 0.05, "figure": 0.5,
-    "demo": 3.0, "guess": 0.7, "exercise": 4.0,
+    "demo": 3.0, "guess": 0.7, "exercise": 5.5,
 }  # fmt: skip
 
 
