@@ -17,12 +17,14 @@ _THEN_POINT: Final = re.compile(
     r"([,.:;?!)]+)",
     re.DOTALL,
 )
+_SIZE: Final = re.compile(r"\|(\w)\|")  # |q|, where a line would end after the first bar
 _NO_BREAK: Final = "\N{NO-BREAK SPACE}"
 _MINUS: Final = "\N{MINUS SIGN}"
+_JOINED: Final = "|\N{WORD JOINER}\\1|"
 
 
 def spaced(page: str) -> str:
-    r"""Keep numbers with their units and formulas with their comma; no hyphen stands for a minus.
+    r"""Keep numbers with units, formulas with their comma, |q| whole; no hyphen is a minus.
 
     Parameters
     ----------
@@ -39,4 +41,6 @@ def spaced(page: str) -> str:
 
 def _set(part: re.Match[str]) -> str:
     text = part["text"]
-    return part[0] if text is None else _HYPHEN.sub(_MINUS, _BEFORE_UNIT.sub(_NO_BREAK, text))
+    if text is None:
+        return part[0]
+    return _SIZE.sub(_JOINED, _HYPHEN.sub(_MINUS, _BEFORE_UNIT.sub(_NO_BREAK, text)))

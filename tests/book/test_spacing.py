@@ -36,6 +36,11 @@ def test_no_line_begins_with_the_comma_after_a_formula() -> None:
     assert spaced(told) == told
 
 
+def test_a_size_is_not_broken_after_its_first_bar() -> None:
+    told = "<p>Of |\u2060ω| and |\u2060q|.</p>"
+    assert spaced("<p>Of |ω| and |q|.</p>") == spaced(told) == told
+
+
 def test_chapters_are_set(book: Path) -> None:
     for page in (book / "notebooks").glob("*.html"):
         text = page.read_text(encoding="utf-8")
