@@ -1,7 +1,8 @@
 """Run notebooks in place, as they are committed, and show what changed in what they print.
 
 `python tests/notebooks/run.py` runs all of them, `… run.py NOTEBOOK ...` those that are named. It
-ends with 1 if any output is another than before.
+ends with 1 if any output is another than before, and with 2 at once where the verdicts that a
+notebook shows have first to be reached again.
 """
 
 import difflib
@@ -10,8 +11,10 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import nbformat
+from nbclient.exceptions import CellExecutionError
 
 from chr_notes.book.sources import run
+from chr_notes.ledger import StaleError
 
 ALL = sorted((Path(__file__).resolve().parents[2] / "notebooks").glob("*.ipynb"))
 
@@ -34,7 +37,13 @@ def main(names: list[str]) -> int:
     changed = 0
     for path in [Path(name).resolve() for name in names] or ALL:
         before = printed(path)
-        run(path)
+        try:
+            run(path)
+        except CellExecutionError as error:
+            if error.ename != StaleError.__name__:
+                raise
+            sys.stderr.write(f"{path.name} is as before: {error.evalue}\n")
+            return 2
         lines = [*difflib.unified_diff(before, printed(path), path.name, path.name, "", "", 0, "")]
         changed += bool(lines)
         sys.stdout.writelines(f"{line[:200]}\n" for line in lines)

@@ -7,7 +7,12 @@ from pathlib import Path
 
 import nbformat
 import pytest
+from nbclient.exceptions import CellExecutionError
 from nbformat.v4 import new_code_cell, new_notebook, new_output
+
+from chr_notes.ledger import StaleError
+
+from . import run
 
 ROOT = Path(__file__).resolve().parents[2]
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
@@ -69,6 +74,23 @@ def refused(pytester: pytest.Pytester, cases: dict[str, list[Node]], *options: s
     done = pytester.runpytest_subprocess("-n0", "--nbval", "notebooks", *options)
     assert done.ret == 1
     return {*re.findall(r"^FAILED notebooks/(\w+)\.ipynb", done.stdout.str(), re.MULTILINE)}
+
+
+def test_verdicts_that_are_out_of_date_are_told_in_a_line(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def fails(_: Path) -> None:
+        raise CellExecutionError(*error)
+
+    monkeypatch.setattr(run, "run", fails)
+    name = str(NOTEBOOKS[0])
+    error = "", StaleError.__name__, "the verdicts are out of date; run: this"
+    assert run.main([name, name]) == 2
+    (told,) = capsys.readouterr().err.splitlines()
+    assert told == f"{NOTEBOOKS[0].name} is as before: {error[2]}"
+    error = "", "ValueError", "wrong"
+    with pytest.raises(CellExecutionError):
+        run.main([name])
 
 
 @pytest.mark.slow
