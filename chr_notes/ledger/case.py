@@ -1,6 +1,6 @@
 """What is brought before the judgement with one printed statement."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from itertools import combinations
 from types import MappingProxyType, NoneType
@@ -194,46 +194,43 @@ def complete(
         If a case has no printed statement, or reads a symbol otherwise than the document, or if
         no statement is read by what is brought as a definition, or one otherwise.
     """
+    faults = []
     by_id = {case.id: case for case in settled}
     names = {statement.id for statement in printed}
     if len(by_id) < len(settled) or by_id.keys() - names:
         seen = [case.id for case in settled]
         odd = sorted({name for name in seen if name not in names or seen.count(name) > 1})
-        msg = f"expected one case at most for a printed statement, got {', '.join(odd)}"
-        raise CannotJudgeError(msg)
+        faults.append(f"expected one case at most for a printed statement, got {', '.join(odd)}")
     cases = []
     for statement in printed:
         case = by_id.get(statement.id, Case(statement.id))
         if case.read is None:
             case = replace(case, read=read)
         elif not case.read.extends(read):
-            msg = f"{case.id}: read otherwise than the document; give more names by `READ.also`"
-            raise CannotJudgeError(msg)
+            faults.append(
+                f"{case.id}: read otherwise than the document; give more names by `READ.also`"
+            )
         presumed = (each.holds for each in read.presumed if case.id in each.presuming)
         cases.append(replace(case, given=(*case.given, *presumed)))
-    for case in cases:
-        if case.definition and not any(_uses(other, case) for other in cases):
-            msg = f"{case.id}: brought as a definition, yet no statement is read by it"
-            raise CannotJudgeError(msg)
-        if not case.readings and any(_is_contested(case, other) for other in cases):
-            msg = (
-                f"{case.id}: expected readings, for the document contradicts itself in what it "
-                "names; got none"
-            )
-            raise CannotJudgeError(msg)
-        if case.told_in is not None and not any(
-            each.id == case.told_in and each.root is None for each in cases
-        ):
-            msg = (
-                f"{case.id}: expected as told_in a statement of its document that holds, got "
-                f"{case.told_in!r}"
-            )
-            raise CannotJudgeError(msg)
-        other = next((each for each in cases if _means_otherwise(each, case)), None)
-        if other is not None:
-            msg = f"{case.id}: brought as a definition, yet {other.id} reads its name otherwise"
-            raise CannotJudgeError(msg)
+    faults += [f"{case.id}: {odd}" for case in cases for odd in _odd_among(case, cases)]
+    if faults:
+        raise CannotJudgeError("\n".join(faults))
     return tuple(cases)
+
+
+def _odd_among(case: Case, cases: list[Case]) -> Iterator[str]:
+    """Yield what about a case does not go with the others of its document."""
+    if case.definition and not any(_uses(other, case) for other in cases):
+        yield "brought as a definition, yet no statement is read by it"
+    if not case.readings and any(_is_contested(case, other) for other in cases):
+        yield ("expected readings, for the document contradicts itself in what it names; got none")
+    if case.told_in is not None and not any(
+        each.id == case.told_in and each.root is None for each in cases
+    ):
+        yield f"expected as told_in a statement of its document that holds, got {case.told_in!r}"
+    other = next((each for each in cases if _means_otherwise(each, case)), None)
+    if other is not None:
+        yield f"brought as a definition, yet {other.id} reads its name otherwise"
 
 
 def _is_contested(case: Case, other: Case) -> bool:

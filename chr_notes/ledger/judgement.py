@@ -16,6 +16,9 @@ Anything else is an error that says which part was not proved and what was left 
 has no entry that was not decided.
 """
 
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from functools import partial
 from typing import NamedTuple
 
 from sympy import Abs, And, Basic, Dummy, Eq, Limit, MatrixBase, sympify, together
@@ -49,7 +52,7 @@ from chr_notes.ledger.search import is_exact
 from chr_notes.ledger.step_words import check_words
 from chr_notes.ledger.ties import check_place, check_weight
 from chr_notes.ledger.witness import check_witness, number, witness
-from chr_notes.ledger.words import misfits
+from chr_notes.ledger.words import check_says
 from chr_notes.printed.statement import Approximately
 from chr_notes.typeset import latex
 
@@ -84,8 +87,33 @@ def judge(case: Case) -> Entry:
         or correction was brought although the statement is true as printed. It says in which files
         to look.
     """
-    try:
+    with _told(case):
         return _entry(case)
+
+
+def faults(case: Case) -> list[str]:
+    """Say all that keeps a case from being judged: where the judgement ends, this goes on.
+
+    What has no verdict yet may have steps, readings and words that are wrong as well.
+    """
+    checks: list[Callable[[Case], object]] = [_entry, check_steps, check_words, check_says]
+    checks += [partial(_step, place=place) for place in range(len(case.steps))]
+    checks += [partial(_reading, each=each) for each in case.readings]
+    found = []
+    for check in checks:
+        try:
+            with _told(case):
+                check(case)
+        except CannotJudgeError as error:
+            found.append(str(error))
+    return [*dict.fromkeys(found)]
+
+
+@contextmanager
+def _told(case: Case) -> Iterator[None]:
+    """Name the entry and its files with what is wrong with it."""
+    try:
+        yield
     except CannotJudgeError as error:
         msg = f"{error}; {see(case.id)}"
         raise CannotJudgeError(msg) from error
@@ -115,7 +143,8 @@ def _entry(case: Case) -> Entry:
     if readings and not any(holds for _, holds in readings):
         msg = f"{case.id}: it holds under none of its readings"
         raise CannotJudgeError(msg)
-    entry = Entry(
+    check_says(case)
+    return Entry(
         id=case.id,
         document=printed.document,
         kind=printed.kind,
@@ -137,10 +166,6 @@ def _entry(case: Case) -> Entry:
         readings=readings,
         remark=case.remark,
     )
-    for misfit in misfits(entry.id, entry.says, entry.printed_latex, entry.given or ""):
-        msg = f"{case.id}: our words do not fit the formula: {misfit}"
-        raise CannotJudgeError(msg)
-    return entry
 
 
 def _verdict(case: Case) -> Judged:

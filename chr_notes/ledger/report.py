@@ -7,7 +7,7 @@ import textwrap
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from concurrent.futures import ProcessPoolExecutor
-from importlib import metadata
+from importlib import import_module, metadata
 
 from chr_notes.ledger import stored
 from chr_notes.ledger.entry import Entry
@@ -141,20 +141,21 @@ def _judged(topics: list[str]) -> Iterator[tuple[list[Entry], list[str]]]:
 
 
 def judged(document: str) -> tuple[list[Entry], list[str]]:
-    """Judge a document: its entries, and a line for each case that cannot be judged."""
+    """Judge a document: its entries, and a line for all that keeps a case from being judged."""
     # Only here the ledger wants SymPy and all that is printed and derived.
     from chr_notes.ledger.case import CannotJudgeError  # noqa: PLC0415
-    from chr_notes.ledger.judgement import judge  # noqa: PLC0415
+    from chr_notes.ledger.judgement import faults, judge  # noqa: PLC0415
 
     try:
-        from chr_notes.ledger.cases import CASES  # noqa: PLC0415
+        # Alone: what is wrong with another document is told there.
+        cases = import_module(f"chr_notes.ledger.{document}").CASES
     except CannotJudgeError as error:  # of what was brought, parts do not go together
-        return [], [str(error)]
-    own = [case for case in CASES.values() if case.printed.document == document]
-    errors, entries = [], []
-    for case in own:
+        return [], str(error).splitlines()
+    entries: list[Entry] = []
+    errors: list[str] = []
+    for case in cases:
         try:
             entries.append(judge(case))
-        except CannotJudgeError as error:
-            errors.append(str(error))
+        except CannotJudgeError:
+            errors += faults(case)
     return entries, errors

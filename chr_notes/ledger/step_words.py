@@ -89,17 +89,19 @@ def check_words(case: Case) -> None:
     Raises
     ------
     CannotJudgeError
-        Then. It names the step, and the word.
+        Then. It names each step and word.
     """
     statements = [case.printed.statement, *([case.right] if case.right is not None else [])]
     formula = " ".join(latex(each) for each in statements)
-    for place, step in enumerate(case.steps, 1):
-        elsewhere = ELSEWHERE.get(f"{case.id}/{place}", frozenset())
-        for word in unseen(step.says, latex(step.statement), formula):
-            if word.lower() in elsewhere:
-                continue
-            msg = f"{case.id}: step {place} says “{word}”, which does not show in what it states"
-            raise CannotJudgeError(msg)
+    odd = [
+        f"step {place} says “{word}”, which does not show in what it states"
+        for place, step in enumerate(case.steps, 1)
+        for word in unseen(step.says, latex(step.statement), formula)
+        if word.lower() not in ELSEWHERE.get(f"{case.id}/{place}", frozenset())
+    ]
+    if odd:
+        msg = f"{case.id}: {'; '.join(odd)}"
+        raise CannotJudgeError(msg)
 
 
 def unseen(says: str, shown: str, formula: str) -> Iterator[str]:

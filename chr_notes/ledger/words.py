@@ -12,6 +12,9 @@ from typing import Final
 
 from sympy import Rational
 
+from chr_notes.ledger.case import CannotJudgeError, Case
+from chr_notes.typeset import latex
+
 SIGNS: Final[Mapping[str, str]] = MappingProxyType(
     {
         "negative": r"< 0",
@@ -110,6 +113,22 @@ ELSEWHERE: Final[Mapping[str, frozenset[str]]] = MappingProxyType(
         "validation.k": frozenset({"cannot"}),
     }
 )
+
+
+def check_says(case: Case) -> None:
+    """Refuse our words for a statement where they do not fit its formula.
+
+    Raises
+    ------
+    CannotJudgeError
+        Then. It has all that does not fit.
+    """
+    formula = latex(case.printed.statement, as_written=True)
+    presumed = " ".join(latex(each.holds) for each in case.given)
+    odd = [*misfits(case.id, case.printed.says, formula, presumed)]
+    if odd:
+        msg = f"{case.id}: our words do not fit the formula: {'; '.join(odd)}"
+        raise CannotJudgeError(msg)
 
 
 def misfits(name: str, says: str, formula: str, presumed: str = "") -> Iterator[str]:

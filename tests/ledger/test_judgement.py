@@ -162,4 +162,7 @@ def test_a_document_has_one_reading(say: Say) -> None:
         complete(document, READ, (Case("tried.1.1", reading({y: x**3})),))
     with pytest.raises(CannotJudgeError, match="expected one case at most"):
         complete(document, READ, (Case("tried.1.9"),))
+    odd = (Case("tried.1.1", reading({y: x**3}), told_in="tried.1.7"), Case("tried.1.9"))
+    with pytest.raises(CannotJudgeError, match=r"at most.*\n.*: read other.*\n.*as told_in"):
+        complete(document, READ, odd)
     assert replace(Case("tried.1.1"), read=READ).reading is READ

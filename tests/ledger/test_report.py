@@ -1,16 +1,20 @@
 """The ledger as a table and as JSON."""
 
 import json
+import re
 import sys
+from dataclasses import replace
 from types import ModuleType
 
 import pytest
+from sympy import Eq
 
 from chr_notes import ledger
 from chr_notes.__main__ import main
-from chr_notes.ledger import report
+from chr_notes.ledger import euler, report
 from chr_notes.ledger.case import CannotJudgeError
 from chr_notes.ledger.cases import CASES
+from chr_notes.symbols import psi
 
 FIELDS = {
     "id", "document", "kind", "place", "verdict", "printed_latex", "derived_latex",
@@ -44,10 +48,31 @@ def test_cases_that_do_not_go_together_are_told_in_a_line(
 ) -> None:
     class Refused(ModuleType):
         def __getattr__(self, _: str) -> None:
-            msg = "euler.5.5: expected readings, got none"
+            msg = "euler.5.5: expected readings, got none\neuler.5.6: expected as told_in …"
             raise CannotJudgeError(msg)
 
-    monkeypatch.setitem(sys.modules, "chr_notes.ledger.cases", Refused("cases"))
+    monkeypatch.setitem(sys.modules, "chr_notes.ledger.euler", Refused("euler"))
     monkeypatch.setattr(report.stored, "is_stale", lambda document: document == "euler")
     assert main(["ledger", "--write"]) == 1
-    assert capsys.readouterr().err == "euler.5.5: expected readings, got none\n"
+    told = capsys.readouterr().err.splitlines()
+    assert told == ["euler.5.5: expected readings, got none", "euler.5.6: expected as told_in …"]
+    # Of another document nothing of it is told.
+    assert report.judged("validation")[1] == []
+
+
+def test_all_that_is_wrong_with_all_cases_is_told_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    wrong = []
+    for name in ("euler.3.1", "euler.4.1"):
+        case = CASES[name]
+        first = replace(case.steps[0], says="The conjugate, by a cube.")
+        same = replace(case.steps[0], statement=Eq(psi, psi, evaluate=False))
+        wrong.append(replace(case, root="gyro", steps=(first, same)))
+    monkeypatch.setattr(euler, "CASES", tuple(wrong))
+    entries, told = report.judged("euler")
+    assert entries == []
+    for case in wrong:
+        own = [line for line in told if line.startswith(f"{case.id}: ")]
+        assert len(own) == len(set(own)) == 4
+        for what in ("no root", "“conjugate”.*“cube”", "nowhere", "step 2 shows the same"):
+            assert re.search(what, "\n".join(own)), (what, own)
+        assert all("; see chr_notes/printed/euler.py" in line for line in own)
