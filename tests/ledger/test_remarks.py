@@ -7,6 +7,7 @@ with the computation that gives it from the chosen ones.
 import math
 import re
 from collections.abc import Callable
+from functools import cache
 from typing import NamedTuple
 
 import pytest
@@ -100,6 +101,7 @@ def factor_with_iron(percent: Expr, dip: Expr) -> Expr:
     return validation.factor().subs(level).subs({**field, **dict(seen)})
 
 
+@cache
 def gravity_across() -> Expr:
     """Sum of squares of what gravity has along the level, of which 6 and 7 make a quotient."""
     gravity = -estimation.accelerometer_at_rest()
@@ -133,8 +135,8 @@ def times_too_large(cell: str) -> float:
     return printed / float(drift(COLUMNS[column].seconds, tilted))
 
 
-LOCKS = sorted(derived.lock_pitches())
-DOWN, UP = constant("−90", deg(LOCKS[0])), constant("+90", deg(LOCKS[1]))
+LOCKS = cache(derived.lock_pitches)
+DOWN, UP = ("−90", lambda *_: deg(min(LOCKS()))), ("+90", lambda *_: deg(max(LOCKS())))
 ATAN = tuple(
     constant(said, deg(limit(atan(T), T, end))) for said, end in (("−90", -oo), ("90", oo))
 )
@@ -146,6 +148,7 @@ SEAM = (
 )
 BESIDE = ("1", "100", "0.02")
 ACROSS = ("170", "−80", "179", "−179")
+NO_GRAVITY = ("0", lambda *_: gravity_across())
 HALF = constant("half", drift(Integer(1), 1))
 STEPS_LEAVE = (
     dead_reckoning.constant_acceleration(T * dead_reckoning.n)[1]
@@ -245,11 +248,11 @@ TABLE = {
         if CELL.fullmatch(cell)
     },
     "validation.3": Row((), (ATAN[1], SIGNS)),
-    "validation.6": Row((), (constant("0", gravity_across()), constant("0", gravity_across()))),
-    "validation.7": Row((), (constant("0", gravity_across()), constant("0", gravity_across()))),
+    "validation.6": Row((), (NO_GRAVITY, NO_GRAVITY)),
+    "validation.7": Row((), (NO_GRAVITY, NO_GRAVITY)),
     "validation.10": Row(ACROSS, (*SEAM, ("180", half_way))),
     "validation.15": Row((), (SIGNS,)),
-    "validation.b": Row((), (constant("0", gravity_across()), constant("0", gravity_across()))),
+    "validation.b": Row((), (NO_GRAVITY, NO_GRAVITY)),
     "validation.c": Row(BESIDE, (("0.49", steady_error),)),
     "validation.d": Row(("five", "53"), (("0.017", factor_with_iron),)),
     "validation.e": Row(("1",)),
