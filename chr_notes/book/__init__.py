@@ -152,7 +152,8 @@ def write_generated(book: Path, made_by: str) -> None:
     shutil.rmtree(static, ignore_errors=True)  # each script in it would go into every page
     for name, text in pages.generated().items():
         _write(generated / name, text)
-    sheets = [(book / name).read_text(encoding="utf-8") for name in ("pages.css", "icons.css")]
+    names = ("pages.css", "icons.css", "print.css")
+    sheets = [(book / name).read_text(encoding="utf-8") for name in names]
     _write(static / "pages.css", "".join([styles(), lesson.styles(), *sheets]))
     _write(static / "lesson.js", lesson.script())
     for script in sorted(book.glob("*.js")):

@@ -36,10 +36,6 @@ html { font-size: 13px; }
 body { display: block; }
 .bd-article { padding: 0; break-before: page; }
 h1, h2, h3, h4 { padding-top: 0.5em; break-after: avoid; } /* at the top of a page, too */
-img, tr, .admonition { break-inside: avoid; }
-details.hide > summary { display: none !important; }
-pre { white-space: pre-wrap; overflow-wrap: anywhere; }
-button, .toggle-button { display: none; }
 """
 
 

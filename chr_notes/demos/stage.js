@@ -55,6 +55,7 @@ export function painting(root, canvas, draw, { seen = () => {}, signal }) {
     seen(visible);
   }, signal);
   watch(root, canvas, redraw, signal);
+  addEventListener("beforeprint", paint, { signal }); // no frame comes before the page is printed
   signal.addEventListener("abort", () => cancelAnimationFrame(frame));
   return redraw;
 }
