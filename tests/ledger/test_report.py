@@ -56,8 +56,6 @@ def test_cases_that_do_not_go_together_are_told_in_a_line(
     assert main(["ledger", "--write"]) == 1
     told = capsys.readouterr().err.splitlines()
     assert told == ["euler.5.5: expected readings, got none", "euler.5.6: expected as told_in …"]
-    # Of another document nothing of it is told.
-    assert report.judged("validation")[1] == []
 
 
 def test_all_that_is_wrong_with_all_cases_is_told_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
