@@ -143,7 +143,7 @@ def drawn(run: Mapping[str, Any]) -> dict[str, Times]:
 def curves(run: Mapping[str, Any]) -> Iterator[str]:
     """Yield a picture for each task that a library does: the time of a call against the rows."""
     for task, times in drawn(run).items():
-        figure, axes = plt.subplots(figsize=(5.4, 3.4))
+        figure, axes = plt.subplots(figsize=(4.4, 3.2))
         looks = cycle(LOOKS)
         shown = {name: each for name, each in times.items() if len(each) > 1}
         for name, each in shown.items():
