@@ -23,15 +23,15 @@ def one(latex: str, text: str) -> Element:
     return found
 
 
-@pytest.mark.parametrize("entry", entries(), ids=lambda entry: str(entry.id))
-def test_each_formula_of_the_ledger_is_set_whole(entry: object) -> None:
-    for name in ("printed_latex", "derived_latex", "correction_latex", "condition"):
-        latex = getattr(entry, name)
-        if latex is not None:
-            shown = drawn(latex)
-            assert not set(shown) & set("\\&$"), shown
-            digits = [c for c in latex.replace(r"\\[0.6em]", "") if c.isdigit()]
-            assert sorted(digits) == sorted(c for c in shown if c.isdigit())
+def test_each_formula_of_the_ledger_is_set_whole() -> None:
+    for entry in entries():
+        for name in ("printed_latex", "derived_latex", "correction_latex", "condition"):
+            latex = getattr(entry, name)
+            if latex is not None:
+                shown = drawn(latex)
+                assert not set(shown) & set("\\&$"), f"{entry.id}: {shown}"
+                digits = [c for c in latex.replace(r"\\[0.6em]", "") if c.isdigit()]
+                assert sorted(digits) == sorted(c for c in shown if c.isdigit()), entry.id
 
 
 @pytest.mark.parametrize(

@@ -4,8 +4,6 @@ import re
 from pathlib import Path
 from types import ModuleType
 
-import pytest
-
 from chr_notes.ledger.files import see
 
 from .sources import places
@@ -110,16 +108,16 @@ def test_there_are_words_for_every_claim() -> None:
     assert WORDS.keys() == {n for n, each in STATEMENTS.items() if each.kind == "claim"}
 
 
-@pytest.mark.parametrize("name", STATEMENTS)
-def test_a_place_is_a_section_and_a_paragraph_or_an_equation(name: str) -> None:
-    place = STATEMENTS[name].place
-    assert PLACE.fullmatch(place)
-    document, number, *_ = name.split(".")
-    if place.startswith("section") and number != "t1":
-        assert place.split(",")[0] == f"section {number}"
-    if place.startswith("equation"):
-        assert place == f"equation {number}"
-    assert (document == "validation") != place.startswith("section")
+def test_a_place_is_a_section_and_a_paragraph_or_an_equation() -> None:
+    for name, statement in STATEMENTS.items():
+        place, where = statement.place, see(name)
+        assert PLACE.fullmatch(place), where
+        document, number, *_ = name.split(".")
+        if place.startswith("section") and number != "t1":
+            assert place.split(",")[0] == f"section {number}", where
+        if place.startswith("equation"):
+            assert place == f"equation {number}", where
+        assert (document == "validation") != place.startswith("section"), where
 
 
 def test_statements_stand_in_their_places(rules: ModuleType) -> None:
