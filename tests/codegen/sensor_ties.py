@@ -54,9 +54,8 @@ SENSITIVITY = ImmutableMatrix(diag(*calibration.SENSITIVITY))
 BIAS = ImmutableMatrix(calibration.BIAS)
 READING = ImmutableMatrix(ACCELEROMETER)
 # Functions that correct take the inverse of the misalignment.
-ALIGNED = dict(
-    zip(calibration.MISALIGNMENT, calibration.REALIGNMENT.inv(method="ADJ"), strict=True)
-)
+MISALIGNED = calibration.REALIGNMENT.inv(method="ADJ")
+ALIGNED = dict(zip(calibration.MISALIGNMENT, MISALIGNED, strict=True))
 ACCELEROMETERS = {
     printed.M_A: calibration.MISALIGNMENT,
     printed.M_A.I: calibration.REALIGNMENT,
@@ -244,9 +243,7 @@ SENSORS: dict[tuple[str, str], Tie] = {
     ("gyro_measures", "sensors.3.2"): Tie(undoes(printed.P_M, GYROS)),
     ("gyro_corrected", "sensors.3.2"): Tie(by({**GYROS, printed.P_M: GIVEN})),
     ("iron_removed", "sensors.4.2"): Tie(by({**IRON, printed.B: GIVEN})),
-    ("iron_added", "sensors.4.2"): Tie(
-        undoes(printed.B, {**IRON, printed.D_S: calibration.REALIGNMENT.inv(method="ADJ")})
-    ),
+    ("iron_added", "sensors.4.2"): Tie(undoes(printed.B, {**IRON, printed.D_S: MISALIGNED})),
     ("tilt_from_accelerometer", "estimation.2.5"): Tie(_pitch_at_rest, (3, 0)),
     ("tilt_from_accelerometer", "estimation.2.6"): Tie(_roll_at_rest, (3, 0)),
     ("tilt_from_accelerometer", "validation.3"): Tie(_roll_at_rest, (3, 0)),

@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from chr_notes.derivations.told.estimation import TILT
+from chr_notes.derivations.told.dead_reckoning import DRIFT
 from chr_notes.ledger import entries
 from chr_notes.ledger import entry as judged
 from chr_notes.ledger.card import AND, LONG, computed, display
@@ -76,10 +76,10 @@ def test_what_the_text_gets_on_without_is_folded() -> None:
     assert show("sensors.2.4")._repr_markdown_().startswith('<div class="entry"')
     folded = show("sensors.2.4", folded=True)._repr_markdown_()
     assert folded.startswith('<details class="entry chip" id="entry-sensors.2.4">')
-    assert show_steps(TILT)._repr_markdown_().startswith('<div class="chr-steps"')
-    steps = show_steps(TILT, folded="Derivation")._repr_markdown_()
+    assert show_steps(DRIFT)._repr_markdown_().startswith('<div class="chr-steps"')
+    steps = show_steps(DRIFT, folded="Derivation")._repr_markdown_()
     assert steps.startswith("<details>\n<summary>Derivation</summary>\n\n<div")
-    assert repr(show_steps(TILT, folded="Derivation")) == repr(show_steps(TILT))
+    assert repr(show_steps(DRIFT, folded="Derivation")) == repr(show_steps(DRIFT))
 
 
 def test_what_misleads_has_its_difference_marked_and_says_what_it_does() -> None:
