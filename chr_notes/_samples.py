@@ -71,17 +71,17 @@ def one_sample(name: str, value: ArrayLike) -> Sequence[float]:
         If the shape is not (3,); it states the received shape.
     """
     # Of what is the rule it is quick to see.
-    given: Any = value
-    kind = type(given)
-    if kind is ndarray or kind is list or kind is tuple:
-        numbers: Sequence[float]
-        try:
-            x, y, z = numbers = given.tolist() if kind is ndarray else given
-        except (TypeError, ValueError):  # of which is told below
-            pass
-        else:
-            if type(x) is type(y) is type(z) is float:
-                return numbers
+    numbers: Any = ()
+    if type(value) is ndarray:
+        numbers = value.tolist()
+    elif isinstance(value, (list, tuple)):
+        numbers = value
+    try:
+        x, y, z = numbers
+        if type(x) is type(y) is type(z) is float:
+            return numbers  # type: ignore[no-any-return]
+    except (TypeError, ValueError):  # of which is told below
+        pass
     array = floats(name, value, 3)
     if array.ndim != 1:
         msg = f"{name}: expected shape (3,), got {array.shape}"

@@ -31,7 +31,7 @@ from chr_notes.generated.scalar import estimation as steps
 from chr_notes.generated.scalar.quaternions import euler_from_quaternion, quaternion_from_euler
 
 Method = Literal["quaternion", "euler"]
-_LEAST, _STEEP = -pi, -pi / 2
+_LEAST, _DOWN, _UP = -pi, -pi / 2, pi / 2
 
 
 @dataclass(frozen=True)
@@ -75,14 +75,14 @@ def _angles(quaternion: Sequence[float]) -> Floats:
 
 def is_in_range(roll: float, pitch: float, yaw: float) -> bool:
     """Say whether three angles are in the ranges that filters write them in."""
-    return _LEAST <= roll < pi and _LEAST <= yaw < pi and _STEEP <= pitch <= -_STEEP
+    return _LEAST <= roll < pi and _LEAST <= yaw < pi and _DOWN <= pitch <= _UP
 
 
 def angles_in_range(euler: Sequence[float] | Floats) -> Floats:
     """Write three angles in these ranges."""
     roll, pitch, yaw = euler
     # As is_in_range, to call which takes as long as to see it.
-    if _LEAST <= roll < pi and _LEAST <= yaw < pi and _STEEP <= pitch <= -_STEEP:
+    if _LEAST <= roll < pi and _LEAST <= yaw < pi and _DOWN <= pitch <= _UP:
         angles = empty(3)
         angles[0], angles[1], angles[2] = roll, pitch, yaw
         return angles
