@@ -106,7 +106,7 @@ CUT_TABLES = """[...document.querySelectorAll("article table.table:not(:has(th:n
   .filter((table) => table.offsetWidth > table.parentElement.clientWidth + 1)
   .map((table) => table.textContent.trim().slice(0, 60))"""
 IDLE = """new Promise((done) => {
-  requestAnimationFrame(() => requestIdleCallback(done));
+  requestAnimationFrame(() => requestIdleCallback(done, { timeout: 500 }));
   setTimeout(done, 5000);
 })"""
 

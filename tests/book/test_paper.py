@@ -25,7 +25,9 @@ PRINTED = """() => {
 THEME = "() => document.documentElement.dataset.theme"
 
 
-@pytest.mark.parametrize("name", WIDEST)
+@pytest.mark.parametrize(
+    "name", [WIDEST[0], *(pytest.param(name, marks=pytest.mark.full) for name in WIDEST[1:])]
+)
 def test_nothing_is_cut_off_at_the_edge_of_a_sheet(visit: Visit, served: str, name: str) -> None:
     page = visit(f"{served}{name}.html", own=True, width=SHEET)
     assert page.evaluate(CUT_OFF) != []  # on the screen it can be scrolled
