@@ -83,6 +83,9 @@ class Rows:
         Of the first arrays in errors, where they are not those of the general function.
     checked
         How many of the first arrays are parameters of float64 that were checked before.
+    spreads
+        Whether NaN in any other array makes all numbers of its row NaN by itself, so that none of
+        them is looked at before.
     """
 
     compute: Callable[..., Floats]
@@ -97,16 +100,19 @@ class Rows:
         degree: int = 0,
         names: tuple[str, ...] = (),
         checked: int = 0,
+        spreads: bool = False,
     ) -> None:
         self.name, self._general = general.__name__, general
         arrays, self._result = SHAPES[self.name]
         self._lasts = tuple(arrays.values())
-        self._names, self._checked = (*names, *tuple(arrays)[len(names) :]), checked
+        self._names = (*names, *tuple(arrays)[len(names) :])
         self._layout = tuple(
             (name, last, slice(-len(last) or None), slice(-len(last) or 0, None if last else 0))
             for name, last in zip(self._names, self._lasts, strict=True)
         )
         self._rotation, self._scaled, self._degree = rotation, scaled, degree
+        decisive = 1 if rotation or scaled else checked
+        self._looked_at = slice(0 if rotation or scaled else checked, decisive if spreads else None)
         self.use(kernel(self.name))
 
     def use(self, compiled: Callable[..., Any] | None) -> None:
@@ -221,7 +227,7 @@ class Rows:
         largest or smallest number.
         """
         whole = 0.0
-        for part in parts[self._checked :]:
+        for part in parts[self._looked_at]:
             flat = part.ravel()
             # Of more numbers BLAS adds up with several threads, for which others have to wait.
             whole += flat.dot(flat) if len(flat) <= _ALONE else np.einsum("i,i", flat, flat)

@@ -14,7 +14,7 @@ from chr_notes.generated.arrays import euler as generated
 
 _matrix_from_euler = Rows(generated.matrix_from_euler)
 _euler_from_matrix = Rows(generated.euler_from_matrix, rotation=True)
-_wrap_angle = Rows(generated.wrap_angle)
+_wrap_angle = Rows(generated.wrap_angle, spreads=True)
 _euler_rates_matrix = Rows(generated.euler_rates_matrix)
 _euler_rates_from_body_rates = Rows(generated.euler_rates_from_body_rates)
 _body_rates_from_euler_rates = Rows(generated.body_rates_from_euler_rates)

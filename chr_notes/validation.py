@@ -7,8 +7,10 @@ from chr_notes._arrays import Floats, floats
 from chr_notes._rows import Rows
 from chr_notes.generated.arrays import validation as generated
 
-_heading_from_magnetometer = Rows(generated.heading_from_magnetometer, scaled="nothing")
-_validation_factor = Rows(generated.validation_factor, scaled="nothing")
+_heading_from_magnetometer = Rows(
+    generated.heading_from_magnetometer, scaled="nothing", spreads=True
+)
+_validation_factor = Rows(generated.validation_factor, scaled="nothing", spreads=True)
 _NORTH = (1.0, 0.0)
 _ALONG_NORTH = np.array(_NORTH)
 

@@ -10,11 +10,11 @@ from chr_notes._arrays import Floats
 from chr_notes._rows import Rows
 from chr_notes.generated.arrays import quaternions as generated
 
-_quaternion_multiply = Rows(generated.quaternion_multiply)
+_quaternion_multiply = Rows(generated.quaternion_multiply, spreads=True)
 _quaternion_conjugate = Rows(generated.quaternion_conjugate)
 _quaternion_inverse = Rows(generated.quaternion_inverse, scaled="refused", degree=-1)
-_rotate_to_inertial = Rows(generated.rotate_to_inertial, scaled="refused")
-_rotate_to_body = Rows(generated.rotate_to_body, scaled="refused")
+_rotate_to_inertial = Rows(generated.rotate_to_inertial, scaled="refused", spreads=True)
+_rotate_to_body = Rows(generated.rotate_to_body, scaled="refused", spreads=True)
 
 
 def quaternion_multiply(p: ArrayLike, q: ArrayLike, *, out: Floats | None = None) -> Floats:

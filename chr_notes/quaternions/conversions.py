@@ -13,7 +13,7 @@ from chr_notes.generated.arrays import quaternions as generated
 
 _matrix_from_quaternion = Rows(generated.matrix_from_quaternion, scaled="refused")
 _quaternion_from_matrix = Rows(generated.quaternion_from_matrix, rotation=True)
-_quaternion_from_euler = Rows(generated.quaternion_from_euler)
+_quaternion_from_euler = Rows(generated.quaternion_from_euler, spreads=True)
 _euler_from_quaternion = Rows(generated.euler_from_quaternion, scaled="refused")
 _quaternion_from_axis_angle = Rows(generated.quaternion_from_axis_angle, scaled="refused")
 _axis_angle_from_quaternion = Rows(generated.axis_angle_from_quaternion, scaled="refused")

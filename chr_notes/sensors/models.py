@@ -17,12 +17,12 @@ from chr_notes.sensors.terms import at, finite, invertible, keep, polynomial, re
 
 # Terms have a row for each temperature, so an error about their shape is one about its.
 _TERMS = ("misalignment", "temperature", "temperature")
-_sensor_measures = Rows(generated.sensor_measures, names=_TERMS, checked=3)
-_sensor_corrected = Rows(generated.sensor_corrected, names=_TERMS, checked=3)
-_gyro_measures = Rows(generated.gyro_measures, names=_TERMS, checked=4)
-_gyro_corrected = Rows(generated.gyro_corrected, names=_TERMS, checked=4)
-_iron_added = Rows(generated.iron_added, checked=2)
-_iron_removed = Rows(generated.iron_removed, checked=2)
+_sensor_measures = Rows(generated.sensor_measures, names=_TERMS, checked=3, spreads=True)
+_sensor_corrected = Rows(generated.sensor_corrected, names=_TERMS, checked=3, spreads=True)
+_gyro_measures = Rows(generated.gyro_measures, names=_TERMS, checked=4, spreads=True)
+_gyro_corrected = Rows(generated.gyro_corrected, names=_TERMS, checked=4, spreads=True)
+_iron_added = Rows(generated.iron_added, checked=2, spreads=True)
+_iron_removed = Rows(generated.iron_removed, checked=2, spreads=True)
 
 
 @dataclass(frozen=True, eq=False)

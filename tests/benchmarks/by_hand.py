@@ -1,7 +1,8 @@
 """The same functions in plain NumPy, as one writes them in a few lines, without any check.
 
 Each sine, cosine and product is taken once. Quaternions are unit quaternions, and matrices
-rotations; nothing is at gimbal lock.
+rotations; nothing is at gimbal lock. Two have all the duties of ours: `checked_euler`, and
+`true_heading`.
 """
 
 import numpy as np
@@ -34,6 +35,24 @@ def euler_from_matrix(matrix: Floats) -> Floats:
     roll = np.arctan2(matrix[:, 1, 2], matrix[:, 2, 2])
     yaw = np.arctan2(matrix[:, 0, 1], matrix[:, 0, 0])
     return np.stack([roll, -np.arcsin(matrix[:, 0, 2]), yaw], axis=-1)
+
+
+def checked_euler(matrix: Floats) -> Floats:
+    """Read Euler angles off matrices, at the pole too, and refuse what is no rotation."""
+    defect = matrix @ matrix.swapaxes(1, 2) - np.eye(3)
+    if not np.abs(defect).max() < 1e-4 or not np.linalg.det(matrix).min() > 0:
+        msg = "expected rotations"
+        raise ValueError(msg)
+    across = np.hypot(matrix[:, 0, 0], matrix[:, 0, 1])
+    pitch = np.arctan2(-matrix[:, 0, 2], across)
+    locked = across < 1e-12
+    roll = np.where(locked, 0.0, np.arctan2(matrix[:, 1, 2], matrix[:, 2, 2]))
+    yaw = np.where(
+        locked,
+        np.arctan2(-matrix[:, 1, 0], matrix[:, 1, 1]),
+        np.arctan2(matrix[:, 0, 1], matrix[:, 0, 0]),
+    )
+    return np.stack([roll, pitch, yaw], axis=-1)
 
 
 def euler_rates_from_body_rates(euler: Floats, rates: Floats) -> Floats:
@@ -148,6 +167,15 @@ def heading_from_magnetometer(mag: Floats, tilt: Floats) -> Floats:
     sine, cosine = np.sin(roll), np.cos(roll)
     down = y * sine + z * cosine
     return np.asarray(np.arctan2(z * sine - y * cosine, x * np.cos(pitch) + down * np.sin(pitch)))
+
+
+DECLINATION = 0.05
+
+
+def true_heading(mag: Floats, tilt: Floats) -> Floats:
+    """Work out yaw from true north, and NaN of no field."""
+    yaw = heading_from_magnetometer(mag, tilt) + DECLINATION
+    return np.where((mag == 0).all(axis=1), np.nan, wrap_angle(yaw))
 
 
 def accelerometer_at_rest(euler: Floats) -> Floats:

@@ -50,6 +50,16 @@ def cases(rows: int) -> Iterator[tuple[str, Callable[[], Any], Callable[[], Any]
     for name, arrays in given.items():
         ours, plain = getattr(chr_notes, name), getattr(by_hand, name)
         yield name, lambda: ours(*arrays), lambda: plain(*arrays)  # noqa: B023 (called at once)
+    # By hand with the duties that ours have, beyond a line that is right where nothing is odd.
+    matrix, tilt = given["euler_from_matrix"][0], euler[:, :2].copy()
+    angles, heading = chr_notes.euler_from_matrix, chr_notes.heading_from_magnetometer
+    north = np.cos(by_hand.DECLINATION), np.sin(by_hand.DECLINATION)
+    yield "rotations, refused or not", lambda: angles(matrix), lambda: by_hand.checked_euler(matrix)
+    yield (
+        "heading from true north",
+        lambda: heading(vectors, tilt, north),
+        lambda: by_hand.true_heading(vectors, tilt),
+    )
     calibration = by_hand.CALIBRATION
     yield "measure", lambda: calibration.measure(vectors), lambda: by_hand.measured(vectors)
     yield "correct", lambda: calibration.correct(vectors), lambda: by_hand.corrected(vectors)
