@@ -9,11 +9,13 @@ import json
 import lzma
 import re
 import shutil
-from collections.abc import Iterable
+from collections.abc import Sequence
 from pathlib import Path
+from zipfile import ZipFile
 
 import numpy as np
 from setuptools import Extension, setup
+from setuptools.command.bdist_wheel import bdist_wheel
 from setuptools.command.build_py import build_py
 
 HERE = Path(__file__).resolve().parent
@@ -27,9 +29,10 @@ MAKERS = (
     "generated/c/stamp.h",
 )
 # What no Python imports is read from archives (chr_notes/_texts.py): prose and tables from one, in
-# which they take less, code and pictures from the other.
+# which they take less, code and pictures from the other, like after like.
 IMPORTED = {".py", ".pyd", ".so", ".typed"}
-PROSE = {".bib", ".ipynb", ".json", ".md", ".yml"}
+PROSE = (".bib", ".ipynb", ".json", ".md", ".yml")
+CODE = (".css", ".js", ".mjs", ".c", ".h", ".mts", ".svg")
 DRAWN = re.compile(r'data-drawn=\\"([^"\\]*)\\"')
 
 
@@ -49,12 +52,27 @@ class WithBook(build_py):
             if path.is_file() and path.suffix not in IMPORTED:
                 texts[path.relative_to(package).as_posix()] = path.read_bytes()
                 path.unlink()
-        prose = {name for name in texts if Path(name).suffix in PROSE}
-        code = [{"id": lzma.FILTER_LZMA2, "preset": 9 | lzma.PRESET_EXTREME, "lc": 4, "pb": 0}]
-        prose_packed = bz2.compress(archive(texts, prose))
-        (package / "prose.bz2").write_bytes(prose_packed)
-        code_packed = lzma.compress(archive(texts, texts.keys() - prose), filters=code)
-        (package / "code.xz").write_bytes(code_packed)
+        (package / "prose.bz2").write_bytes(bz2.compress(archive(texts, PROSE)))
+        strongest = {"id": lzma.FILTER_LZMA2, "preset": 9 | lzma.PRESET_EXTREME, "pb": 0}
+        packed = lzma.compress(archive(texts, CODE), filters=[strongest])
+        (package / "code.xz").write_bytes(packed)
+        if texts:
+            msg = f"in setup.py neither prose nor code: {', '.join(sorted(texts))}"
+            raise RuntimeError(msg)
+
+
+class DeflatedFurther(bdist_wheel):
+    """Deflate the wheel as far as it goes, a thousand bytes further than setuptools does."""
+
+    def run(self) -> None:
+        """Write it, and once more."""
+        super().run()
+        path = self.distribution.dist_files[-1][2]
+        with ZipFile(path) as wheel:
+            parts = [(part, wheel.read(part)) for part in wheel.infolist()]
+        with ZipFile(path, "w") as wheel:
+            for part, content in parts:
+                wheel.writestr(part, content, compresslevel=9)
 
 
 def remove(path: Path) -> None:
@@ -65,11 +83,11 @@ def remove(path: Path) -> None:
         path.unlink(missing_ok=True)
 
 
-def archive(texts: dict[str, bytes], names: Iterable[str]) -> bytes:
-    """Write texts one after the other, as chr_notes/_texts.py reads them."""
-    # Like after like: it takes less.
-    ordered = sorted(names, key=lambda name: (Path(name).suffix, name))
-    return b"\0".join(part for name in ordered for part in (name.encode(), texts[name]))
+def archive(texts: dict[str, bytes], kinds: Sequence[str]) -> bytes:
+    """Take texts of these kinds, in this order, for an archive as chr_notes/_texts.py reads it."""
+    names = [name for name in texts if Path(name).suffix in kinds]
+    names.sort(key=lambda name: (kinds.index(Path(name).suffix), name))
+    return b"\0".join(part for name in names for part in (name.encode(), texts.pop(name)))
 
 
 def sources_of_the_book() -> dict[str, bytes]:
@@ -95,7 +113,7 @@ def sources_of_the_book() -> dict[str, bytes]:
 
 
 setup(
-    cmdclass={"build_py": WithBook},
+    cmdclass={"build_py": WithBook, "bdist_wheel": DeflatedFurther},
     ext_modules=[
         Extension(
             "chr_notes._compiled",

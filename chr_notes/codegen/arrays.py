@@ -137,16 +137,11 @@ def _step(step: Let | Choice, flag: Symbol | None) -> list[str]:
 
 
 def _docstring(program: Program) -> list[str]:
-    target = program.target
-    lines = [f'    """{header.returns(program)}', ""]
-    for name, elements in target.arrays:
-        axes = "".join(f", {size}" for size in shape(elements))
-        what = elements[0].says if len(elements) == 1 else ", ".join(e.name for e in elements)
-        lines.append(f"    {name}: {what}, shape (...{axes})")
-    lines.append(f"    out: for the result, shape (...{''.join(f', {n}' for n in program.shape)})")
+    # What the arrays hold the function's own first lines say, and their shapes `shapes` does.
+    lines = [f'    """{header.returns(program)}']
     told = [header.FLAG] if program.flag is not None else []
     told += [f"the {program.guard}".replace("_", " ")] if program.guard is not None else []
     lines += ["", *header.folded(f"    Returns {', and '.join(told)}.")] if told else []
     last = header.rests_on(program)
     lines += ["", *(f"    {line}" for line in last)] if last else []
-    return [*lines, '    """']
+    return [*lines, '    """'] if len(lines) > 1 else [f'{lines[0]}"""']

@@ -13,11 +13,6 @@ Told = tuple[NDArray[bool_] | None, Floats | None]
 def inertial_acceleration(accel: Floats, euler: Floats, gravity: Floats, out: Floats) -> Told:
     """Acceleration of the body in the inertial frame, m/s² (3).
 
-    accel: accel_x, accel_y, accel_z, shape (..., 3)
-    euler: roll, pitch, yaw, shape (..., 3)
-    gravity: magnitude of gravity, m/s², shape (...)
-    out: for the result, shape (..., 3)
-
     Ledger: dead_reckoning.2.3.
     """
     accel_x = accel[..., 0]
@@ -55,11 +50,6 @@ def accelerometer_from_acceleration(
     acceleration: Floats, euler: Floats, gravity: Floats, out: Floats
 ) -> Told:
     """Reading of an accelerometer on a body that accelerates, m/s² (3).
-
-    acceleration: accel_north, accel_east, accel_down, shape (..., 3)
-    euler: roll, pitch, yaw, shape (..., 3)
-    gravity: magnitude of gravity, m/s², shape (...)
-    out: for the result, shape (..., 3)
 
     Ledger: dead_reckoning.2.1.
     """
@@ -103,11 +93,6 @@ def accelerometer_from_acceleration(
 def drift_from_tilt_error(angle_error: Floats, time: Floats, gravity: Floats, out: Floats) -> Told:
     """Error of acceleration (m/s²), of velocity (m/s) and of position (m), along the ground (3).
 
-    angle_error: angle between true and estimated vertical, radians, shape (...)
-    time: time that passes, s, shape (...)
-    gravity: magnitude of gravity, m/s², shape (...)
-    out: for the result, shape (..., 3)
-
     Ledger: dead_reckoning.4.a, dead_reckoning.4.b.
     """
     sin_angle_error = sin(angle_error)
@@ -130,19 +115,7 @@ def position_errors(
     gravity: Floats,
     out: Floats,
 ) -> Told:
-    """Errors of position (m) by tilt, biases, motion, and variances (m²) by noise (6).
-
-    angle_error: angle between true and estimated vertical, radians, shape (...)
-    accel_bias: bias of the accelerometer, m/s², shape (...)
-    gyro_bias: bias of the gyro about a level axis, rad/s, shape (...)
-    scale_error: relative error of the sensitivity, shape (...)
-    acceleration: acceleration of the body, m/s², shape (...)
-    accel_noise: noise density, m/s²/√Hz, shape (...)
-    gyro_noise: noise density, rad/s/√Hz, shape (...)
-    time: time that passes, s, shape (...)
-    gravity: magnitude of gravity, m/s², shape (...)
-    out: for the result, shape (..., 6)
-    """
+    """Errors of position (m) by tilt, biases, motion, and variances (m²) by noise (6)."""
     sin_angle_error = sin(angle_error)
     half_time_squared = 0.5*(time*time)
     common_2 = time*time*time

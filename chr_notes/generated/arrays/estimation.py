@@ -13,9 +13,6 @@ Told = tuple[NDArray[bool_] | None, Floats | None]
 def tilt_from_accelerometer(accel: Floats, out: Floats) -> Told:
     """Roll and pitch of a body at rest, radians (2).
 
-    accel: accel_x, accel_y, accel_z, shape (..., 3)
-    out: for the result, shape (..., 2)
-
     Returns the length squared.
 
     Right as long as the length squared neither overflows nor vanishes.
@@ -40,24 +37,14 @@ def tilt_from_accelerometer(accel: Floats, out: Floats) -> Told:
 
 
 def gain_from_time_constant(time_constant: Floats, dt: Floats, out: Floats) -> Told:
-    """Gain that has, at a period, the effect of a time constant.
-
-    time_constant: mean age of what is averaged, s, shape (...)
-    dt: time that passes, s, shape (...)
-    out: for the result, shape (...)
-    """
+    """Gain that has, at a period, the effect of a time constant."""
     result = where(time_constant > 0.0, -expm1(-dt/time_constant), nan)
     out[...] = result
     return None, None
 
 
 def time_constant_from_gain(gain: Floats, dt: Floats, out: Floats) -> Told:
-    """Time constant that has, at a period, the effect of a gain, s.
-
-    gain: weight of the accelerometer, from 0 to 1, shape (...)
-    dt: time that passes, s, shape (...)
-    out: for the result, shape (...)
-    """
+    """Time constant that has, at a period, the effect of a gain, s."""
     logarithm_of_what_is_kept = where((gain > 0.0) & (gain < 1.0), log1p(-gain), nan)
     result = -dt/logarithm_of_what_is_kept
     out[...] = result
@@ -67,14 +54,7 @@ def time_constant_from_gain(gain: Floats, dt: Floats, out: Floats) -> Told:
 def averaging_bound(
     averaged: Floats, time_constant: Floats, speed: Floats, bias_bound: Floats, out: Floats
 ) -> Told:
-    """Bound of the angle between true and estimated vertical, radians.
-
-    averaged: time that the mean stands for, s, shape (...)
-    time_constant: mean age of what is averaged, s, shape (...)
-    speed: that the body stays below, m/s, shape (...)
-    bias_bound: that a gyro's bias stays below, rad/s, shape (...)
-    out: for the result, shape (...)
-    """
+    """Bound of the angle between true and estimated vertical, radians."""
     bound_told = (
         where(averaged <= 0.0, 3.141592653589793, where(averaged < time_constant,
             bias_bound*time_constant + 0.20394324259558566*speed/averaged, where(time_constant >

@@ -38,9 +38,6 @@ def principal(angle: Floats) -> Floats:
 def matrix_from_euler(euler: Floats, out: Floats) -> Told:
     """Matrix from the inertial to the body frame, row by row (3 by 3).
 
-    euler: roll, pitch, yaw, shape (..., 3)
-    out: for the result, shape (..., 3, 3)
-
     Ledger: euler.5.2, euler.5.3.
     """
     roll = euler[..., 0]
@@ -70,9 +67,6 @@ def matrix_from_euler(euler: Floats, out: Floats) -> Told:
 
 def euler_from_matrix(matrix: Floats, out: Floats) -> Told:
     """Roll, pitch and yaw, radians (3).
-
-    matrix: r11, r12, r13, r21, r22, r23, r31, r32, r33, shape (..., 3, 3)
-    out: for the result, shape (..., 3)
 
     Returns whether at gimbal lock, where roll, the angle of the last turn, is set to 0, and the
         determinant.
@@ -106,11 +100,7 @@ def euler_from_matrix(matrix: Floats, out: Floats) -> Told:
 
 
 def rotation_defect(matrix: Floats, out: Floats) -> Told:
-    """How far a matrix is from a rotation: root mean square of R Rᵀ - 1, and the determinant (2).
-
-    matrix: r11, r12, r13, r21, r22, r23, r31, r32, r33, shape (..., 3, 3)
-    out: for the result, shape (..., 2)
-    """
+    """How far a matrix is from a rotation: root mean square of R Rᵀ - 1, and the determinant (2)."""
     r11 = matrix[..., 0, 0]
     r12 = matrix[..., 0, 1]
     r13 = matrix[..., 0, 2]
@@ -138,9 +128,6 @@ def rotation_defect(matrix: Floats, out: Floats) -> Told:
 def euler_rates_matrix(euler: Floats, out: Floats) -> Told:
     """Matrix D from body rates to Euler rates, row by row (3 by 3).
 
-    euler: roll, pitch, yaw, shape (..., 3)
-    out: for the result, shape (..., 3, 3)
-
     Ledger: euler.7.2, euler.7.d.
     """
     roll = euler[..., 0]
@@ -167,10 +154,6 @@ def euler_rates_matrix(euler: Floats, out: Floats) -> Told:
 def euler_rates_from_body_rates(euler: Floats, body_rates: Floats, out: Floats) -> Told:
     """Derivatives of roll, pitch and yaw, rad/s (3).
 
-    euler: roll, pitch, yaw, shape (..., 3)
-    body_rates: p, q, r, shape (..., 3)
-    out: for the result, shape (..., 3)
-
     Ledger: euler.7.3.
     """
     roll = euler[..., 0]
@@ -194,10 +177,6 @@ def euler_rates_from_body_rates(euler: Floats, body_rates: Floats, out: Floats) 
 def body_rates_from_euler_rates(euler: Floats, euler_rates: Floats, out: Floats) -> Told:
     """Body rates about x, y and z, rad/s (3).
 
-    euler: roll, pitch, yaw, shape (..., 3)
-    euler_rates: roll_rate, pitch_rate, yaw_rate, shape (..., 3)
-    out: for the result, shape (..., 3)
-
     Ledger: euler.7.a.
     """
     roll = euler[..., 0]
@@ -217,11 +196,7 @@ def body_rates_from_euler_rates(euler: Floats, euler_rates: Floats, out: Floats)
 
 
 def wrap_angle(angle: Floats, out: Floats) -> Told:
-    """The angle less whole turns, from -pi up to but not including pi.
-
-    angle: angle, radians, shape (...)
-    out: for the result, shape (...)
-    """
+    """The angle less whole turns, from -pi up to but not including pi."""
     turned_back = principal(angle)
     wrapped = turned_back
     out[...] = wrapped

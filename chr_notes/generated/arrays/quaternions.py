@@ -14,9 +14,6 @@ Told = tuple[NDArray[bool_] | None, Floats | None]
 def matrix_from_quaternion(q: Floats, out: Floats) -> Told:
     """Matrix from the inertial to the body frame, row by row (3 by 3).
 
-    q: a, b, c, d, shape (..., 4)
-    out: for the result, shape (..., 3, 3)
-
     Returns the norm squared.
 
     Right as long as the norm squared neither overflows nor vanishes.
@@ -59,9 +56,6 @@ def matrix_from_quaternion(q: Floats, out: Floats) -> Told:
 
 def quaternion_from_matrix(matrix: Floats, out: Floats) -> Told:
     """Unit quaternion with a >= 0 (4).
-
-    matrix: r11, r12, r13, r21, r22, r23, r31, r32, r33, shape (..., 3, 3)
-    out: for the result, shape (..., 4)
 
     Returns the determinant.
 
@@ -107,9 +101,6 @@ def quaternion_from_matrix(matrix: Floats, out: Floats) -> Told:
 def quaternion_from_euler(euler: Floats, out: Floats) -> Told:
     """Unit quaternion with a >= 0 (4).
 
-    euler: roll, pitch, yaw, shape (..., 3)
-    out: for the result, shape (..., 4)
-
     Ledger: quaternions.2.2.
     """
     roll = euler[..., 0]
@@ -139,9 +130,6 @@ def quaternion_from_euler(euler: Floats, out: Floats) -> Told:
 
 def euler_from_quaternion(q: Floats, out: Floats) -> Told:
     """Roll, pitch and yaw, radians (3).
-
-    q: a, b, c, d, shape (..., 4)
-    out: for the result, shape (..., 3)
 
     Returns whether at gimbal lock, where roll, the angle of the last turn, is set to 0, and the sum
         of squares.
@@ -181,10 +169,6 @@ def euler_from_quaternion(q: Floats, out: Floats) -> Told:
 def quaternion_from_axis_angle(axis: Floats, angle: Floats, out: Floats) -> Told:
     """Unit quaternion with a >= 0 (4).
 
-    axis: x, y, z, shape (..., 3)
-    angle: angle of the turn about the axis, radians, shape (...)
-    out: for the result, shape (..., 4)
-
     Returns the length squared.
 
     Right as long as the length squared neither overflows nor vanishes.
@@ -207,9 +191,6 @@ def quaternion_from_axis_angle(axis: Floats, angle: Floats, out: Floats) -> Told
 
 def axis_angle_from_quaternion(q: Floats, out: Floats) -> Told:
     """Unit axis x, y, z and the angle in [0, pi] of the turn about it, radians (4).
-
-    q: a, b, c, d, shape (..., 4)
-    out: for the result, shape (..., 4)
 
     Returns the norm squared.
 
@@ -241,9 +222,6 @@ def axis_angle_from_quaternion(q: Floats, out: Floats) -> Told:
 def inclination_from_quaternion(q: Floats, out: Floats) -> Told:
     """Angle in [0, pi] between the body's z-axis and the vertical, radians.
 
-    q: a, b, c, d, shape (..., 4)
-    out: for the result, shape (...)
-
     Returns the norm squared.
 
     Right as long as the norm squared neither overflows nor vanishes.
@@ -261,10 +239,6 @@ def inclination_from_quaternion(q: Floats, out: Floats) -> Told:
 
 def quaternion_multiply(p: Floats, q: Floats, out: Floats) -> Told:
     """Product of two quaternions (4).
-
-    p: a1, b1, c1, d1, shape (..., 4)
-    q: a2, b2, c2, d2, shape (..., 4)
-    out: for the result, shape (..., 4)
 
     Ledger: quaternions.3.2.
     """
@@ -286,9 +260,6 @@ def quaternion_multiply(p: Floats, q: Floats, out: Floats) -> Told:
 def quaternion_conjugate(q: Floats, out: Floats) -> Told:
     """Conjugate of the quaternion (4).
 
-    q: a, b, c, d, shape (..., 4)
-    out: for the result, shape (..., 4)
-
     Ledger: quaternions.3.c.
     """
     a = q[..., 0]
@@ -304,9 +275,6 @@ def quaternion_conjugate(q: Floats, out: Floats) -> Told:
 
 def quaternion_inverse(q: Floats, out: Floats) -> Told:
     """Inverse of the quaternion (4).
-
-    q: a, b, c, d, shape (..., 4)
-    out: for the result, shape (..., 4)
 
     Returns the norm squared.
 
@@ -328,10 +296,6 @@ def quaternion_inverse(q: Floats, out: Floats) -> Told:
 
 def rotate_to_inertial(q: Floats, v_body: Floats, out: Floats) -> Told:
     """The vector in the inertial frame (3).
-
-    q: a, b, c, d, shape (..., 4)
-    v_body: x, y, z, shape (..., 3)
-    out: for the result, shape (..., 3)
 
     Returns the norm squared.
 
@@ -358,10 +322,6 @@ def rotate_to_inertial(q: Floats, v_body: Floats, out: Floats) -> Told:
 
 def rotate_to_body(q: Floats, v_inertial: Floats, out: Floats) -> Told:
     """The vector in the body frame (3).
-
-    q: a, b, c, d, shape (..., 4)
-    v_inertial: x, y, z, shape (..., 3)
-    out: for the result, shape (..., 3)
 
     Returns the norm squared.
 

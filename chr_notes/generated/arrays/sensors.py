@@ -22,10 +22,6 @@ def products(matrix: Floats, vector: Floats) -> Floats:
 def accelerometer_at_rest(euler: Floats, gravity: Floats, out: Floats) -> Told:
     """Reading of an accelerometer at rest, m/s² (3).
 
-    euler: roll, pitch, yaw, shape (..., 3)
-    gravity: magnitude of gravity, m/s², shape (...)
-    out: for the result, shape (..., 3)
-
     Ledger: estimation.2.4, sensors.2.2, sensors.2.c.
     """
     roll = euler[..., 0]
@@ -46,12 +42,6 @@ def sensor_measures(
 ) -> Told:
     """Reading of a three-axis sensor, by its model (3).
 
-    misalignment: m11, m12, m13, m21, m22, m23, m31, m32, m33, shape (..., 3, 3)
-    sensitivity: sensitivity_x, sensitivity_y, sensitivity_z, shape (..., 3)
-    bias: bias_x, bias_y, bias_z, shape (..., 3)
-    actual: x, y, z, shape (..., 3)
-    out: for the result, shape (..., 3)
-
     Ledger: sensors.2.3, sensors.2.4.
     """
     own = actual*sensitivity - bias
@@ -63,12 +53,6 @@ def sensor_corrected(
     misalignment: Floats, sensitivity: Floats, bias: Floats, measured: Floats, out: Floats
 ) -> Told:
     """What is there, from the reading of a three-axis sensor (3).
-
-    misalignment: n11, n12, n13, n21, n22, n23, n31, n32, n33, shape (..., 3, 3)
-    sensitivity: sensitivity_x, sensitivity_y, sensitivity_z, shape (..., 3)
-    bias: bias_x, bias_y, bias_z, shape (..., 3)
-    measured: x, y, z, shape (..., 3)
-    out: for the result, shape (..., 3)
 
     Ledger: sensors.2.5, sensors.2.e, sensors.4.1.
     """
@@ -86,14 +70,6 @@ def gyro_measures(
     out: Floats,
 ) -> Told:
     """Reading of a rate gyro on which acceleration acts, by its model (3).
-
-    misalignment: m11, m12, m13, m21, m22, m23, m31, m32, m33, shape (..., 3, 3)
-    sensitivity: sensitivity_x, sensitivity_y, sensitivity_z, shape (..., 3)
-    bias: bias_x, bias_y, bias_z, shape (..., 3)
-    g_sensitivity: c11, c12, c13, c21, c22, c23, c31, c32, c33, shape (..., 3, 3)
-    accel: accel_x, accel_y, accel_z, shape (..., 3)
-    actual: x, y, z, shape (..., 3)
-    out: for the result, shape (..., 3)
 
     Ledger: sensors.3.2.
     """
@@ -113,14 +89,6 @@ def gyro_corrected(
 ) -> Told:
     """Body rates, from the reading of a rate gyro on which acceleration acts (3).
 
-    misalignment: n11, n12, n13, n21, n22, n23, n31, n32, n33, shape (..., 3, 3)
-    sensitivity: sensitivity_x, sensitivity_y, sensitivity_z, shape (..., 3)
-    bias: bias_x, bias_y, bias_z, shape (..., 3)
-    g_sensitivity: c11, c12, c13, c21, c22, c23, c31, c32, c33, shape (..., 3, 3)
-    accel: accel_x, accel_y, accel_z, shape (..., 3)
-    measured: x, y, z, shape (..., 3)
-    out: for the result, shape (..., 3)
-
     Ledger: sensors.3.2.
     """
     out[...] = (
@@ -132,11 +100,6 @@ def gyro_corrected(
 def iron_removed(soft_iron: Floats, hard_iron: Floats, field: Floats, out: Floats) -> Told:
     """The magnetic field without what soft and hard iron do to it (3).
 
-    soft_iron: d11, d12, d13, d21, d22, d23, d31, d32, d33, shape (..., 3, 3)
-    hard_iron: hard_x, hard_y, hard_z, shape (..., 3)
-    field: x, y, z, shape (..., 3)
-    out: for the result, shape (..., 3)
-
     Ledger: sensors.4.2.
     """
     out[...] = products(soft_iron, field) - hard_iron
@@ -146,11 +109,6 @@ def iron_removed(soft_iron: Floats, hard_iron: Floats, field: Floats, out: Float
 def iron_added(soft_iron: Floats, hard_iron: Floats, actual: Floats, out: Floats) -> Told:
     """The magnetic field as soft and hard iron distort it (3).
 
-    soft_iron: n11, n12, n13, n21, n22, n23, n31, n32, n33, shape (..., 3, 3)
-    hard_iron: hard_x, hard_y, hard_z, shape (..., 3)
-    actual: x, y, z, shape (..., 3)
-    out: for the result, shape (..., 3)
-
     Ledger: sensors.4.2.
     """
     out[...] = products(soft_iron, actual) + products(soft_iron, hard_iron)
@@ -158,12 +116,7 @@ def iron_added(soft_iron: Floats, hard_iron: Floats, actual: Floats, out: Floats
 
 
 def vector_rate(vector: Floats, body_rates: Floats, out: Floats) -> Told:
-    """Derivatives of the body components of a vector that does not turn, unit/s (3).
-
-    vector: x, y, z, shape (..., 3)
-    body_rates: p, q, r, shape (..., 3)
-    out: for the result, shape (..., 3)
-    """
+    """Derivatives of the body components of a vector that does not turn, unit/s (3)."""
     x = vector[..., 0]
     y = vector[..., 1]
     z = vector[..., 2]
@@ -177,13 +130,7 @@ def vector_rate(vector: Floats, body_rates: Floats, out: Floats) -> Told:
 
 
 def norm_misfit(to_sphere: Floats, centre: Floats, reading: Floats, out: Floats) -> Told:
-    """Length of a reading brought to the unit sphere, less 1, and its slopes by the unknowns (10).
-
-    to_sphere: a_xx, a_xy, a_xz, a_yy, a_yz, a_zz, shape (..., 6)
-    centre: centre_x, centre_y, centre_z, shape (..., 3)
-    reading: x, y, z, shape (..., 3)
-    out: for the result, shape (..., 10)
-    """
+    """Length of a reading brought to the unit sphere, less 1, and its slopes by the unknowns (10)."""
     a_xx = to_sphere[..., 0]
     a_xy = to_sphere[..., 1]
     a_xz = to_sphere[..., 2]

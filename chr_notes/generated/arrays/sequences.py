@@ -9,12 +9,7 @@ Told = tuple[NDArray[bool_] | None, Floats | None]
 
 
 def matrix_from_angles(angles: Floats, axes: Floats, out: Floats) -> Told:
-    """Matrix to the turned frame, row by row (3 by 3).
-
-    angles: first, second, third, shape (..., 3)
-    axes: first_axis, second_axis, third_axis, shape (..., 3)
-    out: for the result, shape (..., 3, 3)
-    """
+    """Matrix to the turned frame, row by row (3 by 3)."""
     first = angles[..., 0]
     second = angles[..., 1]
     third = angles[..., 2]
@@ -129,10 +124,6 @@ def matrix_from_angles(angles: Floats, axes: Floats, out: Floats) -> Told:
 def angles_from_matrix(matrix: Floats, axes: Floats, out: Floats) -> Told:
     """Angles of the three turns, radians (3).
 
-    matrix: r11, r12, r13, r21, r22, r23, r31, r32, r33, shape (..., 3, 3)
-    axes: first_axis, second_axis, third_axis, shape (..., 3)
-    out: for the result, shape (..., 3)
-
     Returns whether at gimbal lock, where roll, the angle of the last turn, is set to 0, and the
         determinant.
 
@@ -237,12 +228,7 @@ def angles_from_matrix(matrix: Floats, axes: Floats, out: Floats) -> Told:
 
 
 def quaternion_from_angles(angles: Floats, axes: Floats, out: Floats) -> Told:
-    """Unit quaternion with a >= 0 (4).
-
-    angles: first, second, third, shape (..., 3)
-    axes: first_axis, second_axis, third_axis, shape (..., 3)
-    out: for the result, shape (..., 4)
-    """
+    """Unit quaternion with a >= 0 (4)."""
     first = angles[..., 0]
     second = angles[..., 1]
     third = angles[..., 2]
@@ -353,10 +339,6 @@ def quaternion_from_angles(angles: Floats, axes: Floats, out: Floats) -> Told:
 def angles_from_quaternion(q: Floats, axes: Floats, out: Floats) -> Told:
     """Angles of the three turns, radians (3).
 
-    q: a, b, c, d, shape (..., 4)
-    axes: first_axis, second_axis, third_axis, shape (..., 3)
-    out: for the result, shape (..., 3)
-
     Returns whether at gimbal lock, where roll, the angle of the last turn, is set to 0, and the sum
         of squares.
 
@@ -450,12 +432,7 @@ def angles_from_quaternion(q: Floats, axes: Floats, out: Floats) -> Told:
 
 
 def angle_rates_matrix(angles: Floats, axes: Floats, out: Floats) -> Told:
-    """Matrix D from rates about the turned frame's axes to rates of the angles, row by row (3 by 3).
-
-    angles: first, second, third, shape (..., 3)
-    axes: first_axis, second_axis, third_axis, shape (..., 3)
-    out: for the result, shape (..., 3, 3)
-    """
+    """Matrix D from rates about the turned frame's axes to rates of the angles, row by row (3 by 3)."""
     second = angles[..., 1]
     third = angles[..., 2]
     first_axis = axes[..., 0]

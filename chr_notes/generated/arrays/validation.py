@@ -12,11 +12,6 @@ Told = tuple[NDArray[bool_] | None, Floats | None]
 def heading_from_magnetometer(mag: Floats, tilt: Floats, reference: Floats, out: Floats) -> Told:
     """Yaw, radians.
 
-    mag: mag_x, mag_y, mag_z, shape (..., 3)
-    tilt: roll, pitch, shape (..., 2)
-    reference: north, east, shape (..., 2)
-    out: for the result, shape (...)
-
     Returns the length squared.
 
     Right as long as the length squared neither overflows nor vanishes.
@@ -44,11 +39,6 @@ def heading_from_magnetometer(mag: Floats, tilt: Floats, reference: Floats, out:
 def validation_factor(mag: Floats, tilt: Floats, reference_down: Floats, out: Floats) -> Told:
     """The factor E: by how much the field down is off, the whole field being 1.
 
-    mag: mag_x, mag_y, mag_z, shape (..., 3)
-    tilt: roll, pitch, shape (..., 2)
-    reference_down: part of the field that points down, the whole field being 1, shape (...)
-    out: for the result, shape (...)
-
     Ledger: validation.17.
     """
     mag_x = mag[..., 0]
@@ -75,15 +65,7 @@ def validation_factor(mag: Floats, tilt: Floats, reference_down: Floats, out: Fl
 def monitor_gain(
     above: Floats, patience: Floats, gain: Floats, lowest: Floats, highest: Floats, out: Floats
 ) -> Told:
-    """Gain to use once E has been above the threshold for so many samples.
-
-    above: for how many samples in a row E has been above the threshold, shape (...)
-    patience: samples for which each other gain is tried, shape (...)
-    gain: weight of the accelerometer otherwise, from 0 to 1, shape (...)
-    lowest: the gain that is tried second, shape (...)
-    highest: the gain that is tried first, shape (...)
-    out: for the result, shape (...)
-    """
+    """Gain to use once E has been above the threshold for so many samples."""
     chosen_gain = (
         where((above <= patience) & (above > 0.0), highest, where((above > patience) & (above <=
             2.0*patience), lowest, gain))
