@@ -105,6 +105,19 @@ OPENED = """() => {
 CUT_TABLES = """[...document.querySelectorAll("article table.table:not(:has(th:nth-child(6)))")]
   .filter((table) => table.offsetWidth > table.parentElement.clientWidth + 1)
   .map((table) => table.textContent.trim().slice(0, 60))"""
+# Names in tables and titles at the foot that break within a word.
+BROKEN = """() => [...document.querySelectorAll(
+  ".prev-next-area a p, table .pre"
+)].flatMap((each) => {
+  const text = each.firstChild;
+  const broken = ({ index, 0: word }) => {
+    const range = document.createRange();
+    range.setStart(text, index);
+    range.setEnd(text, index + word.length);
+    return new Set([...range.getClientRects()].map((rect) => rect.top)).size > 1;
+  };
+  return [...text.data.matchAll(/\\w+/g)].filter(broken).map(([word]) => word);
+})"""
 IDLE = """new Promise((done) => {
   requestAnimationFrame(() => requestIdleCallback(done, { timeout: 500 }));
   setTimeout(done, 5000);
@@ -155,6 +168,7 @@ def test_page_stands_by_itself(
         page.evaluate(IDLE)  # the page has seen its width
         assert page.evaluate(OUT_OF_REACH) == []
         assert page.evaluate(CUT) == []
+    assert page.evaluate(BROKEN) == []
     page.evaluate(OPENED)
     page.evaluate(IDLE)
     assert page.evaluate(OUT_OF_REACH) == []

@@ -64,6 +64,12 @@ LINES = """(each) => {
   return [height, parseFloat(style.lineHeight), each.scrollWidth, each.clientWidth];
 }"""
 """The height of the text, that of a line, and the width that the text needs and has."""
+CHOSEN = """(each) => {
+  const context = document.createElement("canvas").getContext("2d");
+  context.font = getComputedStyle(each).font;
+  return [context.measureText(each.selectedOptions[0].text).width, each.clientWidth];
+}"""
+"""The width of what is chosen, and that of its field."""
 
 
 def check_typing(page: Page, pasted: list[float]) -> None:
@@ -89,7 +95,7 @@ def check_typing(page: Page, pasted: list[float]) -> None:
 
 
 def check_a_narrow_screen(page: Page) -> None:
-    """Each row of a matrix is a line there, and no field hides what it has."""
+    """Each row of a matrix is a line there, and no field or choice hides what it has."""
     page.locator('textarea[name="angles"]').fill("10.123456789 20.123456789 30.123456789")
     page.set_viewport_size({"width": 390, "height": 844})
     expect(page.locator(".chr-aside").last).to_have_text("Shown with 8 decimals, copied with all.")
@@ -102,6 +108,9 @@ def check_a_narrow_screen(page: Page) -> None:
             "(each) => each.scrollHeight - each.clientHeight"
         )
         assert lacking <= 0, name
+    for select in page.locator(".chr-choices select").all():
+        wide, room = select.evaluate(CHOSEN)
+        assert wide + 30 <= room  # beside the arrow
 
 
 def test_another_spelling_is_the_same_attitude(visit: Visit, page_of: PageOf) -> None:
