@@ -55,7 +55,7 @@ class DriftBudget:
 
     @property
     def likely(self) -> Floats:
-        """Root of the sum of squares, m: what causes that know nothing of each other add up to."""
+        """Root of the sum of squares, m, to which causes add up that know nothing of each other."""
         parts = (self.tilt, self.accel_bias, self.gyro_bias, self.motion, self.noise)
         return np.asarray(np.sqrt(sum(part**2 for part in parts)))
 

@@ -110,6 +110,13 @@ def _link(
     shorten(lines)
 
 
+def _skip_field(
+    _app: Sphinx, _what: str, _name: str, member: object, _skip: object, _options: object
+) -> bool | None:
+    """Leave out the fields of named tuples, which stand among the class's parameters."""
+    return True if str(member.__doc__).startswith("Alias for field number") else None
+
+
 def _leave_place_unsaid(app: Sphinx) -> None:
     app.builder.epilog = ""  # it is built aside
 
@@ -125,4 +132,5 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.connect("builder-inited", _leave_place_unsaid)
     app.connect("build-finished", _lighten)
     app.connect("autodoc-process-docstring", _link)
+    app.connect("autodoc-skip-member", _skip_field)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -8,7 +8,7 @@ from chr_notes._samples import horizontal, positive
 from chr_notes.validation import part_down
 
 TOLERANCE = 0.1
-"""Of E, for all that holds a magnetometer out: by the true attitude it is exceeded in less than one
+"""Of E, for all that holds a magnetometer out; by the true attitude it is exceeded in less than one
 of 100 samples in motion, on three trials of the BROAD data set."""
 
 

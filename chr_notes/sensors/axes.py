@@ -77,7 +77,7 @@ class AxesRelation:
 
     @property
     def known(self) -> bool:
-        """Whether the log can tell: one permutation is left. Otherwise the best is a guess."""
+        """Whether the log can tell, and one permutation is left. Otherwise the best is a guess."""
         return len(self.candidates) == 1
 
     def __str__(self) -> str:

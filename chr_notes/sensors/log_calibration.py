@@ -48,7 +48,7 @@ class CalibratedRecording:
 
     @property
     def bias(self) -> float | str:
-        """What `averaging_observer` should be told: 0 if the gyro's bias was taken off."""
+        """What `averaging_observer` should be told, 0 if the gyro's bias was taken off."""
         return 0.0 if any(each.startswith("gyro at rest:") for each in self.done) else "stillest"
 
     def __str__(self) -> str:

@@ -155,7 +155,7 @@ class Convention:
 
     @property
     def signs(self) -> list[int]:
-        """Sign of each angle in the order of the sequence: -1 where it counts the other way."""
+        """Sign of each angle in the order of the sequence, -1 where it counts the other way."""
         return [-1 if letter in self.negated else 1 for letter in self.sequence.lower()]
 
 
@@ -194,6 +194,8 @@ PRESETS: dict[str, Convention] = {
 - `browser`: the event `deviceorientation`; alpha, beta, gamma.
 - `Android`: `getRotationMatrix` and `getOrientation`; azimuth and pitch count the other way.
 - `Fusion`: x-io's library by Madgwick, where z points up and x north.
+
+:meta hide-value:
 """
 DOCUMENTED: dict[str, Convention] = {
     "ArduPilot": Convention(matrix="to navigation"),
@@ -221,7 +223,7 @@ DOCUMENTED: dict[str, Convention] = {
     "Madgwick": Convention("ZYX", navigation="nwu", body="flu", accelerometer=1),
     "JPL": Convention("ZYX", scalar_first=False, quaternion="to body", product="JPL"),
 }
-"""By their documentation alone: no number of theirs is held by a test.
+"""By their documentation alone; no number of theirs is held by a test.
 
 - `Unreal`: `FRotator` is pitch, yaw, roll; pitch raises the nose and roll lowers the right side,
   both against the left hand's rule. An `FMatrix` stands to the right of its vectors.
@@ -229,4 +231,6 @@ DOCUMENTED: dict[str, Convention] = {
   angles nor what matrix and quaternion take to what: these parts are unconfirmed.
 - `Madgwick`: his report of 2010. His formulas for Euler angles are for the conjugate of the
   quaternion that his filter has, as his own programs say.
+
+:meta hide-value:
 """

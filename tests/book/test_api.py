@@ -69,3 +69,12 @@ def test_types_have_the_names_that_one_calls_them_by(book: Path) -> None:
     words = {re.sub(r"<[^>]*>", "", each) for each in types}
     assert "ndarray | None" in words
     assert not [each for each in words if re.search(r"numpy\.|chr_notes\.|collections|proxy", each)]
+
+
+def test_what_sphinx_makes_of_fields_values_and_colons_is_not_told(book: Path) -> None:
+    pages = [path.read_text("utf-8") for path in sorted((book / "book").glob("api*.html"))]
+    text = re.sub(r"<[^>]*>", "", "".join(pages))
+    assert "Alias for field" not in text
+    assert "Type:" not in text  # of what stands before a colon
+    assert "chr_notes.estimation.earth_field.TOLERANCE = 0.1" in text
+    assert "PRESETS = {" not in text
