@@ -3,12 +3,11 @@
 import re
 
 from chr_notes.book import frames_picture
-from chr_notes.book.pages import generated
 
 
 def test_the_picture_has_words_and_more_than_colour() -> None:
     drawn = frames_picture.picture()
-    text = generated()["frames.md"]
+    text = frames_picture.generated()["frames.md"]
     assert f'alt="{drawn.alt}"' in text
     assert f"<figcaption>{drawn.caption}</figcaption>" in text
     assert drawn == frames_picture.picture()

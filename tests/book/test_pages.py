@@ -69,7 +69,7 @@ OUT_OF_REACH = """() => [...document.querySelectorAll(".bd-article *")].filter((
 
 
 CUT = """() => [...document.querySelectorAll(
-  ".bd-article div.cell_output :is(pre, div:has(> figure))"
+  ".bd-article div.cell_output :is(pre, div:has(> figure)):not(details *)"
 )].filter((element) =>
   element.checkVisibility() && element.scrollWidth > element.clientWidth
   && getComputedStyle(element).overflowX !== "visible"
@@ -157,7 +157,7 @@ def test_page_stands_by_itself(
     )
     assert shift <= MOST_SHIFT
     chapter = name.startswith("notebooks/")
-    # On the narrowest of phones a chapter does not move sideways.
+    # On the narrowest of phones a chapter does not move sideways. On phones all is unfolded.
     for width in (1280, 320, 390) if chapter else (1280, 390):
         page.set_viewport_size({"width": width, "height": 900})
         assert page.evaluate("document.documentElement.scrollWidth") <= width
@@ -168,10 +168,8 @@ def test_page_stands_by_itself(
         page.evaluate(IDLE)  # the page has seen its width
         assert page.evaluate(OUT_OF_REACH) == []
         assert page.evaluate(CUT) == []
+        page.evaluate(OPENED)
     assert page.evaluate(BROKEN) == []
-    page.evaluate(OPENED)
-    page.evaluate(IDLE)
-    assert page.evaluate(OUT_OF_REACH) == []
 
 
 @pytest.mark.parametrize("name", ["book/converter", "notebooks/euler"])

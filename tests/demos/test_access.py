@@ -13,6 +13,7 @@ from .parts import (
     FOLDED,
     HELD_BY_KEYS,
     KINDS,
+    PICTURE,
     PageOf,
     Visit,
     changed,
@@ -84,24 +85,28 @@ def tab_reaches_each_control_and_shows_where_it_is(
     assert reached == [*picture_first, *stops, *buttons]
 
 
+# The state, the words of the picture, and the picture once it is drawn.
+SEEN = f"""async (canvas) => {{
+  const drawn = await ({PICTURE})(canvas);
+  return [JSON.parse(canvas.closest(".chr-demo").dataset.state), canvas.ariaLabel, drawn];
+}}"""
+
+
 def the_keyboard_moves_each_slider_and_the_picture(
     page: Page, demo: type[Demo], opening: dict[str, str]
 ) -> None:
     for name in demo.controls:
         limits = demo.class_traits()[name]
-        before, state = picture(page), state_of(page)[name]
-        words = page.locator("canvas").get_attribute("aria-label")
-        slider(page, name).focus()
-        up = state < limits.max
-        for _ in range(2):
-            page.keyboard.press("ArrowRight" if up else "ArrowLeft")
-        assert (state_of(page)[name] > state) == up
-        assert picture(page) != before, name
-        assert page.locator("canvas").get_attribute("aria-label") != words, name
+        state, words, before = page.locator("canvas").evaluate(SEEN)
+        up = state[name] < limits.max
+        slider(page, name).press("ArrowRight" if up else "ArrowLeft")
+        moved, told, drawn = page.locator("canvas").evaluate(SEEN)
+        assert (moved[name] > state[name]) == up
+        assert moved[name] != state[name]
+        assert drawn != before, name
+        assert told != words, name
         page.keyboard.press("Home")
         assert state_of(page)[name] == limits.min
-        page.keyboard.press("End")
-        assert state_of(page)[name] == limits.max
         slider(page, name).evaluate(PUT_BACK, opening[name])
 
 
@@ -227,23 +232,29 @@ CUT_OFF = """() => [...document.querySelectorAll(".chr-readout *, .chr-caption *
 def the_demo_fits_the_page(page: Page, demo: type[Demo]) -> None:
     for name in demo.controls:
         slider(page, name).press("End")
+        assert state_of(page)[name] == demo.class_traits()[name].max
     for width in (320, 390, 1280):
         page.set_viewport_size({"width": width, "height": 900})
         assert page.evaluate("document.documentElement.scrollWidth") <= width
         assert page.evaluate(CUT_OFF) == [], width
 
 
+# Top and bottom of the picture and of a slider that comes into view.
+TOGETHER = """(slider) => {
+  slider.scrollIntoView({ block: "nearest" });
+  const parts = [slider.closest(".chr-demo").querySelector("canvas"), slider];
+  return parts.flatMap((each) => {
+    const { top, bottom } = each.getBoundingClientRect();
+    return [top, bottom];
+  });
+}"""
+
+
 def picture_and_each_slider_are_seen_together_on_a_phone(page: Page, demo: type[Demo]) -> None:
     page.set_viewport_size({"width": 390, "height": 844})
     for name in demo.controls:
-        slider(page, name).scroll_into_view_if_needed()
-        canvas = page.locator("canvas").bounding_box()
-        box = slider(page, name).bounding_box()
-        assert canvas is not None
-        assert box is not None
-        assert canvas["y"] >= -1
-        assert canvas["y"] + canvas["height"] <= box["y"]
-        assert box["y"] + box["height"] <= 845
+        top, bottom, slider_top, slider_bottom = slider(page, name).evaluate(TOGETHER)
+        assert -1 <= top < bottom <= slider_top < slider_bottom <= 845, name
 
 
 def the_reader_is_told_first_what_to_try(page: Page) -> None:

@@ -23,18 +23,17 @@ def meant(side: Basic, telling: Told) -> list[Expr]:
     return list(side) if isinstance(side, MatrixBase) else [side]
 
 
-def gaps(telling: Told, statement: Eq) -> Iterator[Expr]:
-    """Yield what the sides of a step differ by, at a point where no angle is special."""
+def numbers(telling: Told, statement: Eq) -> Iterator[tuple[Expr, Expr]]:
+    """Yield what the sides of a step come to, part by part, where no angle is special."""
     drawn = np.random.default_rng(4)
     left, right = (meant(side, telling) for side in statement.args)
-    assert len(left) == len(right)
     point: dict[Basic, Float] = {}
-    for difference in (a - b for a, b in zip(left, right, strict=True)):
-        names = difference.free_symbols | difference.atoms(AppliedUndef)
+    for sides in zip(left, right, strict=True):
+        names = {name for side in sides for name in side.free_symbols | side.atoms(AppliedUndef)}
         for name in sorted(names - point.keys(), key=str):
             point[name] = Float(str(drawn.uniform(0.1, 0.9)), DIGITS)
         values = {name: point[name] for name in names}
-        yield difference.subs(values).evalf(DIGITS // 2)
+        yield sides[0].subs(values).evalf(DIGITS), sides[1].subs(values).evalf(DIGITS)
 
 
 def tellings(topic: str) -> dict[str, Told]:
@@ -51,10 +50,11 @@ def test_each_step_is_true_and_says_something(topic: str) -> None:
         for place, step in enumerate(telling.steps, 1):
             statement = step.statement
             where = f"step {place} of {name}"
-            assert [gap for gap in gaps(telling, statement) if abs(gap) > 1e-18] == [], where
+            pairs = list(numbers(telling, statement))
+            assert [pair for pair in pairs if abs(pair[0] - pair[1]) > 1e-18] == [], where
             assert latex(statement.lhs) != latex(statement.rhs), where
-            wrong = Eq(statement.lhs, -statement.rhs, evaluate=False)
-            assert any(abs(gap) > 1e-3 for gap in gaps(telling, wrong)), where
+            # With the other sign it would be false.
+            assert any(abs(left + right) > 1e-3 for left, right in pairs), where
 
 
 @pytest.mark.parametrize("topic", TOPICS)
