@@ -2,52 +2,66 @@
 
 import argparse
 import io
+import math
 import os
 import shutil
 import signal
 import sys
 import textwrap
-from collections.abc import Iterable, Mapping, Sequence
+import time
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextlib import redirect_stdout
 from pathlib import Path
 from types import FrameType
+from typing import NoReturn
 
 from chr_notes import __version__, kernels_in_use
 
 # As shells tell of a program that a signal ended, and of one whose output nobody reads.
 SIGNALLED, UNREAD = 128, 141
-ENDS = [getattr(signal, name) for name in ("SIGTERM", "SIGHUP") if hasattr(signal, name)]
+TIDYING = 1.0  # s
+ENDS = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)]
 VERDICTS = ("definition", "proved", "qualified", "corrected", "reported")
 DOCUMENTS = ("euler", "quaternions", "sensors", "estimation", "dead_reckoning", "validation")
 EXIT_CODES = (
     "Exit codes: 0 done; 1 it failed, or --check found a difference; 2 the command is written "
-    "wrongly; 130 stopped by Ctrl-C."
+    "wrongly; 130 stopped by Ctrl-C; 141 nobody read its output to the end."
 )
+
+
+def run() -> NoReturn:
+    """Run the command and end, by its exit code; then Ctrl-C has nothing to stop any more."""
+    code = main()
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    sys.exit(code)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command and return its exit code."""
-    parser, commands = _parsers()
-    options, unknown = parser.parse_known_args(arguments)
-    if unknown:  # its own usage helps, not that of all commands
-        commands[options.command].error(f"unrecognized arguments: {' '.join(unknown)}")
-    for stream in (sys.stdout, sys.stderr):
-        if isinstance(stream, io.TextIOWrapper):
-            stream.reconfigure(errors="replace")  # a sign that a console lacks is no reason to stop
+    if sys.stderr is None:  # closed by the shell, as the output may be
+        sys.stderr = io.StringIO()
+    if sys.stdout is None:
+        print("chr-notes: expected an output to write to, but it is closed", file=sys.stderr)
+        return 1
     # Ended from outside, it ends what it began, as when it is interrupted, but by nohup.
+    stop = _stopper()
     ends = [number for number in ENDS if signal.getsignal(number) is not signal.SIG_IGN]
-    before = {number: signal.signal(number, _stop) for number in ends}
+    before = {number: signal.signal(number, stop) for number in ends}
+    name = "chr-notes"
     try:
-        code = COMMANDS[options.command](options)
+        options = _read(arguments)
+        name = options.command
+        code = COMMANDS[name](options)
         sys.stdout.flush()
     except KeyboardInterrupt as stopped:
-        print(f"{options.command}: stopped before the end", file=sys.stderr)
+        print(f"{name}: stopped before the end", file=sys.stderr)
         return SIGNALLED + (stopped.args[0] if stopped.args else signal.SIGINT)
     except BrokenPipeError:
         _end_output()
         return UNREAD
     except (OSError, RuntimeError) as error:
         # It says what is missing or wrong; where in the program does not help.
-        print(f"{options.command}: {_said(error)}", file=sys.stderr)
+        print(f"{name}: {_said(error)}", file=sys.stderr)
         _end_output()
         return 1
     finally:
@@ -56,8 +70,35 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return code
 
 
-def _stop(number: int, _: FrameType | None) -> None:
-    raise KeyboardInterrupt(number)
+def _stopper() -> Callable[[int, FrameType | None], None]:
+    """Return what ends a command, but not a second time while it tidies up."""
+    last = -math.inf
+
+    def stop(number: int, _: FrameType | None) -> None:
+        nonlocal last
+        if time.monotonic() > last + TIDYING:
+            last = time.monotonic()
+            raise KeyboardInterrupt(number)
+
+    return stop
+
+
+def _read(arguments: Sequence[str] | None) -> argparse.Namespace:
+    """Read what is asked for, or say how to ask."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="replace")  # a sign that a console lacks is no reason to stop
+    parser, commands = _parsers()
+    helped = io.StringIO()
+    try:
+        with redirect_stdout(helped):  # argparse does not say that a disk is full
+            options, unknown = parser.parse_known_args(arguments)
+    except SystemExit:
+        print(helped.getvalue(), end="", flush=True)
+        raise
+    if unknown:  # its own usage helps, not that of all commands
+        commands[options.command].error(f"unrecognized arguments: {' '.join(unknown)}")
+    return options
 
 
 def _end_output() -> None:
@@ -75,7 +116,7 @@ def _said(error: Exception) -> str:
     if isinstance(error, FileExistsError | NotADirectoryError) and error.filename:
         path = Path(error.filename)
         for taken in (path, *path.parents):
-            if taken.is_file():
+            if taken.exists() and not taken.is_dir():
                 return f"expected a folder at {taken}, but a file is there; name another folder"
     place = f": {error.filename}" if error.filename else ""
     return f"{error.strerror}{place}"
@@ -130,7 +171,7 @@ def _folder(name: str) -> Path:
 
 def _filled(*paragraphs: str) -> str:
     """Fill paragraphs to the width of the terminal; commands stay whole, to be copied."""
-    width = shutil.get_terminal_size().columns - 2  # as options are
+    width = max(shutil.get_terminal_size().columns - 2, 11)  # as options are
     return "\n\n".join(
         each
         if each.startswith("chr-notes ")
@@ -214,4 +255,4 @@ def _parsers() -> tuple[argparse.ArgumentParser, Mapping[str, argparse.ArgumentP
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    run()

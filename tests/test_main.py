@@ -29,6 +29,21 @@ def test_it_says_its_version(
     assert capsys.readouterr().out == f"chr-notes {__version__}, {told} compiled kernels\n"
 
 
+@pytest.mark.parametrize("columns", ["1", "2"])
+@pytest.mark.parametrize("asked", [["--help"], ["ledger", "--help"]])
+def test_help_can_be_had_on_the_narrowest_screen(
+    asked: list[str],
+    columns: str,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setenv("COLUMNS", columns)
+    with pytest.raises(SystemExit) as ended:
+        command.main(asked)
+    assert ended.value.code == 0
+    assert "--help" in capsys.readouterr().out
+
+
 @pytest.mark.parametrize("columns", [40, 80])
 @pytest.mark.parametrize("name", sorted(command.COMMANDS))
 def test_help_tells_what_each_argument_does(
@@ -39,7 +54,9 @@ def test_help_tells_what_each_argument_does(
         command.main([name, "--help"])
     assert ended.value.code == 0
     _, _, told = capsys.readouterr().out.partition("\n\n")
-    assert "Exit codes: 0 done" in told
+    codes = " ".join(told[told.index("Exit codes: 0 done") :].split())
+    assert f"; {command.SIGNALLED + signal.SIGINT} stopped" in codes
+    assert f"; {command.UNREAD} nobody" in codes
     # Commands stay whole, to be copied.
     lines = [line for line in told.splitlines() if not line.startswith("chr-notes ")]
     assert max(map(len, lines)) <= columns
@@ -107,12 +124,34 @@ def test_on_a_screen_the_table_keeps_to_its_width(monkeypatch: pytest.MonkeyPatc
     monkeypatch.setattr(sys, "stdout", console)
     assert command.main(["ledger", "--document", "euler"]) == 0
     table = console.getvalue().splitlines()
-    assert max(map(len, table[:-1])) <= 70
+    assert max(map(len, table)) <= 70
     assert sum(not line.startswith(" ") for line in table[:-2]) < len(table) - 2
     # What another program reads has a line for each, however narrow the screen.
     own = [entry for entry in entries() if entry.document == "euler"]
     table = written(["ledger", "--document", "euler"], "utf-8", monkeypatch).splitlines()
     assert [line.split("  ")[-1].strip() for line in table[:-2]] == [each.says for each in own]
+
+
+def test_on_a_narrow_screen_what_is_said_stands_below_the_name(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setenv("COLUMNS", "30")
+    console = io.StringIO()
+    monkeypatch.setattr(console, "isatty", lambda: True)
+    monkeypatch.setattr(sys, "stdout", console)
+    assert command.main(["ledger", "--document", "euler"]) == 0
+    table = console.getvalue().splitlines()
+    assert max(map(len, table)) <= 30
+    own = [entry for entry in entries() if entry.document == "euler"]
+    names = [line for line in table[: table.index("")] if not line.startswith(" ")]
+    assert names == [f"{entry.id}  {entry.verdict}" for entry in own]
+    said = " ".join(line.strip() for line in table if line.startswith("  "))
+    assert said == " ".join(entry.says for entry in own)
+
+
+def test_no_entries_are_a_line(capsys: pytest.CaptureFixture[str]) -> None:
+    assert command.main(["ledger", "--document", "euler", "--verdict", "reported"]) == 0
+    assert capsys.readouterr().out == "no entries\n"
 
 
 def test_who_stops_it_gets_a_line(
@@ -137,6 +176,25 @@ def test_who_ends_it_or_its_terminal_gets_a_line(
         assert signal.getsignal(number) is signal.SIG_DFL
     finally:
         signal.signal(number, before)
+    assert capsys.readouterr().err == "ledger: stopped before the end\n"
+
+
+def test_who_stops_it_twice_does_not_stop_what_tidies_up(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    tidied = []
+
+    def tidying(_: object) -> int:
+        try:
+            signal.raise_signal(signal.SIGINT)
+        finally:
+            signal.raise_signal(signal.SIGINT)
+            tidied.append(True)
+        return 0
+
+    monkeypatch.setitem(command.COMMANDS, "ledger", tidying)
+    assert command.main(["ledger"]) == 130
+    assert tidied == [True]
     assert capsys.readouterr().err == "ledger: stopped before the end\n"
 
 
@@ -179,6 +237,28 @@ def test_a_full_disk_is_told_in_a_line(
     assert capsys.readouterr().err == "ledger: No space left on device\n"
 
 
+@pytest.mark.parametrize("asked", [["--version"], ["ledger", "--help"]], ids=["version", "help"])
+def test_a_full_disk_is_told_of_help_too(
+    asked: list[str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with Path("/dev/full").open("w", encoding="utf-8") as output:
+        monkeypatch.setattr(sys, "stdout", output)
+        assert command.main(asked) == 1
+    assert capsys.readouterr().err == "chr-notes: No space left on device\n"
+
+
+@pytest.mark.parametrize("asked", [["--version"], ["ledger"]], ids=["version", "ledger"])
+def test_a_closed_output_is_told_in_a_line(
+    asked: list[str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(sys, "stdout", None)  # as Python has it
+    assert command.main(asked) == 1
+    said = "chr-notes: expected an output to write to, but it is closed\n"
+    assert capsys.readouterr().err == said
+    monkeypatch.setattr(sys, "stderr", None)
+    assert command.main(asked) == 1
+
+
 @pytest.mark.parametrize("below", ["", "below"])
 def test_a_file_in_the_place_of_a_folder_is_told_in_a_line(
     below: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
@@ -189,6 +269,14 @@ def test_a_file_in_the_place_of_a_folder_is_told_in_a_line(
         assert command.main([*asked, str(taken / below)]) == 1
         said = f"expected a folder at {taken}, but a file is there; name another folder"
         assert capsys.readouterr().err == f"{asked[0]}: {said}\n"
+
+
+def test_a_device_in_the_place_of_a_folder_is_told_in_a_line(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    assert command.main(["export", "c", "/dev/null"]) == 1
+    said = "expected a folder at /dev/null, but a file is there; name another folder"
+    assert capsys.readouterr().err == f"export: {said}\n"
 
 
 def test_a_file_in_the_place_of_the_books_folder_is_told_in_a_line(

@@ -2,15 +2,21 @@
 
 import dataclasses
 import json
+import signal
 import sys
 import textwrap
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from concurrent.futures import ProcessPoolExecutor
+from contextlib import contextmanager
 from importlib import import_module, metadata
+from multiprocessing import active_children
 
 from chr_notes.ledger import stored
 from chr_notes.ledger.entry import Entry
+
+NARROWEST = 20
+"""Columns that words want: below them they go below, or over the edge."""
 
 
 def run(
@@ -114,18 +120,28 @@ def as_text(entries: Iterable[Entry], width: int | None = None) -> str:
     """Write entries as a table, with the counts of verdicts and of the errors behind them below."""
     rows = list(entries)
     name = max((len(row.id) for row in rows), default=0)
-    room = None if width is None else max(width - name - 14, 20)
-    lines = []
-    for row in rows:
-        says = textwrap.wrap(row.says, room) if room else [row.says]
-        lines.append(f"{row.id:{name}}  {row.verdict:10}  {says[0]}")
-        lines += [" " * (name + 14) + line for line in says[1:]]
+    lines = [line for row in rows for line in _told(row, name, width)]
     counts = Counter(row.verdict for row in rows)
     total = ", ".join(f"{number} {verdict}" for verdict, number in counts.most_common())
     errors = Counter(row.root for row in rows if row.root is not None)
     if errors:
         total += f"; {errors.total()} places of {len(errors)} errors"
-    return "\n".join([*lines, "", f"{len(rows)} entries: {total}" if rows else "no entries"]) + "\n"
+    summary = f"{len(rows)} entries: {total}" if rows else "no entries"
+    lines += [""] if rows else []
+    lines += [summary] if width is None else textwrap.wrap(summary, max(width, NARROWEST))
+    return "\n".join(lines) + "\n"
+
+
+def _told(row: Entry, name: int, width: int | None) -> list[str]:
+    """Write one entry: its words beside the names, and below where too little room is beside."""
+    head = f"{row.id:{name}}  {row.verdict:10}  "
+    if width is None:
+        return [head + row.says]
+    if width < len(head) + NARROWEST:
+        below = textwrap.wrap(row.says, max(width - 2, NARROWEST))
+        return [f"{row.id}  {row.verdict}", *(f"  {line}" for line in below)]
+    first, *others = textwrap.wrap(row.says, width - len(head))
+    return [head + first, *(" " * len(head) + line for line in others)]
 
 
 def _judged(topics: list[str]) -> Iterator[tuple[list[Entry], list[str]]]:
@@ -134,10 +150,42 @@ def _judged(topics: list[str]) -> Iterator[tuple[list[Entry], list[str]]]:
         yield from map(judged, topics)
         return
     sys.stderr.write(f"judging {', '.join(topics)}: a minute or so\n")
-    with ProcessPoolExecutor() as processes:
-        for topic, found in zip(topics, processes.map(judged, topics), strict=True):
-            sys.stderr.write(f"{topic}: judged\n")
-            yield found
+    with ProcessPoolExecutor(initializer=_hear_nothing) as processes:
+        try:
+            with _held_back():
+                waiting = [(topic, processes.submit(judged, topic)) for topic in topics]
+            for topic, each in waiting:
+                found = each.result()
+                sys.stderr.write(f"{topic}: judged\n")
+                yield found
+        except BaseException:  # a statement takes long, and nobody waits for it any more
+            for process in active_children():
+                process.kill()
+            raise
+
+
+ENDS = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)]
+
+
+@contextmanager
+def _held_back() -> Iterator[None]:
+    """Begin processes before Ctrl-C is heard: who knows of them all can end them all."""
+    heard: list[int] = []
+    before = {number: signal.signal(number, lambda end, _: heard.append(end)) for number in ENDS}
+    try:
+        yield
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+        for number in heard[:1]:
+            signal.raise_signal(number)
+
+
+def _hear_nothing() -> None:
+    """Leave it to who began this process to end it, but for one signal, if nobody is left to."""
+    for number in ENDS:
+        signal.signal(number, signal.SIG_IGN)
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
 
 
 def judged(document: str) -> tuple[list[Entry], list[str]]:

@@ -1,8 +1,13 @@
 """The ledger as a table and as JSON."""
 
 import json
+import os
 import re
+import signal
+import subprocess
 import sys
+import time
+from collections.abc import Callable
 from dataclasses import replace
 from types import ModuleType
 
@@ -74,3 +79,47 @@ def test_all_that_is_wrong_with_all_cases_is_told_at_once(monkeypatch: pytest.Mo
         for what in ("no root", "“conjugate”.*“cube”", "nowhere", "step 2 shows the same"):
             assert re.search(what, "\n".join(own)), (what, own)
         assert all("; see chr_notes/printed/euler.py" in line for line in own)
+
+
+JUDGES_FOR_LONG = """
+import sys, time
+from chr_notes import __main__
+from chr_notes.ledger import report
+
+def judged(_):
+    time.sleep(60)
+
+report.judged = judged
+sys.argv = ["chr-notes", "ledger", "--check"]
+__main__.run()
+"""
+CHECK = ("-m", "chr_notes", "ledger", "--check")
+TWICE = pytest.param(("-c", JUDGES_FOR_LONG), 0.0, (0.0, 0.1), id="twice")
+REALLY = [
+    pytest.param(CHECK, after, presses, marks=pytest.mark.full)
+    for after in (0.0, 0.1, 3.0)  # s: while processes begin, load, and judge
+    for presses in ((0.0,), (0.0, 0.05), (0.0, 0.3))
+]
+
+
+@pytest.mark.parametrize(("run", "after", "presses"), [TWICE, *REALLY])
+def test_ctrl_c_ends_all_that_judge_at_once(
+    run: tuple[str, ...],
+    after: float,
+    presses: tuple[float, ...],
+    record_property: Callable[[str, object], None],
+) -> None:
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True}
+    with subprocess.Popen([sys.executable, *run], start_new_session=True, **pipes) as command:
+        assert command.stdout.readline().startswith("judging euler, ")
+        time.sleep(after)
+        begun = time.monotonic()
+        for pause in presses:
+            time.sleep(pause)
+            os.killpg(command.pid, signal.SIGINT)  # as a terminal does
+        said, _ = command.communicate(timeout=10)
+    record_property("measured", f"Ctrl-C ends it after {time.monotonic() - begun:.1f} s")
+    assert said == "ledger: stopped before the end\n"
+    assert command.returncode == 130
+    with pytest.raises(ProcessLookupError):
+        os.killpg(command.pid, 0)
