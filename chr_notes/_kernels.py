@@ -129,8 +129,9 @@ def sampled(step: Callable[..., Any], finish: Callable[..., Any]) -> Callable[..
 def kernels_in_use() -> bool:
     """Say whether compiled kernels do the work, or NumPy.
 
-    They are built when chr_notes is installed, where there is a C compiler. The environment
-    variable `CHR_NOTES_KERNELS` says `off` to do without, and `require` to fail without.
+    They are built when chr_notes is installed, where there is a C compiler. When it is imported,
+    the environment variable `CHR_NOTES_KERNELS` says `off` to do without them, and `require` to
+    fail without them; to what is installed it makes no difference.
 
     Returns
     -------
