@@ -21,7 +21,7 @@ from contextlib import contextmanager
 from functools import partial
 from typing import NamedTuple
 
-from sympy import Abs, And, Basic, Dummy, Eq, Limit, MatrixBase, sympify, together
+from sympy import And
 from sympy.logic.boolalg import Boolean
 
 from chr_notes.ledger.case import CannotJudgeError, Case, Reading
@@ -35,10 +35,11 @@ from chr_notes.ledger.checks import (
 )
 from chr_notes.ledger.condition import Condition
 from chr_notes.ledger.corrections import check_correction
+from chr_notes.ledger.derived import derived
 from chr_notes.ledger.domain import undefined_where
-from chr_notes.ledger.edits import in_order, marked
+from chr_notes.ledger.edits import marked
 from chr_notes.ledger.entry import Entry, Verdict
-from chr_notes.ledger.evaluation import evaluate, parts, work_out
+from chr_notes.ledger.evaluation import parts
 from chr_notes.ledger.files import see
 from chr_notes.ledger.generality import (
     check_condition,
@@ -46,17 +47,14 @@ from chr_notes.ledger.generality import (
     check_reading,
     check_sufficient,
 )
-from chr_notes.ledger.identities import OnSphere, reduced
 from chr_notes.ledger.proof import Finding, examine, excludes, fails, proves
 from chr_notes.ledger.search import is_exact
 from chr_notes.ledger.step_words import check_words
 from chr_notes.ledger.ties import check_place, check_weight
-from chr_notes.ledger.witness import check_witness, number, witness
+from chr_notes.ledger.witness import check_witness, witness
 from chr_notes.ledger.words import check_says
 from chr_notes.printed.statement import Approximately
 from chr_notes.typeset import latex
-
-LONG = 400  # characters of LaTeX
 
 
 class Judged(NamedTuple):
@@ -154,7 +152,7 @@ def _entry(case: Case) -> Entry:
         weight=case.weight,
         place=printed.place,
         printed_latex=latex(printed.statement, as_written=True),
-        derived_latex=None if not_derived else _derived(case, verdict),
+        derived_latex=None if not_derived else derived(case, verdict),
         correction_latex=_correction(case),
         given=latex(And(*(g.holds for g in case.given), evaluate=False)) if case.given else None,
         condition=latex(case.condition.holds) if case.condition is not None else None,
@@ -233,43 +231,6 @@ def _prove(
 
 def _how(findings: tuple[Finding, ...]) -> str:
     return "; ".join(dict.fromkeys(finding.how for finding in findings))
-
-
-def _derived(case: Case, verdict: Verdict) -> str | None:
-    """Typeset what the derivations give for the left side, where the statement is an equation."""
-    statement = case.printed.statement
-    if isinstance(statement, Approximately):
-        return number(evaluate(statement.lhs, case.reading, {}))
-    if not isinstance(statement, Eq) or statement.lhs.has(Limit):
-        return None  # a limit may depend on the range that is given
-    by = {
-        old: new
-        for given in case.given
-        for old, new in given.by[0].items()
-        if len(given.by) == 1 and not sympify(new).atoms(Dummy, OnSphere)
-    }
-    derived = work_out(statement.lhs, case.reading, by)
-    if derived == statement.lhs:
-        return None
-    if derived == in_order(statement.rhs):
-        return latex(statement.rhs, as_written=True)
-    text = latex(derived)
-    if len(text) <= LONG:
-        return text
-    shorter = [text, latex(_shortened(derived))]
-    if verdict == "proved":
-        # Both sides are the same, by the proof; the shorter one is the simplified one.
-        shorter.append(latex(work_out(statement.rhs, case.reading, by)))
-    return min(shorter, key=len)
-
-
-def _shortened(expression: Basic) -> Basic:
-    """Bring each element of a matrix, or what a magnitude is of, together."""
-    if isinstance(expression, MatrixBase):
-        return expression.applyfunc(together)
-    if isinstance(expression, Abs):
-        return Abs(reduced(expression.args[0]) or expression.args[0])
-    return expression
 
 
 def _correction(case: Case) -> str | None:
