@@ -125,7 +125,8 @@ def body_rates_matrix() -> ImmutableMatrix:
 @cache
 def euler_rates_matrix() -> ImmutableMatrix:
     """D, from body rates to Euler rates: the inverse of `body_rates_matrix`."""
-    return ImmutableMatrix(body_rates_matrix().inv("ADJ").applyfunc(simplify))
+    matrix = body_rates_matrix()
+    return ImmutableMatrix((matrix.adjugate() / trigsimp(matrix.det())).applyfunc(trigsimp))
 
 
 def body_rates() -> ImmutableMatrix:

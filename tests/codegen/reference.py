@@ -8,6 +8,8 @@ import struct
 import sys
 from collections.abc import Callable
 from functools import cache
+from math import prod
+from operator import itemgetter
 from typing import Any
 
 import mpmath
@@ -46,7 +48,7 @@ class Reference:
         self.rounded = rounded
         self.epsilon = epsilon
         self.largest = largest
-        self.constants: dict[Basic, Number] = {}
+        self.ways: dict[Basic, Callable[[dict[Symbol, Number]], Number]] = {}
 
     def results(self, target: Target, values: tuple[float, ...]) -> list[Number]:
         """Compute the elements of the result, and after them the flag if there is one."""
@@ -77,16 +79,23 @@ class Reference:
 
     def value(self, expression: Basic, known: dict[Symbol, Number]) -> Number:
         """Compute one expression."""
-        if expression in known:
-            return known[expression]
+        way = self.ways.get(expression)
+        if way is None:
+            way = self.ways[expression] = self.way(expression)
+        return way(known)
+
+    def way(self, expression: Basic) -> Callable[[dict[Symbol, Number]], Number]:
+        """Look once how an expression is computed."""
+        if isinstance(expression, Symbol) and expression != EPSILON:
+            return itemgetter(expression)
         if isinstance(expression, BooleanTrue):
-            return True
+            return lambda _: True
         if _is_constant(expression):
-            if expression not in self.constants:
-                self.constants[expression] = self.constant(expression)
-            return self.constants[expression]
-        arguments = [self.value(argument, known) for argument in expression.args]
-        return OPERATIONS[_kind(expression)](expression, arguments)
+            constant = self.constant(expression)
+            return lambda _: constant
+        operation = OPERATIONS[_kind(expression)]
+        ways = [self.way(argument) for argument in expression.args]
+        return lambda known: operation(expression, [way(known) for way in ways])
 
     def constant(self, expression: Basic) -> Number:
         """Compute an expression without symbols, rounded as the type that computes does."""
@@ -163,7 +172,7 @@ def _sum(_: Basic, parts: list[Number]) -> Number:
 
 OPERATIONS: dict[str, Callable[..., Number]] = {
     "Add": _sum,
-    "Mul": lambda _, parts: MP.fprod(parts),
+    "Mul": lambda _, parts: prod(parts),
     "Pow": _power,
     "Relational": _relation,
     "And": lambda _, parts: all(parts),
