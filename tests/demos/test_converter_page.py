@@ -12,7 +12,7 @@ from chr_notes.demos.converter import KINDS
 
 from .modules import ROTATION
 from .parts import PageOf, Visit, output
-from .test_converter import are_those_of_python, states
+from .test_converter import EXTREME, RANDOM, are_those_of_python, states
 from .test_converter_texts import TABLE, TEXTS
 
 
@@ -166,7 +166,7 @@ def typed(page: Page, given: list[dict[str, str]]) -> list[dict[str, list[float]
 @pytest.mark.full
 def test_all_states_and_texts_on_a_page_from_a_file(visit: Visit, page_of: PageOf) -> None:
     page = visit(page_of(ConverterDemo()), width=1280)  # all digits
-    given = states()
+    given = states(RANDOM, EXTREME)
     choices = [{k: v for k, v in state.items() if k != "value"} for state in given]
     texts = [", ".join(map(repr, state["value"])) for state in given]
     pairs = zip(choices, texts, strict=True)

@@ -47,7 +47,7 @@ def expected(demo: FilterDemo) -> dict[str, float]:
 
 def test_readouts_are_those_of_the_filters(visit: Visit, page_of: PageOf, samples: Samples) -> None:
     page = visit(page_of(FilterDemo()))
-    positions = random_states(FilterDemo, STEPS, seed=8)[: samples(12, 50)]
+    positions = random_states(FilterDemo, STEPS, seed=8)[: samples(6, 50)]
     for position in positions:
         position["gain"] = round(position["gain"] * POSITIONS)
     names = FilterDemo.controls

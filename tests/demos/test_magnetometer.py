@@ -44,7 +44,7 @@ def test_readouts_are_those_of_the_calibration(
     visit: Visit, page_of: PageOf, samples: Samples
 ) -> None:
     page = visit(page_of(MagnetometerDemo()))
-    states = random_states(MagnetometerDemo, STEPS, seed=9)[: samples(16, 50)]
+    states = random_states(MagnetometerDemo, STEPS, seed=9)[: samples(9, 50)]
     for state in states[::3]:  # a third of them tilted far enough for a fit, a third near there
         state |= {"tilt": 180.0 - state["tilt"] / 6, "readings": 200.0 - state["readings"] / 2}
     for state in states[1::3]:

@@ -78,7 +78,7 @@ def test_a_cloud_that_is_no_ellipsoid_is_refused() -> None:
 
 @given(seeds, st.sampled_from([3.0, 4.0, 1e3, 1e9]))
 @example(67729102, 3.0)
-@few(20)
+@few(8)
 def test_spikes_cost_no_direction(seed: int, size: float) -> None:
     generator = np.random.default_rng(seed)
     actual = turned_about(generator)
