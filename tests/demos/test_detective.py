@@ -59,7 +59,7 @@ def test_it_finds_what_python_finds(
     program: Callable[[str], str], tmp_path: Path, samples: Callable[[int, int], int]
 ) -> None:
     program("node")
-    given = pairs(samples(44, 200))
+    given = pairs(samples(60, 200))
     made = called(tmp_path, "detective_search.js", "findConventions", [[rows(g)] for g in given])
     faults = 0
     for pair, found in zip(given, made, strict=True):
