@@ -24,6 +24,7 @@ MAKERS = (
     "codegen",
     "demos/build.py",
     "derivations/computation.py",
+    "derivations/further.py",
     "derivations/forms",
     "generated/c/kernels.c",
     "generated/c/stamp.h",
@@ -52,6 +53,12 @@ class WithBook(build_py):
             if path.is_file() and path.suffix not in IMPORTED:
                 texts[path.relative_to(package).as_posix()] = path.read_bytes()
                 path.unlink()
+        for name in texts:
+            if name.endswith((".ipynb", ".json")):
+                content = json.loads(texts[name])
+                texts[name] = json.dumps(
+                    content, ensure_ascii=False, separators=(",", ":")
+                ).encode()
         (package / "prose.bz2").write_bytes(bz2.compress(archive(texts, PROSE)))
         strongest = {"id": lzma.FILTER_LZMA2, "preset": 9 | lzma.PRESET_EXTREME, "pb": 0}
         packed = lzma.compress(archive(texts, CODE), filters=[strongest])
@@ -107,8 +114,7 @@ def sources_of_the_book() -> dict[str, bytes]:
                 if drawn := DRAWN.search(json.dumps(cell["outputs"])):
                     cell["metadata"]["drawn"] = html.unescape(drawn[1])
                 cell.update(outputs=[], execution_count=None)
-        text = json.dumps(notebook, indent=1, ensure_ascii=False) + "\n"
-        texts[f"packed/notebooks/{path.name}"] = text.encode()
+        texts[f"packed/notebooks/{path.name}"] = json.dumps(notebook).encode()
     return texts
 
 

@@ -31,12 +31,10 @@ from sympy import (
     simplify,
     sin,
     solve,
-    sqrt,
     symbols,
 )
 
-from chr_notes.derivations import estimation, hamilton
-from chr_notes.derivations.euler import Z
+from chr_notes.derivations import estimation
 from chr_notes.symbols import T, g
 
 tau = Symbol("tau", positive=True)
@@ -48,8 +46,6 @@ force = Symbol("f", real=True)
 mean, slope = symbols("mean slope", real=True)
 # A speed that the body stays below, m/s.
 speed = Symbol("V", positive=True)
-# A vector in the frame that does not turn, which is to point up.
-UPWARD = symbols("u_N u_E u_D", real=True)
 
 
 @cache
@@ -190,18 +186,3 @@ def gain_from_time_constant() -> Expr:
 def time_constant_from_gain() -> Expr:
     """Solve `gain_from_time_constant` for the time constant."""
     return solve(gain_from_time_constant() - estimation.L, tau)[0]
-
-
-@cache
-def level_turn() -> ImmutableMatrix:
-    """Turn the vector `UPWARD` to point up, by the shortest way: a quaternion of some length.
-
-    With the unit vectors u and up, `-up u` is a quaternion whose scalar part is the cosine of the
-    angle between them and whose vector part is the sine times the axis: the turn by twice that
-    angle. Half way between it and no turn is the turn that is wanted.
-    """
-    up = -Z
-    upward = ImmutableMatrix(UPWARD)
-    length = sqrt(upward.dot(upward))
-    twice = -hamilton.multiply(ImmutableMatrix([0, *up]), ImmutableMatrix([0, *upward]))
-    return ImmutableMatrix(twice + ImmutableMatrix([length, 0, 0, 0]))

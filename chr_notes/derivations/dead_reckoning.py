@@ -218,26 +218,6 @@ def position_errors() -> ImmutableMatrix:
     return ImmutableMatrix([tilt, bias, integrate(velocity, (_outer, 0, t)), motion])
 
 
-@cache
-def position_variances() -> ImmutableMatrix:
-    """Find the variances of position after a time t from white noise.
-
-    Each instant's noise is independent of all others, and what it adds to the position at t grows
-    with the time that is left: linearly for the accelerometer, and for the gyro, which turns the
-    vertical, with its square. The squares add up.
-
-    Returns
-    -------
-    ImmutableMatrix
-        From the accelerometer's noise and from the gyro's.
-    """
-    left = t - _inner
-    weights = (accel_noise, left), (gyro_noise, g * integrate(_outer, (_outer, 0, left)))
-    return ImmutableMatrix(
-        [density**2 * integrate(expand(weight**2), (_inner, 0, t)) for density, weight in weights]
-    )
-
-
 def acceleration_error_between_rests() -> Expr:
     """Constant error of acceleration that explains a velocity `v_N` where there was rest.
 

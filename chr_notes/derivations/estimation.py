@@ -30,14 +30,12 @@ from sympy import (
     sin,
     solve,
     sqrt,
-    symbols,
     tan,
 )
 
 from chr_notes.derivations.euler import Z, rotation
-from chr_notes.derivations.quaternions import from_axis_angle, rotate_to_body
 from chr_notes.derivations.sensors import specific_force
-from chr_notes.symbols import ACCELEROMETER, VECTOR, Angle, AngularRate, T, g, m, phi, psi, theta
+from chr_notes.symbols import ACCELEROMETER, Angle, AngularRate, T, g, m, phi, psi, theta
 
 # Gain of the observer; number of steps; error at the start.
 L = Symbol("L", real=True)
@@ -50,8 +48,6 @@ accel_noise = Angle(r"\sigma_{\text{accel}}", positive=True)
 # Angular frequency of a vibration, rad/s.
 omega = Symbol("omega", real=True)
 
-# What an accelerometer would read at rest, along the body axes, in any unit.
-EXPECTED = symbols("e_x e_y e_z", real=True)
 # An angle and its rate before the step, the predicted and the measured angle after it.
 angle, predicted, measured = (
     Angle(f"{name}", real=True) for name in (r"\alpha", r"\alpha^{+}", r"\alpha_{\text{accel}}")
@@ -126,27 +122,6 @@ def shortest_turn(turn: Expr) -> Expr:
 def update_on_circle(prediction: Expr = predicted, measurement: Expr = measured) -> Expr:
     """`update` for an angle that goes all the way round: counted from the prediction."""
     return prediction + update(Rational(0), shortest_turn(measurement - prediction))
-
-
-@cache
-def gravity_seen() -> ImmutableMatrix:
-    """Direction of the reading at rest, along the body axes: up, by an attitude quaternion."""
-    up = dict(zip(VECTOR, -Z, strict=True))
-    return ImmutableMatrix(rotate_to_body().xreplace(up))
-
-
-@cache
-def turn_towards() -> ImmutableMatrix:
-    """Turn of the body after which `EXPECTED` lies nearer the accelerometer's reading.
-
-    Seen from the body, what stands still turns the other way: so the body turns from the reading
-    to what was expected, about the axis that is at right angles to both, by the share L of the
-    angle between them. It is multiplied to the attitude from the right.
-    """
-    across = ImmutableMatrix(ACCELEROMETER).cross(ImmutableMatrix(EXPECTED))
-    length = sqrt(across.dot(across))
-    angle = atan2(length, ImmutableMatrix(ACCELEROMETER).dot(ImmutableMatrix(EXPECTED)))
-    return ImmutableMatrix(from_axis_angle(ImmutableMatrix(across / length), L * angle))
 
 
 @cache

@@ -11,12 +11,9 @@ from sympy import (
     Expr,
     I,
     ImmutableMatrix,
-    Integer,
     Interval,
     Matrix,
-    Poly,
     Set,
-    Symbol,
     Union,
     atan2,
     cos,
@@ -28,7 +25,6 @@ from sympy import (
     sin,
     sinc,
     singularities,
-    solve,
     sqrt,
     symbols,
 )
@@ -107,14 +103,14 @@ def from_euler() -> ImmutableMatrix:
     return whole
 
 
-def _place(element: Expr, matrix: ImmutableMatrix) -> int:
+def place(element: Expr, matrix: ImmutableMatrix) -> int:
     """Find where a matrix has an element, counted row by row."""
     return list(matrix).index(element)
 
 
 def pitch_sine(matrix: ImmutableMatrix) -> Expr:
     """Sine of pitch, read off a matrix from inertial to body frame."""
-    return -matrix[_place(-sin(theta), rotation("I", "B"))]
+    return -matrix[place(-sin(theta), rotation("I", "B"))]
 
 
 def euler_from_matrix(matrix: ImmutableMatrix) -> ImmutableMatrix:
@@ -125,8 +121,8 @@ def euler_from_matrix(matrix: ImmutableMatrix) -> ImmutableMatrix:
     90°: it drops out of atan2, and the root of two squares gives it.
     """
     euler = rotation("I", "B")
-    roll = [matrix[_place(cos(theta) * part(phi), euler)] for part in (sin, cos)]
-    yaw = [matrix[_place(cos(theta) * part(psi), euler)] for part in (sin, cos)]
+    roll = [matrix[place(cos(theta) * part(phi), euler)] for part in (sin, cos)]
+    yaw = [matrix[place(cos(theta) * part(psi), euler)] for part in (sin, cos)]
     pitch_cosine = sqrt(factor(expand(yaw[0] ** 2 + yaw[1] ** 2)))
     return ImmutableMatrix([atan2(*roll), atan2(pitch_sine(matrix), pitch_cosine), atan2(*yaw)])
 
@@ -138,17 +134,8 @@ def roll_turned_first(matrix: ImmutableMatrix) -> Expr:
     """
     euler = yaw_last()
     places = (-cos(theta) * sin(phi), cos(theta) * cos(phi))
-    sine, cosine = (matrix[_place(part, euler)] for part in places)
+    sine, cosine = (matrix[place(part, euler)] for part in places)
     return atan2(-sine, cosine)
-
-
-def yaw_without_roll(matrix: ImmutableMatrix) -> Expr:
-    """Yaw of a matrix from inertial to body frame whose roll is zero, at any pitch.
-
-    At gimbal lock, where roll may be set to zero, yaw then carries the rest.
-    """
-    euler = rotation("I", "B").subs(phi, 0)
-    return atan2(-matrix[_place(-sin(psi), euler)], matrix[_place(cos(psi), euler)])
 
 
 @cache
@@ -167,37 +154,6 @@ def euler_from_quaternion() -> ImmutableMatrix:
     # In the factors the sine of pitch would be a difference of squares.
     sine = factor(pitch_sine(matrix_from_quaternion()))
     return ImmutableMatrix([roll, atan2(sine, pitch.args[1]), yaw])
-
-
-@cache
-def yaw_at_lock() -> Expr:
-    """Yaw of (a, b, c, d) at gimbal lock with roll set to zero, see `yaw_without_roll`."""
-    return yaw_without_roll(matrix_from_quaternion())
-
-
-@cache
-def products_from_matrix() -> ImmutableMatrix:
-    """4 q qᵀ, four by four, from the elements r_11 ... r_33 of a matrix from inertial to body.
-
-    The nine elements of the matrix and the squared norm, which is one, are linear in the ten
-    products of two elements of q, so these follow from a linear system. Row n is q times four
-    times its element n: any row that is not zero, normalised, is the quaternion up to sign, and
-    the one with the largest element on the diagonal loses no digits.
-    """
-    unknown = {(m, n): Symbol(f"x_{m}{n}") for m in range(4) for n in range(m, 4)}
-    pairs = [*zip(matrix_from_quaternion(), MATRIX, strict=True), (norm_squared(ATTITUDE), 1)]
-    equations = [_linear(left, unknown) - right for left, right in pairs]
-    found = solve(equations, list(unknown.values()), dict=True)[0]
-    return ImmutableMatrix(4, 4, lambda m, n: 4 * found[unknown[min(m, n), max(m, n)]])
-
-
-def _linear(quadratic: Expr, unknown: dict[tuple[int, int], Symbol]) -> Expr:
-    """Write a form of second degree in the elements of q as one of first degree in products."""
-    total = Integer(0)
-    for powers, coefficient in Poly(quadratic, *QUATERNION).terms():
-        places = [place for place, power in enumerate(powers) for _ in range(power)]
-        total += coefficient * unknown[places[0], places[1]]
-    return total
 
 
 @cache

@@ -10,7 +10,7 @@ from sympy import exp, lambdify, simplify, symbols
 
 from chr_notes import rotate_to_inertial
 from chr_notes.derivations import averaging as derived
-from chr_notes.derivations import estimation
+from chr_notes.derivations import estimation, further
 from chr_notes.symbols import T, g
 
 TAU, PERIOD = 3.0, 0.05
@@ -140,7 +140,7 @@ def test_gain_and_time_constant() -> None:
     assert left == derived.relaxation()
 
 
-TURN = lambdify(derived.UPWARD, derived.level_turn())
+TURN = lambdify(further.UPWARD, further.level_turn())
 
 
 @given(st.tuples(*[st.floats(-10, 10)] * 3))

@@ -20,7 +20,7 @@ from sympy.codegen.cfunctions import expm1, log1p
 from sympy.logic.boolalg import Boolean
 
 from chr_notes.derivations import averaging as derived
-from chr_notes.derivations import estimation, hamilton, quaternions, validation
+from chr_notes.derivations import estimation, further, hamilton, quaternions, validation
 from chr_notes.derivations.computation import Choice, Computation
 from chr_notes.derivations.forms import averaging, filters, gains, heading, monitor, rest
 from chr_notes.symbols import (
@@ -87,7 +87,7 @@ def test_levelling_is_the_derived_turn() -> None:
     means, slopes = symbols("m_n m_e m_d", real=True), symbols("s_n s_e s_d", real=True)
     steps, state = averaging._levelled(attitude, means, slopes)  # noqa: SLF001
     found = Computation(steps, state).inlined(0)
-    turn = derived.level_turn().xreplace(dict(zip(derived.UPWARD, means, strict=True)))
+    turn = further.level_turn().xreplace(dict(zip(further.UPWARD, means, strict=True)))
     turn = turn / sqrt(turn.dot(turn))
     expected = hamilton.multiply(ImmutableMatrix(turn), ImmutableMatrix(attitude))
     expected_slopes = hamilton.sandwich(ImmutableMatrix(turn), ImmutableMatrix(slopes))

@@ -22,6 +22,7 @@ from chr_notes.derivations import (
     dead_reckoning,
     estimation,
     euler,
+    further,
     hamilton,
     quaternions,
     validation,
@@ -144,7 +145,7 @@ def test_each_way_to_the_quaternion_of_a_matrix(branch: int, row: int) -> None:
 def test_the_chosen_row_has_a_large_element_on_the_diagonal() -> None:
     # Two elements on the diagonal add up to two at least, by the sign of r_33; the condition
     # picks the larger of the two, so it is one at least.
-    diagonal = quaternions.products_from_matrix().diagonal()
+    diagonal = further.products_from_matrix().diagonal()
     r_11, r_22, r_33 = quaternions.MATRIX.diagonal()
     conditions = [condition for condition, _ in forms.quaternion_from_matrix().steps[0].branches]
     assert expand(diagonal[1] + diagonal[2]) == 2 - 2 * r_33
@@ -209,7 +210,7 @@ def test_tilt() -> None:
 
 def test_the_reading_at_rest_is_that_of_euler_angles() -> None:
     attitude = dict(zip(QUATERNION, quaternions.from_euler(), strict=True))
-    seen = ImmutableMatrix(estimation.gravity_seen().xreplace(attitude))
+    seen = ImmutableMatrix(further.gravity_seen().xreplace(attitude))
     assert same(g * seen, estimation.accelerometer_at_rest())
 
 
@@ -218,8 +219,8 @@ def test_the_turn_towards_a_reading_brings_what_is_expected_there() -> None:
     reading = ImmutableMatrix([1, 0, 0])
     expected = ImmutableMatrix([cos(alpha), sin(alpha), 0])
     values = dict(zip(ACCELEROMETER, reading, strict=True))
-    values |= dict(zip(estimation.EXPECTED, expected, strict=True))
-    turn = estimation.turn_towards().xreplace(values)
+    values |= dict(zip(further.EXPECTED, expected, strict=True))
+    turn = further.turn_towards().xreplace(values)
     # Below 180 degrees the angle is alpha itself.
     turn = turn.subs(sqrt(sin(alpha) ** 2), sin(alpha)).subs(atan2(sin(alpha), cos(alpha)), alpha)
     seen = hamilton.sandwich(hamilton.conjugate(ImmutableMatrix(turn)), expected)
@@ -229,11 +230,11 @@ def test_the_turn_towards_a_reading_brings_what_is_expected_there() -> None:
 
 def test_observers() -> None:
     predicted = dict(zip(QUATERNION, filters.gyro_turn().inlined(0, 0), strict=True))
-    turn = estimation.turn_towards()
+    turn = further.turn_towards()
     size = sum(map(Abs, ACCELEROMETER))
     scaled = {each: each / size for each in ACCELEROMETER}
-    seen = estimation.gravity_seen()
-    known = dict(zip(estimation.EXPECTED, seen, strict=True))
+    seen = further.gravity_seen()
+    known = dict(zip(further.EXPECTED, seen, strict=True))
     turned = ImmutableMatrix(turn.xreplace(scaled).xreplace(known))
     derived = hamilton.multiply(quaternions.ATTITUDE, turned)
     # Numbers in place of symbols: a proof would have to simplify three nested roots.

@@ -26,7 +26,7 @@ from sympy import (
 )
 from sympy.algebras.quaternion import Quaternion as SymPyQuaternion
 
-from chr_notes.derivations import hamilton
+from chr_notes.derivations import further, hamilton
 from chr_notes.derivations import quaternions as derived
 from chr_notes.derivations.euler import rotation
 from chr_notes.symbols import (
@@ -148,7 +148,7 @@ def test_quaternion_of_euler_angles_is_scipys(roll: float, pitch: float, yaw: fl
 def test_yaw_at_lock_rebuilds_the_attitude(up: int) -> None:
     roll, yaw = Rational(3, 7), Rational(11, 5)
     elements = derived.from_euler().subs(dict(zip(EULER, (roll, up * pi / 2, yaw), strict=True)))
-    found = derived.yaw_at_lock().subs(dict(zip(QUATERNION, elements, strict=True)))
+    found = further.yaw_at_lock().subs(dict(zip(QUATERNION, elements, strict=True)))
     rebuilt = EULER_MATRIX(0.0, up * np.pi / 2, float(found))
     expected = EULER_MATRIX(float(roll), up * np.pi / 2, float(yaw))
     np.testing.assert_allclose(rebuilt, expected, atol=1e-15)
@@ -160,11 +160,11 @@ def test_yaw_at_lock_rebuilds_the_attitude(up: int) -> None:
 
 def test_products_from_matrix_are_those_of_the_quaternion() -> None:
     elements = dict(zip(derived.MATRIX, MATRIX, strict=True))
-    found = derived.products_from_matrix().subs(elements)
+    found = further.products_from_matrix().subs(elements)
     outer = 4 * derived.ATTITUDE * derived.ATTITUDE.T
     unit = {a: sqrt(1 - b**2 - c**2 - d**2)}
     assert (found - outer).subs(unit).applyfunc(simplify) == zeros(4, 4)
-    assert expand(derived.products_from_matrix().trace()) == 4
+    assert expand(further.products_from_matrix().trace()) == 4
 
 
 def test_axis_and_angle_come_back() -> None:

@@ -31,7 +31,7 @@ from sympy import (
     symbols,
 )
 
-from chr_notes.derivations import averaging, hamilton, quaternions
+from chr_notes.derivations import averaging, further, hamilton, quaternions
 from chr_notes.derivations.computation import NOTHING, Choice, Computation, Let, otherwise
 from chr_notes.derivations.forms import filters
 from chr_notes.derivations.forms.gains import TIME_CONSTANT
@@ -175,7 +175,7 @@ def _taken_in(forces: Names) -> tuple[Steps, Names, Names]:
 def _levelled(attitude: Names, means: Names, slopes: Names) -> tuple[Steps, ImmutableMatrix]:
     """Turn everything such that the mean points up."""
     after = Symbol("mean_length_after", real=True)
-    towards = averaging.level_turn().xreplace(dict(zip(averaging.UPWARD, means, strict=True)))
+    towards = further.level_turn().xreplace(dict(zip(further.UPWARD, means, strict=True)))
     upright, east, north, _ = towards
     length = sqrt(ImmutableMatrix(means).dot(ImmutableMatrix(means)))
     size, parts = Symbol("level_size", real=True), symbols("level_a level_b level_c", real=True)

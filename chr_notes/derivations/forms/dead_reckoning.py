@@ -4,7 +4,7 @@ from functools import cache
 
 from sympy import Abs, And, ImmutableMatrix, Symbol, symbols
 
-from chr_notes.derivations import dead_reckoning
+from chr_notes.derivations import dead_reckoning, further
 from chr_notes.derivations.computation import LARGEST, Choice, Computation, Let, otherwise
 from chr_notes.derivations.estimation import euler_step
 from chr_notes.symbols import T
@@ -53,6 +53,4 @@ def held_step() -> Computation:
 
 def position_errors() -> ImmutableMatrix:
     """Errors of position from each constant error, then variances from each noise."""
-    return ImmutableMatrix(
-        [*dead_reckoning.position_errors(), *dead_reckoning.position_variances()]
-    )
+    return ImmutableMatrix([*dead_reckoning.position_errors(), *further.position_variances()])

@@ -24,7 +24,7 @@ from sympy import (
 )
 from sympy.codegen.cfunctions import hypot
 
-from chr_notes.derivations import euler, quaternions
+from chr_notes.derivations import euler, further, quaternions
 from chr_notes.derivations.computation import (
     LOCK_MARGIN,
     Choice,
@@ -136,7 +136,7 @@ def euler_from_matrix() -> Computation:
         Let(parts[1], north * matrix[1, 1] - east * matrix[1, 0]),
     )
     angles = ImmutableMatrix([atan2(*parts), atan2(pitch.args[0], hypot(north, east)), yaw])
-    return of_a_rotation(with_lock(lets, angles, quaternions.yaw_without_roll(matrix)))
+    return of_a_rotation(with_lock(lets, angles, further.yaw_without_roll(matrix)))
 
 
 @cache

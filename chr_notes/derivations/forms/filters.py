@@ -9,7 +9,7 @@ from functools import cache
 from sympy import Abs, And, Expr, Ge, ImmutableMatrix, Symbol, atan2, cos, pi, sqrt, symbols
 from sympy.core.relational import Relational
 
-from chr_notes.derivations import estimation, hamilton, quaternions
+from chr_notes.derivations import estimation, further, hamilton, quaternions
 from chr_notes.derivations.computation import (
     LARGEST,
     Choice,
@@ -88,14 +88,14 @@ def observer_turn() -> Computation:
     """
     step = gyro_turn()
     predicted = symbols("predicted_a predicted_b predicted_c predicted_d", real=True)
-    expected = estimation.gravity_seen().xreplace(dict(zip(QUATERNION, predicted, strict=True)))
+    expected = further.gravity_seen().xreplace(dict(zip(QUATERNION, predicted, strict=True)))
     # In units in which no square overflows or vanishes.
     reading = symbols("reading_x reading_y reading_z", real=True)
     size, known = symbols("size has_direction", real=True)
     scaled = tuple(element / size for element in ACCELEROMETER)
     # The derived turn, with what its parts have in common under a name.
-    turn = estimation.turn_towards().xreplace(dict(zip(ACCELEROMETER, reading, strict=True)))
-    off = ImmutableMatrix(reading).cross(ImmutableMatrix(estimation.EXPECTED))
+    turn = further.turn_towards().xreplace(dict(zip(ACCELEROMETER, reading, strict=True)))
+    off = ImmutableMatrix(reading).cross(ImmutableMatrix(further.EXPECTED))
     across = symbols("across_x across_y across_z", real=True)
     length, half, stays, factor = symbols("sine_off half_turn_back turn_back_a factor", real=True)
     angle = turn[0].args[0]
@@ -109,7 +109,7 @@ def observer_turn() -> Computation:
         (
             *step.steps,
             *map(Let, predicted, step.results),
-            *map(Let, estimation.EXPECTED, expected),
+            *map(Let, further.EXPECTED, expected),
             Let(size, sum(map(Abs, ACCELEROMETER))),
             Let(known, And(size > 0, size <= LARGEST)),
             Choice(reading, ((known, scaled), otherwise(*(0 * element for element in scaled)))),

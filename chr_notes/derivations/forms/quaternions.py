@@ -18,7 +18,7 @@ from sympy import (
     symbols,
 )
 
-from chr_notes.derivations import hamilton, quaternions
+from chr_notes.derivations import further, hamilton, quaternions
 from chr_notes.derivations.computation import Choice, Computation, Let, otherwise
 from chr_notes.derivations.forms.euler import of_a_rotation, with_lock
 from chr_notes.symbols import AXIS, QUATERNION, VECTOR, a, alpha, b, c, d
@@ -62,7 +62,7 @@ def euler_from_quaternion() -> Computation:
         with_lock(
             (*steps, Let(squares, below + above)),
             ImmutableMatrix([roll, pitch, yaw]),
-            quaternions.yaw_at_lock(),
+            further.yaw_at_lock(),
         ),
         guard=squares,
     )
@@ -120,7 +120,7 @@ def quaternion_from_matrix() -> Computation:
     Each row of 4 q qᵀ is the quaternion times four times one of its elements. The conditions pick
     a row whose element on the diagonal is at least one: it and another one add up to at least two.
     """
-    products = quaternions.products_from_matrix()
+    products = further.products_from_matrix()
     r_11, r_22, r_33 = quaternions.MATRIX.diagonal()
     names = symbols("a b c d", real=True)
     conditions = {1: And(r_33 < 0, r_11 > r_22), 2: r_33 < 0, 3: r_11 < -r_22}
