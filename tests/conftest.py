@@ -1,6 +1,7 @@
 """What tests share: recordings beside the project, and a browser without a network."""
 
 import functools
+import signal
 import sys
 import threading
 from collections.abc import Callable, Iterator
@@ -94,6 +95,14 @@ def each_way(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) ->
     yield
     for value in rows.values():
         value.use(kernel(value.name))
+
+
+@pytest.fixture
+def ctrl_c() -> Iterator[None]:
+    """Hear Ctrl-C, here and in programs begun here: who runs the tests may keep it from them."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
 
 
 @pytest.fixture(scope="session")

@@ -179,6 +179,7 @@ def test_who_ends_it_or_its_terminal_gets_a_line(
     assert capsys.readouterr().err == "ledger: stopped before the end\n"
 
 
+@pytest.mark.usefixtures("ctrl_c")
 def test_who_stops_it_twice_does_not_stop_what_tidies_up(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

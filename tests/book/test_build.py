@@ -53,6 +53,7 @@ def test_a_program_that_found_errors_or_ended_in_one_says_so(
 
 
 @pytest.mark.full
+@pytest.mark.usefixtures("ctrl_c")
 @pytest.mark.parametrize("after", [0.3, 1.0, 4.0])  # s: while it loads, and while it reads
 def test_who_presses_ctrl_c_while_pages_are_built_gets_a_line(book: Path, after: float) -> None:
     run = [sys.executable, "-m", "chr_notes", "book"]

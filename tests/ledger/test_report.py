@@ -102,6 +102,7 @@ REALLY = [
 ]
 
 
+@pytest.mark.usefixtures("ctrl_c")
 @pytest.mark.parametrize(("run", "after", "presses"), [TWICE, *REALLY])
 def test_ctrl_c_ends_all_that_judge_at_once(
     run: tuple[str, ...],
