@@ -79,12 +79,18 @@ def check_place(case: Case) -> None:
     Raises
     ------
     CannotJudgeError
-        If what is wrong has nothing that the root is known by.
+        If what is wrong has nothing that the root is known by, or no one says what that is.
     """
     if case.root is None:
         return
-    known_by = KNOWN_BY[case.root]
+    known_by = KNOWN_BY.get(case.root)
     found = traits(case)
+    if known_by is None:
+        msg = (
+            f"{case.id}: expected a pattern for {case.root!r} in KNOWN_BY of "
+            f"chr_notes/ledger/roots.py, which matches one of: {'; '.join(sorted(found))}"
+        )
+        raise CannotJudgeError(msg)
     if not any(re.fullmatch(known_by, trait) for trait in found):
         msg = (
             f"{case.id}: expected of a place of {case.root!r} what {known_by!r} matches, "

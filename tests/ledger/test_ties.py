@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import pytest
 
+from chr_notes.ledger import ties
 from chr_notes.ledger.case import CannotJudgeError, complete
 from chr_notes.ledger.cases import CASES
 from chr_notes.ledger.roots import KNOWN_BY
@@ -70,6 +71,12 @@ def test_a_wrong_root_is_told() -> None:
             check_place(replace(CASES[name], root=root))
     with pytest.raises(CannotJudgeError, match="expected of a place of 'quaternion-direction'"):
         check_place(replace(CASES["quaternions.3.1"], readings=()))
+
+
+def test_a_root_that_is_known_by_nothing_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(ties, "KNOWN_BY", {})
+    with pytest.raises(CannotJudgeError, match=r"validation\.4: expected a pattern for .* of: ."):
+        check_place(CASES["validation.4"])
 
 
 # Lighter than they could be, by a statement of the document that has it right.
