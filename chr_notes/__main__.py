@@ -2,25 +2,21 @@
 
 import argparse
 import io
-import math
 import os
 import shutil
 import signal
 import sys
 import textwrap
-import time
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import redirect_stdout
 from pathlib import Path
-from types import FrameType
 from typing import NoReturn
 
 from chr_notes import __version__, kernels_in_use
+from chr_notes._signals import ENDS, stopper
 
 # As shells tell of a program that a signal ended, and of one whose output nobody reads.
 SIGNALLED, UNREAD = 128, 141
-TIDYING = 1.0  # s
-ENDS = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)]
 VERDICTS = ("definition", "proved", "qualified", "corrected", "reported")
 DOCUMENTS = ("euler", "quaternions", "sensors", "estimation", "dead_reckoning", "validation")
 EXIT_CODES = (
@@ -44,7 +40,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print("chr-notes: expected an output to write to, but it is closed", file=sys.stderr)
         return 1
     # Ended from outside, it ends what it began, as when it is interrupted, but by nohup.
-    stop = _stopper()
+    stop = stopper()
     ends = [number for number in ENDS if signal.getsignal(number) is not signal.SIG_IGN]
     before = {number: signal.signal(number, stop) for number in ends}
     name = "chr-notes"
@@ -68,19 +64,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
         for number, handler in before.items():
             signal.signal(number, handler)
     return code
-
-
-def _stopper() -> Callable[[int, FrameType | None], None]:
-    """Return what ends a command, but not a second time while it tidies up."""
-    last = -math.inf
-
-    def stop(number: int, _: FrameType | None) -> None:
-        nonlocal last
-        if time.monotonic() > last + TIDYING:
-            last = time.monotonic()
-            raise KeyboardInterrupt(number)
-
-    return stop
 
 
 def _read(arguments: Sequence[str] | None) -> argparse.Namespace:

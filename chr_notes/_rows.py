@@ -111,8 +111,8 @@ class Rows:
             for name, last in zip(self._names, self._lasts, strict=True)
         )
         self._rotation, self._scaled, self._degree = rotation, scaled, degree
-        decisive = 1 if rotation or scaled else checked
-        self._looked_at = slice(0 if rotation or scaled else checked, decisive if spreads else None)
+        first, decisive = (0, 1) if rotation or scaled else (checked, checked)
+        self._looked_at = slice(first, decisive if spreads else None)
         self.use(kernel(self.name))
 
     def use(self, compiled: Callable[..., Any] | None) -> None:

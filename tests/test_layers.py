@@ -17,12 +17,13 @@ ALLOWED = {
     "palette": set(),
     "aircraft": set(),
     "_texts": set(),
+    "_signals": set(),
     "plots": {"palette", "aircraft", "plots"},
     "lesson": {"palette", "aircraft", "lesson", "_texts"},
     "printed": NOTATION | {"printed"},
     "derivations": NOTATION | {"derivations"},
     "typeset": set(),
-    "ledger": NOTATION | {"printed", "derivations", "typeset", "ledger", "_texts"},
+    "ledger": NOTATION | {"printed", "derivations", "typeset", "ledger", "_texts", "_signals"},
     "codegen": NOTATION | {"derivations", "typeset", "codegen"},  # and parts of a page
     "generated": set(),
     "_arrays": set(),
@@ -47,7 +48,7 @@ ALLOWED = {
     | {"numeric", "__init__"},  # for one attitude as other systems write it, and all public names
     "__init__": NUMERIC,
     "export": {"numeric", "_texts"},  # the version
-    "__main__": {"book", "ledger", "export", "numeric"},
+    "__main__": {"book", "ledger", "export", "numeric", "_signals"},
 }
 
 

@@ -117,14 +117,20 @@ def test_a_console_of_ascii_gets_the_whole_ledger(monkeypatch: pytest.MonkeyPatc
     assert [row["says"] for row in rows] == [entry.says for entry in entries()]
 
 
-def test_on_a_screen_the_table_keeps_to_its_width(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("COLUMNS", "70")
+def on_a_screen(columns: int, monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """The lines of a table on a screen of that width, to which they keep."""
+    monkeypatch.setenv("COLUMNS", str(columns))
     console = io.StringIO()
     monkeypatch.setattr(console, "isatty", lambda: True)
     monkeypatch.setattr(sys, "stdout", console)
     assert command.main(["ledger", "--document", "euler"]) == 0
     table = console.getvalue().splitlines()
-    assert max(map(len, table)) <= 70
+    assert max(map(len, table)) <= columns
+    return table
+
+
+def test_on_a_screen_the_table_keeps_to_its_width(monkeypatch: pytest.MonkeyPatch) -> None:
+    table = on_a_screen(70, monkeypatch)
     assert sum(not line.startswith(" ") for line in table[:-2]) < len(table) - 2
     # What another program reads has a line for each, however narrow the screen.
     own = [entry for entry in entries() if entry.document == "euler"]
@@ -135,13 +141,7 @@ def test_on_a_screen_the_table_keeps_to_its_width(monkeypatch: pytest.MonkeyPatc
 def test_on_a_narrow_screen_what_is_said_stands_below_the_name(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setenv("COLUMNS", "30")
-    console = io.StringIO()
-    monkeypatch.setattr(console, "isatty", lambda: True)
-    monkeypatch.setattr(sys, "stdout", console)
-    assert command.main(["ledger", "--document", "euler"]) == 0
-    table = console.getvalue().splitlines()
-    assert max(map(len, table)) <= 30
+    table = on_a_screen(30, monkeypatch)
     own = [entry for entry in entries() if entry.document == "euler"]
     names = [line for line in table[: table.index("")] if not line.startswith(" ")]
     assert names == [f"{entry.id}  {entry.verdict}" for entry in own]

@@ -2,16 +2,15 @@
 
 import dataclasses
 import json
-import signal
 import sys
 import textwrap
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from concurrent.futures import ProcessPoolExecutor
-from contextlib import contextmanager
 from importlib import import_module, metadata
 from multiprocessing import active_children
 
+from chr_notes._signals import hear_nothing, held_back
 from chr_notes.ledger import stored
 from chr_notes.ledger.entry import Entry
 
@@ -150,9 +149,9 @@ def _judged(topics: list[str]) -> Iterator[tuple[list[Entry], list[str]]]:
         yield from map(judged, topics)
         return
     sys.stderr.write(f"judging {', '.join(topics)}: a minute or so\n")
-    with ProcessPoolExecutor(initializer=_hear_nothing) as processes:
+    with ProcessPoolExecutor(initializer=hear_nothing) as processes:
         try:
-            with _held_back():
+            with held_back():
                 waiting = [(topic, processes.submit(judged, topic)) for topic in topics]
             for topic, each in waiting:
                 found = each.result()
@@ -162,30 +161,6 @@ def _judged(topics: list[str]) -> Iterator[tuple[list[Entry], list[str]]]:
             for process in active_children():
                 process.kill()
             raise
-
-
-ENDS = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)]
-
-
-@contextmanager
-def _held_back() -> Iterator[None]:
-    """Begin processes before Ctrl-C is heard: who knows of them all can end them all."""
-    heard: list[int] = []
-    before = {number: signal.signal(number, lambda end, _: heard.append(end)) for number in ENDS}
-    try:
-        yield
-    finally:
-        for number, handler in before.items():
-            signal.signal(number, handler)
-        for number in heard[:1]:
-            signal.raise_signal(number)
-
-
-def _hear_nothing() -> None:
-    """Leave it to who began this process to end it, but for one signal, if nobody is left to."""
-    for number in ENDS:
-        signal.signal(number, signal.SIG_IGN)
-    signal.signal(signal.SIGTERM, signal.SIG_DFL)
 
 
 def judged(document: str) -> tuple[list[Entry], list[str]]:
