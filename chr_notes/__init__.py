@@ -3,6 +3,7 @@
 Importing the package loads NumPy; SymPy is loaded when something is derived.
 """
 
+from chr_notes import _signals  # noqa: F401 (before NumPy, whose import Ctrl-C may meet)
 from chr_notes._kernels import kernels_in_use
 from chr_notes.conventions import STANDARD_GRAVITY
 from chr_notes.dead_reckoning import (

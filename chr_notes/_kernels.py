@@ -5,6 +5,7 @@ to fail where the kernels cannot be used.
 """
 
 import os
+import sys
 import warnings
 from collections.abc import Callable
 from functools import partial
@@ -15,6 +16,7 @@ from typing import Any
 
 import numpy as np
 
+from chr_notes._signals import IS_COMMAND
 from chr_notes.generated.stamp import STAMP
 
 VARIABLE = "CHR_NOTES_KERNELS"
@@ -43,7 +45,12 @@ def _load() -> ModuleType | None:
     return module
 
 
-_MODULE = _load()
+try:
+    _MODULE = _load()
+except (ImportError, ValueError) as error:
+    if not IS_COMMAND:
+        raise
+    sys.exit(f"chr-notes: {error}")
 
 
 def kernel(name: str) -> Callable[..., Any] | None:

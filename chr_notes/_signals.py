@@ -1,14 +1,21 @@
 """Signals by which a command is ended from outside: told once, and by it to what it began."""
 
 import math
+import os
 import signal
+import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from types import FrameType
+from typing import NoReturn
 
 ENDS = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)]
 TIDYING = 1.0  # s
+# Known while the package is imported, which takes the longest of a short command.
+IS_COMMAND = (sys.argv[:1] == ["-m"] and "-m chr_notes " in f"{' '.join(sys.orig_argv)} ") or (
+    "".join(sys.argv[:1]).endswith(("chr-notes", "chr-notes.exe"))
+)
 
 
 def stopper() -> Callable[[int, FrameType | None], None]:
@@ -43,3 +50,13 @@ def hear_nothing() -> None:
     for number in ENDS:
         signal.signal(number, signal.SIG_IGN)
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
+
+
+def _stop_importing(number: int, _: FrameType | None) -> NoReturn:
+    """End at once: there is nothing to tidy up, and NumPy would take an exception for its own."""
+    os.write(2, b"chr-notes: stopped before the end\n")
+    os._exit(128 + number)
+
+
+if IS_COMMAND and signal.getsignal(signal.SIGINT) is signal.default_int_handler:
+    signal.signal(signal.SIGINT, _stop_importing)

@@ -9,7 +9,7 @@ PACKAGE = Path(__file__).resolve().parents[1] / "chr_notes"
 
 # Each layer with the modules and layers of the package that it may import.
 NOTATION = {"symbols"}
-NUMERIC = {"conventions", "errors", "_arrays", "generated", "numeric"}
+NUMERIC = {"conventions", "errors", "_arrays", "_signals", "generated", "numeric"}
 ALLOWED = {
     "symbols": set(),
     "conventions": set(),
