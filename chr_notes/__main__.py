@@ -152,15 +152,20 @@ def _folder(name: str) -> Path:
     return Path(name)
 
 
-def _filled(*paragraphs: str) -> str:
-    """Fill paragraphs to the width of the terminal; commands stay whole, to be copied."""
-    width = max(shutil.get_terminal_size().columns - 2, 11)  # as options are
-    return "\n\n".join(
-        each
-        if each.startswith("chr-notes ")
-        else textwrap.fill(each, width, break_on_hyphens=False)
-        for each in paragraphs
-    )
+class _Help(argparse.HelpFormatter):
+    """Help filled to the width of the terminal; words stay whole, and commands, to be copied."""
+
+    def _split_lines(self, text: str, width: int) -> list[str]:
+        words = " ".join(text.split())
+        return textwrap.wrap(words, width, break_long_words=False, break_on_hyphens=False)
+
+    def _fill_text(self, text: str, width: int, indent: str) -> str:
+        return "\n\n".join(
+            each
+            if each.startswith("chr-notes ")
+            else "\n".join(indent + line for line in self._split_lines(each, width))
+            for each in text.split("\n\n")
+        )
 
 
 def _parsers() -> tuple[argparse.ArgumentParser, Mapping[str, argparse.ArgumentParser]]:
@@ -168,15 +173,15 @@ def _parsers() -> tuple[argparse.ArgumentParser, Mapping[str, argparse.ArgumentP
 
     def command(name: str, told: str, *more: str) -> argparse.ArgumentParser:
         return commands.add_parser(
-            name, help=told, description=_filled(f"{told[0].upper()}{told[1:]}."),
-            epilog=_filled(*more, EXIT_CODES),
-            formatter_class=argparse.RawDescriptionHelpFormatter,
+            name, help=told, description=f"{told[0].upper()}{told[1:]}.",
+            epilog="\n\n".join((*more, EXIT_CODES)), formatter_class=_Help,
         )  # fmt: skip
 
     parser = argparse.ArgumentParser(
         prog="chr-notes",
         description="The CH Robotics notes on attitude, checked, taught and made into code.",
         epilog="`chr-notes COMMAND --help` says more of each.",
+        formatter_class=_Help,
     )
     at_work = "with" if kernels_in_use() else "without"
     parser.add_argument(

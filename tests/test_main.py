@@ -29,19 +29,18 @@ def test_it_says_its_version(
     assert capsys.readouterr().out == f"chr-notes {__version__}, {told} compiled kernels\n"
 
 
-@pytest.mark.parametrize("columns", ["1", "2"])
-@pytest.mark.parametrize("asked", [["--help"], ["ledger", "--help"]])
-def test_help_can_be_had_on_the_narrowest_screen(
-    asked: list[str],
-    columns: str,
-    capsys: pytest.CaptureFixture[str],
-    monkeypatch: pytest.MonkeyPatch,
+@pytest.mark.parametrize("name", [None, *command.COMMANDS])
+def test_help_has_whole_words_on_the_narrowest_screen(
+    name: str | None, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setenv("COLUMNS", columns)
-    with pytest.raises(SystemExit) as ended:
-        command.main(asked)
-    assert ended.value.code == 0
-    assert "--help" in capsys.readouterr().out
+    told = set()
+    for columns in (1, 2, 15, 24, 200):
+        monkeypatch.setenv("COLUMNS", str(columns))
+        with pytest.raises(SystemExit) as ended:
+            command.main([*filter(None, [name]), "--help"])
+        assert ended.value.code == 0
+        told.add(" ".join(capsys.readouterr().out.split("\n\n", 1)[1].split()))
+    assert len(told) == 1
 
 
 @pytest.mark.parametrize("columns", [40, 80])
@@ -280,19 +279,22 @@ def test_a_device_in_the_place_of_a_folder_is_told_in_a_line(
     assert capsys.readouterr().err == f"export: {said}\n"
 
 
-def test_a_file_in_the_place_of_the_books_folder_is_told_in_a_line(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+@pytest.mark.parametrize("place", ["taken", "taken/notebooks"])
+def test_a_file_in_the_place_of_a_folder_of_the_book_is_told_before_any_is_made(
+    place: str, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    taken = tmp_path / "taken"
+    taken = tmp_path / place
+    taken.parent.mkdir(exist_ok=True)
     taken.touch()
-    packed = sources.PACKED / "book" / "index.md"
+    packed = {str(sources.PACKED / each): b"{}" for each in ("book/_toc.yml", "notebooks/one.json")}
     monkeypatch.setattr(sources, "ORIGIN", sources.PACKED)
     monkeypatch.setattr("chr_notes.book._require", lambda: None)  # nothing is built here
     monkeypatch.setattr(sources, "_require_sources", lambda: None)
-    monkeypatch.setattr(sources, "archived", lambda: {str(packed): b""})
-    assert command.main(["book", str(taken)]) == 1
+    monkeypatch.setattr(sources, "archived", lambda: packed)
+    assert command.main(["book", str(tmp_path / "taken")]) == 1
     said = f"expected a folder at {taken}, but a file is there; name another folder"
     assert capsys.readouterr().err == f"book: {said}\n"
+    assert [path for path in tmp_path.rglob("*") if path not in (taken, taken.parent)] == []
 
 
 def test_a_list_and_a_judgement_are_not_had_at_once(capsys: pytest.CaptureFixture[str]) -> None:

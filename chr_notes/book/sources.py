@@ -59,10 +59,14 @@ def find(folder: Path) -> Path:
     for name, content in archived().items():
         _, packed, place = name.rpartition(f"{PACKED.name}/")
         target = folder / place
-        if packed and not target.exists():
-            target.parent.mkdir(parents=True, exist_ok=True)
+        try:
+            if packed:
+                target.stat()  # a file in the place of a folder ends it before any is made
+        except FileNotFoundError:
             notebook = target.suffix == ".ipynb"
             missing[target] = _written(numbered(content)) if notebook else content.decode()
+    for target in missing:
+        target.parent.mkdir(parents=True, exist_ok=True)
     write(missing)
     for path in sorted((folder / "notebooks").glob("*.ipynb")):
         _run_once(path)
