@@ -16,6 +16,7 @@ from zipfile import ZipFile
 import numpy as np
 from setuptools import Extension, setup
 from setuptools.command.bdist_wheel import bdist_wheel
+from setuptools.command.build_ext import build_ext
 from setuptools.command.build_py import build_py
 
 HERE = Path(__file__).resolve().parent
@@ -66,6 +67,18 @@ class WithBook(build_py):
         if texts:
             msg = f"in setup.py neither prose nor code: {', '.join(sorted(texts))}"
             raise RuntimeError(msg)
+
+
+class CompiledAnew(build_ext):
+    """Compile the kernels anew, or have none: those of a build before may be of other sources."""
+
+    def run(self) -> None:
+        """Compile them."""
+        folders = (self.build_lib, HERE) if self.inplace else (self.build_lib,)
+        for folder in folders:
+            for each in self.extensions:
+                remove(Path(folder) / self.get_ext_filename(each.name))
+        super().run()
 
 
 class DeflatedFurther(bdist_wheel):
@@ -119,7 +132,11 @@ def sources_of_the_book() -> dict[str, bytes]:
 
 
 setup(
-    cmdclass={"build_py": WithBook, "bdist_wheel": DeflatedFurther},
+    cmdclass={
+        "build_py": WithBook,
+        "build_ext": CompiledAnew,
+        "bdist_wheel": DeflatedFurther,
+    },
     ext_modules=[
         Extension(
             "chr_notes._compiled",

@@ -1,6 +1,7 @@
 """The wheel without its compiled part is small, and has what the package reads."""
 
 import os
+import shutil
 import subprocess
 import sys
 import zipfile
@@ -37,3 +38,14 @@ def test_a_wheel_of_python_alone_is_small_and_whole(
     assert BESIDE | {f"packed/notebooks/{name}" for name in notebooks} <= texts
     for folder in TEXTS:
         assert {f"{folder}/{path.name}" for path in (PACKAGE / folder).iterdir()} <= texts
+
+
+def test_without_a_compiler_there_are_no_kernels_of_a_build_before(tmp_path: Path) -> None:
+    shutil.copy(PACKAGE.parent / "setup.py", tmp_path)
+    for folder in ("chr_notes", "build/chr_notes"):
+        (tmp_path / folder).mkdir(parents=True)
+        (tmp_path / folder / "_compiled.abi3.so").touch()
+    build = [sys.executable, "setup.py", "-q", "build_ext", "--inplace", "--build-lib", "build"]
+    environment = {**os.environ, "CC": "false"}
+    subprocess.run(build, cwd=tmp_path, check=True, env=environment, capture_output=True)
+    assert [*tmp_path.rglob("_compiled*")] == []
