@@ -127,7 +127,8 @@ def _ledger(options: argparse.Namespace) -> int:
     if options.check:
         return report.check(options.document)
     width = shutil.get_terminal_size().columns if sys.stdout.isatty() else None
-    return report.run(options.document, options.verdict, as_json=options.json, width=width)
+    report.run(options.document, options.verdict, as_json=options.json, width=width)
+    return 0
 
 
 def _export(options: argparse.Namespace) -> int:
@@ -195,7 +196,7 @@ def _parsers() -> tuple[argparse.ArgumentParser, Mapping[str, argparse.ArgumentP
     book = command(
         "book", "build the book, in a clone into book/_build/html",
         'Needs the extra "book": python -m pip install -e ".[book]" in a clone, "chr-notes[book]" '
-        "elsewhere. Takes about a minute; elsewhere two more, to run the notebooks.",
+        "elsewhere. Takes a minute or two; elsewhere three to five, for it runs notebooks.",
     )  # fmt: skip
     book.add_argument("--open", action="store_true", help="open it in the browser when built")
     told = "print it as one PDF too, by Chromium, which takes minutes"

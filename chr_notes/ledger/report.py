@@ -24,7 +24,7 @@ def run(
     *,
     as_json: bool = False,
     width: int | None = None,
-) -> int:
+) -> None:
     """Print stored entries on standard output.
 
     Parameters
@@ -38,24 +38,19 @@ def run(
     width
         Columns of the screen, if one reads there; otherwise an entry is a line, however long.
 
-    Returns
-    -------
-    int
-        Exit code: 1 if the stored verdicts are out of date, else 0.
+    Raises
+    ------
+    StaleError
+        If the stored verdicts are out of date.
     """
-    try:
-        rows = [
-            entry
-            for topic in stored.DOCUMENTS
-            if document in (None, topic)
-            for entry in stored.read(topic)
-            if verdict in (None, entry.verdict)
-        ]
-    except stored.StaleError as error:
-        sys.stderr.write(f"ledger: {error}\n")
-        return 1
+    rows = [
+        entry
+        for topic in stored.DOCUMENTS
+        if document in (None, topic)
+        for entry in stored.read(topic)
+        if verdict in (None, entry.verdict)
+    ]
     sys.stdout.write(as_list(rows) if as_json else as_text(rows, width))
-    return 0
 
 
 def refresh(document: str | None = None) -> int:

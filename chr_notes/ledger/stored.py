@@ -31,7 +31,7 @@ FOLDER = PACKAGE / "ledger" / "verdicts"
 REFRESH = "python -m chr_notes ledger --write"
 
 
-class StaleError(Exception):
+class StaleError(RuntimeError):
     """The stored verdicts are not those of the present sources."""
 
 
