@@ -76,7 +76,8 @@ class Case:
     reported
         For a fact about a product: the statement once more, written down independently.
     readings
-        For statements that contradict one another: the readings under which some of them hold.
+        For statements that contradict one another: the readings under which some of them hold. One
+        with a misprint besides, which holds under none, has `edits` too, right under the first.
     steps
         The derivation of the right form or of the condition.
     remark
@@ -99,7 +100,7 @@ class Case:
     steps: tuple[Step, ...] = ()
     remark: str | None = None
 
-    def __post_init__(self) -> None:
+    def check(self) -> None:
         """Refuse what is not of its kind, and conditions that say nothing.
 
         Raises
@@ -191,10 +192,18 @@ def complete(
     Raises
     ------
     CannotJudgeError
-        If a case has no printed statement, or reads a symbol otherwise than the document, or if
-        no statement is read by what is brought as a definition, or one otherwise.
+        If a case is not made of what it should be, has no printed statement, or reads a symbol
+        otherwise than the document, or if no statement is read by what is brought as a definition,
+        or one otherwise. Of several cases it tells all.
     """
     faults = []
+    for case in settled:
+        try:
+            case.check()
+        except CannotJudgeError as error:
+            faults.append(str(error))
+    if faults:
+        raise CannotJudgeError("\n".join(faults))
     by_id = {case.id: case for case in settled}
     names = {statement.id for statement in printed}
     if len(by_id) < len(settled) or by_id.keys() - names:
@@ -212,7 +221,9 @@ def complete(
             )
         presumed = (each.holds for each in read.presumed if case.id in each.presuming)
         cases.append(replace(case, given=(*case.given, *presumed)))
-    faults += [f"{case.id}: {odd}" for case in cases for odd in _odd_among(case, cases)]
+    faults += [
+        f"{case.id}: {odd}; {see(case.id)}" for case in cases for odd in _odd_among(case, cases)
+    ]
     if faults:
         raise CannotJudgeError("\n".join(faults))
     return tuple(cases)
@@ -222,8 +233,11 @@ def _odd_among(case: Case, cases: list[Case]) -> Iterator[str]:
     """Yield what about a case does not go with the others of its document."""
     if case.definition and not any(_uses(other, case) for other in cases):
         yield "brought as a definition, yet no statement is read by it"
-    if not case.readings and any(_is_contested(case, other) for other in cases):
-        yield ("expected readings, for the document contradicts itself in what it names; got none")
+    if not case.readings and (like := [each.id for each in cases if _is_contested(case, each)]):
+        yield (
+            f"expected readings as of {like[0]}, for the document contradicts itself in what it "
+            "names; got none"
+        )
     if case.told_in is not None and not any(
         each.id == case.told_in and each.root is None for each in cases
     ):

@@ -88,6 +88,7 @@ def check(document: str | None = None) -> int:
     count = 0
     differing: list[str] = []
     for topic, (entries, errors) in zip(topics, _judged(topics), strict=True):
+        differing += errors
         if stored.is_stale(topic):
             differing.append(f"{topic}: the stored verdicts are out of date; {stored.REFRESH}")
             continue
@@ -95,7 +96,7 @@ def check(document: str | None = None) -> int:
         now = {entry.id: entry for entry in entries}
         changed = sorted(n for n in before.keys() | now.keys() if before.get(n) != now.get(n))
         count += len(entries)
-        differing += errors or [f"{name}: judged otherwise than stored" for name in changed]
+        differing += [f"{name}: judged otherwise than stored" for name in changed if not errors]
         if differing and stored.judged_with(topic) != metadata.version("sympy"):
             differing.append(f"{topic}: stored with SymPy {stored.judged_with(topic)}")
     sys.stderr.writelines(f"{line}\n" for line in differing)

@@ -49,7 +49,7 @@ def stamp(document: str) -> str:
         # A line ends alike on every system, however it was checked out.
         text = file.read_bytes().replace(b"\r\n", b"\n")
         digest.update(file.relative_to(PACKAGE).as_posix().encode() + b"\0" + text)
-    return digest.hexdigest()
+    return digest.hexdigest()[:16]
 
 
 def _sources(start: Iterable[str]) -> set[Path]:

@@ -14,7 +14,7 @@ from chr_notes.ledger.case import CannotJudgeError, Case
 from chr_notes.ledger.corrections import is_renamed
 from chr_notes.ledger.edits import Edit, in_order
 from chr_notes.ledger.evaluation import evaluate, parts
-from chr_notes.ledger.proof import fails
+from chr_notes.ledger.proof import fails, proves
 from chr_notes.ledger.roots import KNOWN_BY
 from chr_notes.printed.statement import Approximately, Rotation
 from chr_notes.typeset import latex
@@ -104,7 +104,8 @@ def traits(case: Case) -> frozenset[str]:
 
     Of a wrong number that is how many times too large it is, or that it was cut off. Of all else
     the same edit, a minus put in before the same quantities, the same condition or the same bounds
-    of it, a step of the derivation, and the readings of a document that contradicts itself.
+    of it, a step of the derivation, and the readings of a document that contradicts itself, if the
+    statement holds under one of them.
     """
     numbers = [part for part in _failing(case) if isinstance(part, Approximately)]
     if numbers:
@@ -121,7 +122,8 @@ def traits(case: Case) -> frozenset[str]:
         bounds = sorted((each.rhs for each in case.condition.relations), key=str)
         if len(bounds) > 1:
             found.add(f"only from {' to '.join(map(latex, bounds))}")
-    if case.readings:
+    under = tuple(filter(None, (*case.given, case.condition)))
+    if any(proves(case.printed.statement, each.read, *under) for each in case.readings):
         found.add(f"readings of {' or '.join(latex(each.convention) for each in case.readings)}")
     return frozenset(found)
 

@@ -90,14 +90,14 @@ def test_an_attitude_is_fixed_by_the_words_of_the_statement_alone(say: Say) -> N
 def test_the_condition_shown_is_the_one_that_is_proved(say: Say) -> None:
     for holds in (Lt(abs(theta), 3 * pi / 4), And(), And(Eq(x, 1), Lt(x, 3), evaluate=False)):
         with pytest.raises(CannotJudgeError, match=r"x.1: (no rule for|expected a relation)"):
-            Case("x.1", condition=Condition(holds))
+            Case("x.1", condition=Condition(holds)).check()
     with pytest.raises(CannotJudgeError, match="not proved under the condition"):
         say(FALSE, condition=Condition(Lt(x, 1)), witness={x: 2}, **ROOTED)
 
 
 def test_a_condition_that_cannot_be_met_is_refused(say: Say) -> None:
     with pytest.raises(CannotJudgeError, match=r"x.1: .* can be met"):
-        Case("x.1", given=(Condition(Eq(Abs(z), -1, evaluate=False)),))
+        Case("x.1", given=(Condition(Eq(Abs(z), -1, evaluate=False)),)).check()
     never = Condition(And(Gt(theta, 1), Lt(theta, x)))
     for given in ((never, Condition(Lt(x, 0))), (Condition(Eq(sin(x), 2)),)):
         with pytest.raises(CannotJudgeError, match="no point was found that meets"):
@@ -107,7 +107,7 @@ def test_a_condition_that_cannot_be_met_is_refused(say: Say) -> None:
 def test_a_condition_has_a_quantity_on_its_left() -> None:
     for holds in (Lt(1, theta, evaluate=False), Eq(1, x, evaluate=False), Xor(x > 1, z > 1)):
         with pytest.raises(CannotJudgeError, match=r"x.1: .*quantity on the left"):
-            Case("x.1", condition=Condition(holds))
+            Case("x.1", condition=Condition(holds)).check()
 
 
 @pytest.mark.parametrize(
@@ -132,7 +132,7 @@ def test_what_is_not_of_its_kind_is_told_with_the_entry(
     with pytest.raises(
         CannotJudgeError, match=rf"euler\.2\.a: {says}.*; see chr_notes/printed/euler"
     ):
-        Case("euler.2.a", **{name: value})  # type: ignore[arg-type]
+        Case("euler.2.a", **{name: value}).check()  # type: ignore[arg-type]
 
 
 def test_what_cannot_be_worked_out_is_told_with_the_entry(say: Say) -> None:

@@ -138,7 +138,7 @@ def test_steps_are_proved_and_show_something(say: Say) -> None:
         say(true, steps=(Step("So.", true), Step("So.", Eq(x * x, x**2, evaluate=False))))
 
 
-def test_of_several_readings_one_must_make_it_true(say: Say) -> None:
+def test_of_several_readings_the_first_makes_it_true_or_an_edit_does(say: Say) -> None:
     square, cube = Eq(y, x**2), Eq(y, x**3)
     readings = (Reading(square, READ, {x: 2}), Reading(cube, reading({y: x**3}), {x: 2}))
     found = (("y = x^{2}", True), ("y = x^{3}", False))
@@ -146,9 +146,12 @@ def test_of_several_readings_one_must_make_it_true(say: Say) -> None:
     swapped = (replace(readings[0], convention=cube), replace(readings[1], convention=square))
     with pytest.raises(CannotJudgeError, match="under its own reading alone"):
         say(Eq(y, x * x), readings=swapped)
+    # A misprint besides is wrong under each of them.
     wrong: Bring = {"edits": (Edit(x, x**2),), "witness": {x: 2}, "steps": STEPS, **ROOTED}
-    with pytest.raises(CannotJudgeError, match="under none of its readings"):
-        say(FALSE, readings=readings, **wrong)
+    misprint = say(FALSE, readings=readings, **wrong)
+    assert misprint.readings == (("y = x^{2}", False), ("y = x^{3}", False))
+    with pytest.raises(CannotJudgeError, match=r"1\.2: expected readings as of tried\.1\.1.*; no"):
+        say(Eq(y, x * x), Eq(y, x**2), readings=readings)
     with pytest.raises(CannotJudgeError, match="under the first of its readings"):
         say(Eq(y, x * x), readings=readings[1:])
 
@@ -166,3 +169,9 @@ def test_a_document_has_one_reading(say: Say) -> None:
     with pytest.raises(CannotJudgeError, match=r"at most.*\n.*: read other.*\n.*as told_in"):
         complete(document, READ, odd)
     assert replace(Case("tried.1.1"), read=READ).reading is READ
+
+
+def test_all_cases_that_are_not_made_of_what_they_should_be_are_told() -> None:
+    odd: tuple[Bring, Bring] = ({"id": "euler.2.a", "edits": (x,)}, {"id": "euler.4.1", "steps": 1})
+    with pytest.raises(CannotJudgeError, match=r"2\.a: expected Edit .*\neuler\.4\.1: .* as steps"):
+        complete(printed.DOCUMENTS["euler"], READ, tuple(Case(**each) for each in odd))  # type: ignore[arg-type]

@@ -79,7 +79,7 @@ def test_one_attitude_is_no_condition(name: str, holds: Boolean) -> None:
 def test_bounds_leave_something_between_them() -> None:
     pinched = And(*(part for n in QUATERNION[1:] for part in (Ge(n, 0), Le(n, 0))))
     with pytest.raises(CannotJudgeError, match=r"quaternions.3.1: no rule for the condition"):
-        replace(CASES["quaternions.3.1"], condition=Condition(pinched))
+        replace(CASES["quaternions.3.1"], condition=Condition(pinched)).check()
     never = And(Ge(b, 2), Le(b * b, 1))
     with pytest.raises(CannotJudgeError, match="no point was found"):
         check_conditions(replace(CASES["quaternions.3.1"], condition=Condition(never)))

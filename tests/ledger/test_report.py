@@ -53,14 +53,15 @@ def test_cases_that_do_not_go_together_are_told_in_a_line(
 ) -> None:
     class Refused(ModuleType):
         def __getattr__(self, _: str) -> None:
-            msg = "euler.5.5: expected readings, got none\neuler.5.6: expected as told_in …"
+            msg = "euler.5.5: expected readings, got none\neuler.5.6: expected told_in …"
             raise CannotJudgeError(msg)
 
     monkeypatch.setitem(sys.modules, "chr_notes.ledger.euler", Refused("euler"))
     monkeypatch.setattr(report.stored, "is_stale", lambda document: document == "euler")
-    assert main(["ledger", "--write"]) == 1
-    told = capsys.readouterr().err.splitlines()
-    assert told == ["euler.5.5: expected readings, got none", "euler.5.6: expected as told_in …"]
+    for asked in ("--write", "--check"):
+        assert main(["ledger", asked, "--document", "euler"]) == 1
+        told = capsys.readouterr().err.splitlines()[:2]
+        assert told == ["euler.5.5: expected readings, got none", "euler.5.6: expected told_in …"]
 
 
 def test_all_that_is_wrong_with_all_cases_is_told_at_once(monkeypatch: pytest.MonkeyPatch) -> None:

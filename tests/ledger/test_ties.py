@@ -69,8 +69,10 @@ def test_a_wrong_root_is_told() -> None:
     for name, root in (("validation.4", "south-field"), ("estimation.4.4", "roll-quadrant")):
         with pytest.raises(CannotJudgeError, match=f"{name}: expected of a place of '{root}' what"):
             check_place(replace(CASES[name], root=root))
-    with pytest.raises(CannotJudgeError, match="expected of a place of 'quaternion-direction'"):
-        check_place(replace(CASES["quaternions.3.1"], readings=()))
+    turned = CASES["quaternions.3.1"]
+    for readings in ((), turned.readings[:1]):  # by the first it is wrong
+        with pytest.raises(CannotJudgeError, match="expected of a place of 'quaternion-direction'"):
+            check_place(replace(turned, readings=readings))
 
 
 def test_a_root_that_is_known_by_nothing_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
