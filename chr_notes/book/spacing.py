@@ -1,4 +1,4 @@
-"""The text of built pages: what belongs together is on one line, and a minus is no hyphen."""
+"""The text of built pages: where a line may end and where not, and a minus that is no hyphen."""
 
 import re
 from typing import Final
@@ -18,6 +18,7 @@ _THEN_POINT: Final = re.compile(
     re.DOTALL,
 )
 _SIZE: Final = re.compile(r"\|(\w)\|")  # |q|, where a line would end after the first bar
+_DOTTED: Final = re.compile(r"(?<=[ >(])chr_notes(?:\.\w+)+\.?(?=[^<>]*<)")  # and not in a tag
 _NO_BREAK: Final = "\N{NO-BREAK SPACE}"
 _MINUS: Final = "\N{MINUS SIGN}"
 _JOINED: Final = "|\N{WORD JOINER}\\1|"
@@ -25,6 +26,8 @@ _JOINED: Final = "|\N{WORD JOINER}\\1|"
 
 def spaced(page: str) -> str:
     r"""Keep numbers with units, formulas with their comma, |q| whole; no hyphen is a minus.
+
+    Names with dots may go on in another line after each dot.
 
     Parameters
     ----------
@@ -35,8 +38,11 @@ def spaced(page: str) -> str:
     --------
     >>> spaced("<p>It reads -9.8 m/s² in <code>f(-9.8 m)</code>.</p>")
     '<p>It reads −9.8\xa0m/s² in <code>f(-9.8 m)</code>.</p>'
+    >>> spaced("<code>chr_notes.estimation.gains</code>")
+    '<code>chr_notes.<wbr>estimation.<wbr>gains</code>'
     """
-    return _THEN_POINT.sub(r'<span class="whole">\1\2</span>', _PART.sub(_set, page))
+    page = _DOTTED.sub(lambda name: name[0].replace(".", ".<wbr>"), _PART.sub(_set, page))
+    return _THEN_POINT.sub(r'<span class="whole">\1\2</span>', page)
 
 
 def _set(part: re.Match[str]) -> str:

@@ -5,6 +5,7 @@ import shutil
 from pathlib import Path
 from typing import Any, Final
 
+from docutils import nodes
 from sphinx.application import Sphinx
 from sphinx.config import Config
 from sphinx.util.osutil import relative_uri
@@ -12,9 +13,9 @@ from sphinx.util.osutil import relative_uri
 from chr_notes.book.access import mended
 from chr_notes.book.download import offered
 from chr_notes.book.entry_links import from_cards, from_docstring
+from chr_notes.book.fields import join, shorten
 from chr_notes.book.figures import taken_out
 from chr_notes.book.spacing import spaced
-from chr_notes.book.type_names import shorten
 from chr_notes.book.unused_rules import used_words, without_unused
 
 __all__ = ["setup"]
@@ -110,6 +111,10 @@ def _link(
     shorten(lines)
 
 
+def _join(_app: Sphinx, document: nodes.document) -> None:
+    join(document)
+
+
 def _skip_field(
     _app: Sphinx, _what: str, _name: str, member: object, _skip: object, _options: object
 ) -> bool | None:
@@ -132,5 +137,6 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.connect("builder-inited", _leave_place_unsaid)
     app.connect("build-finished", _lighten)
     app.connect("autodoc-process-docstring", _link)
+    app.connect("doctree-read", _join)
     app.connect("autodoc-skip-member", _skip_field)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

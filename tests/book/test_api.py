@@ -78,3 +78,8 @@ def test_what_sphinx_makes_of_fields_values_and_colons_is_not_told(book: Path) -
     assert "Type:" not in text  # of what stands before a colon
     assert "chr_notes.estimation.earth_field.TOLERANCE = 0.1" in text
     assert "PRESETS = {" not in text
+
+
+def test_names_that_share_a_sentence_share_a_line(book: Path) -> None:
+    page = (book / "book" / "api_sensors.html").read_text(encoding="utf-8")
+    assert "<strong>value, first, second</strong>" in page

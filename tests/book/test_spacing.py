@@ -13,6 +13,7 @@ AS_IT_IS = (
     "<math><mn>-1 m</mn></math>",
     '<img alt="-1 m">',
     "<head><title>-1 m</title></head>",
+    '<img alt="of chr_notes.euler">',
     "<p>3-2-1, 10-12, a -b, words - more, 5 more, 5 mm²</p>",
 )
 
