@@ -82,4 +82,4 @@ def test_what_sphinx_makes_of_fields_values_and_colons_is_not_told(book: Path) -
 
 def test_names_that_share_a_sentence_share_a_line(book: Path) -> None:
     page = (book / "book" / "api_sensors.html").read_text(encoding="utf-8")
-    assert "<strong>value, first, second</strong>" in page
+    assert "<strong>value</strong>, <strong>first</strong>, <strong>second</strong> – " in page
