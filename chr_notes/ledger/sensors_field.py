@@ -95,14 +95,14 @@ SETTLED = (
         steps=(
             Step(
                 "A field and the opposite field give readings on either side of the centre. The "
-                "correction takes β_h away after the soft iron, so in the readings it appears "
-                "taken back through the matrix.",
+                "correction takes its bias away after the soft iron, so in the readings that bias "
+                "appears taken back through the matrix.",
                 equation(printed.CENTRE, MatMul(printed.D_S.I, printed.BETA_H)),
             ),
         ),
-        remark="The bias in the readings is not the β_h of the formula that follows: that one is "
-        "taken away after the soft-iron matrix has acted, so the centre is β_h taken back through "
-        "the matrix.",
+        remark="The bias in the readings is not that of the formula that follows, which is taken away "
+        "after the soft-iron matrix has acted: the centre is that one, taken back through the "
+        "matrix.",
     ),
     Case(
         "sensors.4.d",

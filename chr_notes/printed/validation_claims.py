@@ -83,7 +83,7 @@ with as_printed():
             "validation.a",
             "claim",
             "after equation 4, paragraph 1",
-            "The matrix R_i^b takes a vector's components from the inertial to the body frame.",
+            "The paper's matrix takes a vector's components from the inertial to the body frame.",
             Eq(V_B, MatMul(R_IB, V_I)),
         ),
         Printed(
