@@ -2,8 +2,8 @@
 import { inPart, line, words } from "./chart.js";
 import { turnNames } from "./converting.js";
 import { computed } from "./converter_state.js";
-import { scaled, times, toParent, transposed } from "./draw.js";
-import { flown, globe, looking, pointer } from "./globe.js";
+import { label as written, scaled, times, toParent, transposed } from "./draw.js";
+import { beyond, flown, globe, looking, namesRound, pointer } from "./globe.js";
 
 const UNITS = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 const BODY = ["x", "y", "z"];
@@ -23,17 +23,22 @@ export function draw(context, { width, height }, state, colours, viewpoint) {
 
 function scene(context, size, { label, navigation, body }, attitude, colours, viewpoint) {
   const view = looking(viewpoint, size, 3.1);
-  const style = { colours, room: size };
+  const taken = [];
+  const style = { colours, room: size, taken };
   const column = (m, k) => [m[k], m[3 + k], m[6 + k]];
   words(context, label, [size.width / 2, 14], { colour: colours("muted"), align: "center", weight: 600 });
-  globe(context, view, colours, size, { radius: 1.15 });
-  UNITS.forEach((_, k) =>
-    pointer(context, view, scaled(column(navigation, k), 0.7), { ...style, name: [ROOM[k]], colour: "muted", width: 1.5 }),
-  );
+  globe(context, view, colours, size, { radius: 1.15, names: [] });
+  const axes = UNITS.map((_, k) => scaled(column(navigation, k), 0.7));
+  axes.forEach((axis) => pointer(context, view, axis, { ...style, colour: "muted", width: 1.5 }));
   flown(context, view, attitude, colours, 0.8);
   UNITS.forEach((_, k) =>
     pointer(context, view, toParent(attitude, column(body, k)), { ...style, name: [BODY[k]], colour: BODY[k], width: 3 }),
   );
+  // Names come last, or an arrow that points their way would cover them.
+  axes.forEach((axis, k) =>
+    written(context, [ROOM[k]], beyond(...[[0, 0, 0], axis].map(view.project)), { colour: colours("muted"), rim: colours("page"), size: 13, ...size, taken }),
+  );
+  namesRound(context, view, colours, size, { radius: 1.15, taken });
 }
 
 /** The picture in words. */

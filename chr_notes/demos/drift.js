@@ -122,7 +122,7 @@ function drawMap(context, size, state, colours) {
     label(context, [distance(metres)], [x, y - off], style);
   });
   context.fillStyle = colours("page");
-  context.fillRect(0, 0, width, 25);
+  context.fillRect(0, 0, width, 46);
   words(context, "where a sensor at rest believes to be", [8, 14], { ...small, weight: 600 });
   const at = (moment) => [x + far(errorsAfter(moment, state).total), y];
   const end = at(time);
@@ -141,13 +141,12 @@ function drawMap(context, size, state, colours) {
   for (const [moment, text] of TIMES.filter(([each]) => each < time)) {
     const place = at(moment);
     mark(context, "circle", place, { colour: colours("proved"), rim: colours("page"), radius: 3.5 });
-    if (place[0] - last > 34 && end[0] - place[0] > 20) words(context, text, [place[0], y + 13], { ...small, align: "center" });
+    if (place[0] - last > 34 && end[0] - place[0] > 20) label(context, [text], [place[0], y - 15], { ...small, rim: colours("page"), width });
     last = place[0];
   }
   mark(context, "circle", end, { colour: colours("proved"), rim: colours("page"), radius: 7 });
-  const said = `${distance(total)} after ${duration(time).short}`;
-  const beside = Math.max(end[0], x + 26 + 4.2 * said.length); // the distances of the rings
-  label(context, [said], [beside, y - 20], { colour: colours("proved"), rim: colours("page"), width, size: 14 });
+  // Above the rings, whose names it would cover beside its dot.
+  words(context, `● ${distance(total)} after ${duration(time).short}`, [8, 36], { colour: colours("proved"), size: 14, weight: 600 });
 }
 
 const RANGE = [3e-3, 3e7]; // m/s and m

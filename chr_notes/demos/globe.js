@@ -40,6 +40,11 @@ export function globe(context, view, colours, size, { radius = 1, names = NAMES,
     const points = circle.map((point) => scaled(point, radius));
     path(context, view, points, { colour: colours(i === 0 ? "muted" : "shade"), width: 1.2 });
   });
+  namesRound(context, view, colours, size, { radius, names, taken });
+}
+
+/** Those names alone. */
+export function namesRound(context, view, colours, size, { radius = 1, names = NAMES, taken }) {
   names.forEach(([name, direction]) =>
     label(context, [name], view.project(scaled(direction, 1.13 * radius)), {
       colour: colours("muted"), rim: colours("page"), size: 12, width: size.width, taken,

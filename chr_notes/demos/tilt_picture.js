@@ -111,7 +111,7 @@ function arrows(context, state, { at, toInertial, colours, width, taken }) {
   arrow(context, aside(centre), aside(tip), { colour: colours(force.colour), width: 3.5 });
   shafts.forEach(([from, to], i) => {
     if (Math.hypot(to[0] - from[0], to[1] - from[1]) > LEGIBLE)
-      letter(parts[i].symbol, beside(from, to, middle, 13), parts[i].colour);
+      letter(parts[i].symbol, beside(from, to, aside(middle), 13), parts[i].colour);
   });
   const length = Math.hypot(tip[0] - centre[0], tip[1] - centre[1]) || 1;
   const beyond = tip.map((value, i) => value + (14 * (value - centre[i])) / length);

@@ -100,8 +100,8 @@ SETTLED = (
                 equation(printed.CENTRE, MatMul(printed.D_S.I, printed.BETA_H)),
             ),
         ),
-        remark="The bias in the readings is not that of the formula that follows, which is taken away "
-        "after the soft-iron matrix has acted: the centre is that one, taken back through the "
+        remark="The bias in the readings is not that of the formula that follows, which is taken "
+        "away after the soft-iron matrix has acted: the centre is that one, taken back through the "
         "matrix.",
     ),
     Case(

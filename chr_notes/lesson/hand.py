@@ -42,7 +42,7 @@ class Plane:
     Examples
     --------
     >>> COMPASS.told()
-    'Drag the arrow, or give its angle in degrees, counted from north towards east.'
+    'Point the arrow, or give its angle in degrees, counted from north towards east.'
     """
 
     names: tuple[str, str, str, str]
@@ -54,7 +54,7 @@ class Plane:
     def told(self) -> str:
         """Say how to answer."""
         counted = f"counted from {self.start} towards {self.towards}"
-        return f"Drag the arrow, or give its angle in degrees, {counted}."
+        return f"Point the arrow, or give its angle in degrees, {counted}."
 
     def data(self) -> Mapping[str, object]:
         """Give what the script draws it by: angles on the page run clockwise from its top."""

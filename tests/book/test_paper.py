@@ -1,5 +1,6 @@
 """On paper nothing is cut off and all is light; in colours of the reader's own, states are seen."""
 
+import re
 from collections.abc import Callable
 
 import pytest
@@ -45,7 +46,8 @@ PARTED = """() => {
     [...each.getClientRects()].map((rect) => Math.floor((rect.left - left) / 718));
   const pairs = [...article.querySelectorAll(
     ":is(p, div.math) + div.math, .cell_input + .cell_output, p + :is(div.cell, .erratum), " +
-    ":is(h2, h3, dt, summary, .entry-head, .entry-term, .rubric) + *")]
+    ":is(h2, h3, dt, summary, .entry-head, .entry-term, .rubric) + *, p:has(+ dl.py) + dl.py, " +
+    "dl.py :is(li:first-child + li, li + li:last-child)")]
     .map((each) => [each.previousElementSibling, each]);
   const parted = pairs.filter((pair) => {
     const [before, after] = pair.map(sheets);
@@ -55,6 +57,11 @@ PARTED = """() => {
   article.style = "";
   return [several, parted.map(([each]) => each.textContent.slice(-60))];
 }"""
+# What can be done on a screen alone.
+DONE = re.compile(
+    r"\b(click|drag the|button|slider|unfold|folded|choose (below|other)|type or|cop(y|ied))",
+    re.IGNORECASE,
+)
 WIDEST = ("notebooks/validation", "book/ledger/validation", "book/from_derivation_to_code")
 # What a demo has drawn.
 DRAWN = "() => document.querySelector('.chr-stage canvas').toDataURL()"
@@ -97,6 +104,18 @@ def test_what_belongs_together_is_on_one_sheet(visit: Visit, served: str, name: 
     page = visit(f"{served}{name}.html", own=True, width=SHEET)
     page.emulate_media(media="print")
     assert page.evaluate(PARTED) == [True, []]
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["book/how_to_read", "book/converter", pytest.param("book/ledger", marks=pytest.mark.full)],
+)
+def test_nothing_is_asked_that_paper_cannot_do(visit: Visit, served: str, name: str) -> None:
+    page = visit(f"{served}{name}.html", own=True, width=SHEET)
+    article = page.locator(".bd-article")
+    assert DONE.search(article.inner_text())
+    page.emulate_media(media="print")
+    assert not DONE.search(article.inner_text())
 
 
 def test_a_dark_page_and_its_demos_are_light_on_paper(visit: Visit, served: str) -> None:

@@ -183,7 +183,7 @@ def test_the_growth_has_a_line_for_each_cause(visit: Visit, page_of: PageOf) -> 
 def test_map_shows_where_the_sensor_believes_to_be(visit: Visit, page_of: PageOf) -> None:
     page = visit(page_of(DriftDemo(time=60)))
     words = [text for text, _ in drawn(page) if text]
-    assert {"the street", "100\u00a0m", "308\u00a0m after 1 min"} <= set(words)
+    assert {"the street", "100\u00a0m", "● 308\u00a0m after 1 min"} <= set(words)
     page.get_by_label("Show").select_option("the growth of the errors")
     assert {"velocity", "position", "without ½"} <= {text for text, _ in drawn(page)}
 
