@@ -46,8 +46,8 @@ PARTED = """() => {
     [...each.getClientRects()].map((rect) => Math.floor((rect.left - left) / 718));
   const pairs = [...article.querySelectorAll(
     ":is(p, div.math) + div.math, .cell_input + .cell_output, p + :is(div.cell, .erratum), " +
-    ":is(h2, h3, dt, summary, .entry-head, .entry-term, .rubric) + *, p:has(+ dl.py) + dl.py, " +
-    "dl.py :is(li:first-child + li, li + li:last-child)")]
+    ":is(h2, h3, dt, summary, .entry-head, .entry-term, .rubric) + *, " +
+    "p + dl, li:first-child + li, li + li:last-child")]
     .map((each) => [each.previousElementSibling, each]);
   const parted = pairs.filter((pair) => {
     const [before, after] = pair.map(sheets);
