@@ -35,6 +35,7 @@ MAKERS = (
 IMPORTED = {".py", ".pyd", ".so", ".typed"}
 PROSE = (".md", ".bib", ".json", ".yml", ".ipynb")
 CODE = (".css", ".js", ".h", ".mts", ".mjs", ".c", ".svg")
+COMMENT = re.compile(rb"/\*.*?\*/\s*", re.DOTALL)  # of a style sheet, in which no string has one
 DRAWN = re.compile(r'data-drawn=\\"([^"\\]*)\\"')
 
 
@@ -60,6 +61,8 @@ class WithBook(build_py):
                 texts[name] = json.dumps(
                     content, ensure_ascii=False, separators=(",", ":")
                 ).encode()
+            elif name.endswith(".css"):
+                texts[name] = COMMENT.sub(b"", texts[name])
         (package / "prose.bz2").write_bytes(bz2.compress(archive(texts, PROSE)))
         strongest = {"id": lzma.FILTER_LZMA2, "preset": 9 | lzma.PRESET_EXTREME, "lc": 2, "pb": 0}
         packed = lzma.compress(archive(texts, CODE), filters=[strongest])

@@ -1,6 +1,7 @@
 """The wheel without its compiled part is small, and has what the package reads."""
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -14,6 +15,7 @@ from chr_notes._texts import ARCHIVES, PACKAGE
 
 LARGEST = 800_000
 TEXTS = ("demos/built", "generated/javascript", "generated/pages", "ledger/verdicts")
+STRING_OR_COMMENT = re.compile(r"""("[^"\n]*"|'[^'\n]*'|url\([^)]*\))|/\*.*?\*/\s*""", re.DOTALL)
 BESIDE = {"generated/c/attitude.c", "lesson/lesson.js", "packed/book/_config.yml"}
 
 
@@ -26,18 +28,25 @@ def test_a_wheel_of_python_alone_is_small_and_whole(
     (wheel,) = tmp_path.glob("*.whl")
     record_property("measured", f"wheel without kernels {wheel.stat().st_size / 1000:.0f} kB")
     assert wheel.stat().st_size <= LARGEST
-    texts: set[str] = set()
+    texts: dict[str, str] = {}
     with zipfile.ZipFile(wheel) as package:
         names = {name for name in package.namelist() if name.startswith("chr_notes/")}
         for path, decompress in ARCHIVES.items():
             content = decompress(package.read(f"chr_notes/{path.name}"))
-            texts |= {*map(bytes.decode, content.split(b"\0")[::2])}
+            parts = map(bytes.decode, content.split(b"\0"))
+            texts |= dict(zip(parts, parts, strict=True))
     assert {Path(name).suffix for name in names} <= {".py", ".typed", ".bz2", ".xz"}
     assert "chr_notes/codegen/__main__.py" not in names
     notebooks = {path.name for path in (PACKAGE.parent / "notebooks").glob("*.ipynb")}
-    assert BESIDE | {f"packed/notebooks/{name}" for name in notebooks} <= texts
+    assert BESIDE | {f"packed/notebooks/{name}" for name in notebooks} <= texts.keys()
     for folder in TEXTS:
-        assert {f"{folder}/{path.name}" for path in (PACKAGE / folder).iterdir()} <= texts
+        assert {f"{folder}/{path.name}" for path in (PACKAGE / folder).iterdir()} <= texts.keys()
+    sheets = [name for name in texts if name.endswith(".css")]
+    assert sheets
+    for name in sheets:
+        place = PACKAGE.parent / name.removeprefix("packed/")
+        sheet = (place if place.is_file() else PACKAGE / name).read_text(encoding="utf-8")
+        assert texts[name] == STRING_OR_COMMENT.sub(lambda found: found[1] or "", sheet)
 
 
 def test_without_a_compiler_there_are_no_kernels_of_a_build_before(tmp_path: Path) -> None:
