@@ -54,7 +54,7 @@ SENSITIVITY = ImmutableMatrix(diag(*calibration.SENSITIVITY))
 BIAS = ImmutableMatrix(calibration.BIAS)
 READING = ImmutableMatrix(ACCELEROMETER)
 # Functions that correct take the inverse of the misalignment.
-MISALIGNED = calibration.REALIGNMENT.inv(method="ADJ")
+MISALIGNED = calibration.REALIGNMENT.adjugate() / calibration.REALIGNMENT.det()
 ALIGNED = dict(zip(calibration.MISALIGNMENT, MISALIGNED, strict=True))
 ACCELEROMETERS = {
     printed.M_A: calibration.MISALIGNMENT,

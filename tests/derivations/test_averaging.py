@@ -1,11 +1,14 @@
 """The low-pass of the averaging filter and its closed forms, against SciPy's and by numbers."""
 
+from functools import cache
+
 import numpy as np
 import pytest
+import scipy
 from hypothesis import given
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose
-from scipy import integrate, signal
+from numpy.typing import NDArray
 from sympy import exp, lambdify, simplify, symbols
 
 from chr_notes import rotate_to_inertial
@@ -13,15 +16,23 @@ from chr_notes.derivations import averaging as derived
 from chr_notes.derivations import estimation, further
 from chr_notes.symbols import T, g
 
+from .late import computing
+
 TAU, PERIOD = 3.0, 0.05
 NUMBERS = {derived.tau: TAU, T: PERIOD}
 CORNER = float(derived.corner().subs(NUMBERS))
-ANALOG = signal.butter(2, CORNER, analog=True)
-RESPONSE = lambdify(derived.t, derived.impulse_response().subs(NUMBERS))
-STEP = lambdify(
+RESPONSE = computing(derived.t, lambda: derived.impulse_response().subs(NUMBERS))
+STEP = computing(
     (derived.mean, derived.slope, derived.force, T),
-    list(derived.low_pass_step().subs(derived.tau, TAU)),
+    lambda: list(derived.low_pass_step().subs(derived.tau, TAU)),
 )
+
+
+@cache
+def analog() -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """SciPy's Butterworth filter of the same corner."""
+    above, below = scipy.signal.butter(2, CORNER, analog=True)
+    return above, below
 
 
 def run(inputs: list[float], periods: list[float]) -> list[float]:
@@ -37,7 +48,7 @@ def test_the_mean_of_an_acceleration_is_the_velocity_gained_over_the_time() -> N
     time = np.linspace(0, 7, 100_001)
     acceleration = np.cos(time) - 0.3 * np.sin(3 * time)
     velocity = np.sin(time) + 0.1 * np.cos(3 * time)
-    mean = integrate.trapezoid(acceleration, time) / 7
+    mean = scipy.integrate.trapezoid(acceleration, time) / 7
     v = next(iter(derived.mean_acceleration().atoms(derived.Function))).func
     values = {v(0): velocity[0], v(derived.t): velocity[-1], derived.t: 7}
     assert mean == pytest.approx(float(derived.mean_acceleration().subs(values)), abs=1e-8)
@@ -45,26 +56,26 @@ def test_the_mean_of_an_acceleration_is_the_velocity_gained_over_the_time() -> N
 
 def test_the_low_pass_is_butterworths() -> None:
     frequencies = np.geomspace(0.01, 100, 50)
-    _, expected = signal.freqs(*ANALOG, frequencies)
+    _, expected = scipy.signal.freqs(*analog(), frequencies)
     power = lambdify(estimation.omega, derived.power_left().subs(NUMBERS))
     assert_allclose(power(frequencies), np.abs(expected) ** 2)
     assert float(derived.power_left(derived.corner())) == 0.5
 
 
 def test_its_weights_add_up_to_one_and_are_as_old_as_the_time_constant() -> None:
-    assert integrate.quad(RESPONSE, 0, 60)[0] == pytest.approx(1)
-    assert integrate.quad(lambda t: t * RESPONSE(t), 0, 90)[0] == pytest.approx(TAU)
+    assert scipy.integrate.quad(RESPONSE, 0, 60)[0] == pytest.approx(1)
+    assert scipy.integrate.quad(lambda t: t * RESPONSE(t), 0, 90)[0] == pytest.approx(TAU)
     assert derived.lag(derived.impulse_response()) == derived.tau
     assert derived.lag(exp(-derived.t / derived.tau) / derived.tau) == derived.tau
-    times, expected = signal.impulse(ANALOG)
+    times, expected = scipy.signal.impulse(analog())
     assert_allclose(RESPONSE(times), expected, atol=1e-9)
 
 
 def test_the_step_is_scipys_for_an_input_that_is_held() -> None:
     inputs = np.random.default_rng(0).normal(size=500).tolist()
-    above, below, _ = signal.cont2discrete(ANALOG, PERIOD)
+    above, below, _ = scipy.signal.cont2discrete(analog(), PERIOD)
     # There a sample holds from then on, here up to then.
-    expected = signal.lfilter(above.ravel(), below, [*inputs, 0.0])[1:]
+    expected = scipy.signal.lfilter(above.ravel(), below, [*inputs, 0.0])[1:]
     assert_allclose(run(inputs, [PERIOD] * 500), expected, atol=1e-13)
 
 
@@ -140,7 +151,7 @@ def test_gain_and_time_constant() -> None:
     assert left == derived.relaxation()
 
 
-TURN = lambdify(further.UPWARD, further.level_turn())
+TURN = computing(further.UPWARD, further.level_turn)
 
 
 @given(st.tuples(*[st.floats(-10, 10)] * 3))

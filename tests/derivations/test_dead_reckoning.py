@@ -10,16 +10,19 @@ from chr_notes.derivations import dead_reckoning as derived
 from chr_notes.derivations.euler import rotation
 from chr_notes.symbols import ACCELEROMETER, EULER, T, g
 
+from .late import computing
+
 angles = st.floats(-3, 3)
-READING = lambdify((*EULER, g, *derived.ACCELERATION), derived.accelerometer_reading())
-BACK = lambdify((*EULER, g, *ACCELEROMETER), derived.inertial_acceleration())
-MAGNITUDE = lambdify((derived.tilt_error, g), derived.residual_magnitude())
-RESIDUE = lambdify(
-    (derived.tilt_error, derived.azimuth, derived.yaw_error, g), derived.residual_acceleration()
+READING = computing((*EULER, g, *derived.ACCELERATION), derived.accelerometer_reading)
+BACK = computing((*EULER, g, *ACCELEROMETER), derived.inertial_acceleration)
+MAGNITUDE = computing((derived.tilt_error, g), derived.residual_magnitude)
+RESIDUE = computing(
+    (derived.tilt_error, derived.azimuth, derived.yaw_error, g),
+    derived.residual_acceleration,
 )
-ERROR = lambdify(
+ERROR = computing(
     (derived.tilt_error, derived.azimuth, derived.yaw_error, g, *derived.ACCELERATION),
-    derived.error_of_acceleration(),
+    derived.error_of_acceleration,
 )
 
 

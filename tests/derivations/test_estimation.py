@@ -10,15 +10,17 @@ from chr_notes.derivations import estimation as derived
 from chr_notes.derivations.euler import rotation
 from chr_notes.symbols import ACCELEROMETER, T, g, phi, psi, theta
 
+from .late import computing
+
 GAINS = [0.02, 0.5, 0.9, 1.0]
 PERIOD = 0.01
 SIGMAS = {derived.gyro_noise: 0.05, derived.accel_noise: 0.02, T: PERIOD}
 
-TILT = lambdify(ACCELEROMETER, derived.tilt())
-AT_REST = lambdify((phi, theta, g), derived.accelerometer_at_rest())
-LEVEL_MATRIX = lambdify((phi, theta), rotation("I", "B").subs(psi, 0))
+TILT = computing(ACCELEROMETER, derived.tilt)
+AT_REST = computing((phi, theta, g), derived.accelerometer_at_rest)
+LEVEL_MATRIX = computing((phi, theta), lambda: rotation("I", "B").subs(psi, 0))
 _TURN = Symbol("turn")
-SHORTEST = lambdify(_TURN, derived.shortest_turn(_TURN))
+SHORTEST = computing(_TURN, lambda: derived.shortest_turn(_TURN))
 
 
 def step(gain: float, error: float, gyro: float, accel: float) -> float:

@@ -14,7 +14,6 @@ from sympy import (
     exp,
     expand,
     eye,
-    lambdify,
     pi,
     simplify,
     zeros,
@@ -24,9 +23,11 @@ from sympy.sets import FiniteSet
 from chr_notes.derivations import euler
 from chr_notes.symbols import BODY_RATES, EULER, EULER_RATES, phi, psi, theta
 
-MATRIX = lambdify(EULER, euler.rotation("I", "B"))
-RATES_MATRIX = lambdify((phi, theta), euler.euler_rates_matrix())
-CONDITION = lambdify(theta, euler.euler_rates_condition())
+from .late import computing
+
+MATRIX = computing(EULER, lambda: euler.rotation("I", "B"))
+RATES_MATRIX = computing((phi, theta), euler.euler_rates_matrix)
+CONDITION = computing(theta, euler.euler_rates_condition)
 angle = st.floats(-3.0, 3.0)
 pitch = st.floats(-1.5, 1.5)
 

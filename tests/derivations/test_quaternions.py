@@ -16,7 +16,6 @@ from sympy import (
     exp,
     expand,
     eye,
-    lambdify,
     pi,
     simplify,
     sin,
@@ -44,11 +43,13 @@ from chr_notes.symbols import (
     d,
 )
 
-FROM_EULER = lambdify(EULER, derived.from_euler())
-TO_EULER = lambdify(QUATERNION, derived.euler_from_quaternion())
-TO_MATRIX = lambdify(QUATERNION, derived.matrix_from_quaternion())
-EULER_MATRIX = lambdify(EULER, rotation("I", "B"))
-STEP = lambdify((*QUATERNION, *BODY_RATES, T), derived.constant_rate_step())
+from .late import computing
+
+FROM_EULER = computing(EULER, derived.from_euler)
+TO_EULER = computing(QUATERNION, derived.euler_from_quaternion)
+TO_MATRIX = computing(QUATERNION, derived.matrix_from_quaternion)
+EULER_MATRIX = computing(EULER, lambda: rotation("I", "B"))
+STEP = computing((*QUATERNION, *BODY_RATES, T), derived.constant_rate_step)
 angle = st.floats(-3.1, 3.1)
 pitch = st.floats(-1.57, 1.57)
 NORM = hamilton.norm_squared(derived.ATTITUDE)

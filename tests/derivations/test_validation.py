@@ -10,20 +10,23 @@ from chr_notes.derivations import validation as derived
 from chr_notes.derivations.euler import rotation
 from chr_notes.symbols import EULER, MAGNETOMETER, phi, psi, theta
 
+from .late import computing
+
 angles = st.floats(-3.1, 3.1)
 fields = st.tuples(*(st.floats(-1, 1) for _ in range(3))).filter(lambda m: np.hypot(*m[:2]) > 0.05)
-MATRIX = lambdify(EULER, rotation("I", "B"))
-HEADING = lambdify((phi, theta, *MAGNETOMETER, *derived.REFERENCE[:2]), derived.heading())
-FACTOR = lambdify((phi, theta, *MAGNETOMETER, derived.REFERENCE[2]), derived.factor())
-LEVEL_FIELD = lambdify((phi, theta, *MAGNETOMETER), derived.level_field())
-DETERMINANT = lambdify(derived.LEVEL, derived.determinant())
-SINE_AND_COSINE = lambdify(
-    (*derived.LEVEL, *derived.REFERENCE[:2]), derived.sine_and_cosine_of_yaw()
+MATRIX = computing(EULER, lambda: rotation("I", "B"))
+HEADING = computing((phi, theta, *MAGNETOMETER, *derived.REFERENCE[:2]), derived.heading)
+FACTOR = computing((phi, theta, *MAGNETOMETER, derived.REFERENCE[2]), derived.factor)
+LEVEL_FIELD = computing((phi, theta, *MAGNETOMETER), derived.level_field)
+DETERMINANT = computing(derived.LEVEL, derived.determinant)
+SINE_AND_COSINE = computing(
+    (*derived.LEVEL, *derived.REFERENCE[:2]), derived.sine_and_cosine_of_yaw
 )
-AFTER_ERROR = lambdify(
-    (*derived.ERROR_AXIS, derived.error_angle, *derived.REFERENCE), derived.factor_after_error()
+AFTER_ERROR = computing(
+    (*derived.ERROR_AXIS, derived.error_angle, *derived.REFERENCE),
+    derived.factor_after_error,
 )
-SENSITIVITY = lambdify((*derived.ERROR_AXIS, *derived.REFERENCE), derived.sensitivity())
+SENSITIVITY = computing((*derived.ERROR_AXIS, *derived.REFERENCE), derived.sensitivity)
 
 
 def test_gravity_tells_nothing_of_yaw() -> None:

@@ -5,9 +5,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import scipy
 from numpy.testing import assert_allclose, assert_array_equal
 from numpy.typing import NDArray
-from scipy import signal
 
 from chr_notes import (
     EarthField,
@@ -71,11 +71,13 @@ def test_vibration_comes_through_as_scipys_low_pass_has_it() -> None:
     forces[:, 1] += shake
     roll = averaging_observer(rates, forces, PERIOD, bias=0)[:, 0]
     # Once it has run in; a small force across tilts by itself over gravity, to the third order.
-    above, below = signal.butter(2, np.sqrt(2) / 3.0, analog=True)
-    held = signal.cont2discrete((above, below), PERIOD)
-    expected = signal.lfilter(held[0].ravel(), held[1], np.r_[-shake / GRAVITY, 0.0])[1:]
+    above, below = scipy.signal.butter(2, np.sqrt(2) / 3.0, analog=True)
+    held = scipy.signal.cont2discrete((above, below), PERIOD)
+    expected = scipy.signal.lfilter(held[0].ravel(), held[1], np.r_[-shake / GRAVITY, 0.0])[1:]
     assert_allclose(roll[3000:], expected[3000:], atol=2e-4)
-    digital = signal.lfilter(*signal.butter(2, np.sqrt(2) / 3 / np.pi * PERIOD), -shake / GRAVITY)
+    digital = scipy.signal.lfilter(
+        *scipy.signal.butter(2, np.sqrt(2) / 3 / np.pi * PERIOD), -shake / GRAVITY
+    )
     assert_allclose(roll[3000:], digital[3000:], atol=5e-4)
     assert np.std(roll[3000:]) == pytest.approx(0.5 / GRAVITY * np.sqrt(PERIOD / 6), rel=0.3)
 

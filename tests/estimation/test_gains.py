@@ -5,17 +5,17 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
+import scipy
 from hypothesis import given
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose
-from scipy.signal import lfilter
 
 from chr_notes import fixed_gain_observer, gain_from_time_constant, time_constant_from_gain
 
 
 def test_what_is_left_after_a_time_constant_is_one_part_in_e() -> None:
     gain = gain_from_time_constant(0.5, 0.01)
-    left = lfilter([1.0], [1.0, gain - 1.0], [1.0, *np.zeros(50)])
+    left = scipy.signal.lfilter([1.0], [1.0, gain - 1.0], [1.0, *np.zeros(50)])
     assert left[50] == pytest.approx(math.exp(-1))
 
 

@@ -71,7 +71,7 @@ def refused(pytester: pytest.Pytester, cases: dict[str, list[Node]], *options: s
         shutil.copy(ROOT / name, pytester.path / name)
     for name, cells in cases.items():
         nbformat.write(new_notebook(cells=cells), folder / f"{name}.ipynb")
-    done = pytester.runpytest_subprocess("-n0", "--nbval", "notebooks", *options)
+    done = pytester.runpytest_inprocess("-n0", "--nbval", "notebooks", *options)
     assert done.ret == 1
     return {*re.findall(r"^FAILED notebooks/(\w+)\.ipynb", done.stdout.str(), re.MULTILINE)}
 
