@@ -6,7 +6,7 @@ from pkgutil import iter_modules
 
 import numpy as np
 import pytest
-from sympy import Basic, Eq, Expr, Float, MatrixBase, preorder_traversal
+from sympy import Basic, Eq, Expr, Float, Inverse, MatrixBase, MatrixExpr, preorder_traversal
 from sympy.core.function import AppliedUndef
 
 from chr_notes.derivations import told
@@ -19,8 +19,15 @@ DIGITS = 40
 
 def meant(side: Basic, telling: Told) -> list[Expr]:
     """Put in what the names stand for, and theirs in turn."""
-    side = side.xreplace(telling.stands).xreplace(telling.stands).doit()
+    side = side.xreplace(telling.stands).xreplace(telling.stands)
+    side = side.replace(Inverse, inverted).doit()
     return list(side) if isinstance(side, MatrixBase) else [side]
+
+
+def inverted(matrix: MatrixExpr, _: Expr) -> MatrixBase:
+    """Invert by cofactors: SymPy's elimination would ask of each pivot whether it is zero."""
+    known = matrix.doit()
+    return known.adjugate() / known.det()
 
 
 def numbers(telling: Told, statement: Eq) -> Iterator[tuple[Expr, Expr]]:
