@@ -25,6 +25,7 @@ from sympy import (
     atan,
     atan2,
     fraction,
+    preorder_traversal,
 )
 from sympy.matrices.expressions.matexpr import MatrixElement
 
@@ -59,7 +60,8 @@ class Known(dict[Basic, Any]):
         kind = next((kind for kind in self.KINDS if isinstance(expression, kind)), None)
         if kind is not None:
             return self.KINDS[kind](self, expression)
-        return float(expression.subs({n: v for n, v in self.items() if isinstance(v, float)}))
+        found = self.keys() & {*preorder_traversal(expression)}
+        return float(expression.subs({n: self[n] for n in found if isinstance(self[n], float)}))
 
     def _rotation(self, symbol: Rotation) -> np.ndarray:
         source, target = symbol.frames
