@@ -127,3 +127,11 @@ def test_what_only_typesets_has_no_source_in_the_book(
     for cell in read(path).cells:
         if re.match(r"(show|formula|guess)\w*\(|\w*Demo\(", cell.source.lstrip()):
             assert "remove-input" in cell.metadata.get("tags", []), cell.source
+
+
+@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
+def test_answers_are_folded_away_in_jupyter_too(path: Path, read: Callable[[Path], Node]) -> None:
+    asking = [cell for cell in read(path).cells if "chr-lesson" in str(cell.get("outputs"))]
+    assert asking
+    for cell in asking:
+        assert cell.metadata.get("jupyter", {}).get("source_hidden"), cell.source

@@ -36,7 +36,7 @@ FUNCTIONS = {
 TOKEN = re.compile(r"\\\\|\\[a-zA-Z]+|\\_|\d+(?:\.\d+)?|\[k(?:\+1)?\]|\S")
 RELATION = re.compile(r"(=|\\approx|\\Rightarrow)")
 ENDS = {")", "}", "&", "\\\\", r"\end", ",", "+", "-", ""}
-POWERS = {"2", "-1", "T"}
+POWERS = {"2", "-1", "T", "*"}
 
 
 def relations(latex: str) -> list[Tree]:
@@ -130,7 +130,10 @@ class Terms:
             else:
                 above += text
         if below or above:
-            assert isinstance(base, str)
+            assert isinstance(base, str), (
+                f"expected one of POWERS of tests/printed/terms.py beside a bracket, "
+                f"got {above or below!r}"
+            )
             base = f"{base}_{below}^{above}"
         return (f"to the {power}", base) if power else base
 

@@ -84,6 +84,7 @@ def test_terms_stand_as_the_document_has_them(name: str) -> None:
         (r"\frac{a}{b}", r"\frac{b}{a}"),
         ("x_1", "x_2"),
         ("x^2", "x"),
+        (r"(a b)^{*}", r"a^{*} b"),
         (r"\begin{pmatrix}a & b\end{pmatrix}", r"\begin{pmatrix}a \\ b\end{pmatrix}"),
         ("a = b = c", "a = c = b"),
         ("a = b", r"a \Rightarrow b"),
@@ -102,7 +103,13 @@ def test_what_is_not_layout_makes_a_difference(one: str, other: str) -> None:
         (r"s(\phi) S_\theta", r"\sin\phi \sin\theta"),
         (r"\begin{pmatrix}a & b\end{pmatrix}^T", r"\begin{bmatrix}a \\ b\end{bmatrix}"),
         (r"-\frac{a}{b}", r"\frac{-a}{b}"),
+        (r"(a \otimes b)^*", r"\left(a \otimes b\right)^{*}"),
     ],
 )
 def test_layout_makes_none(one: str, other: str) -> None:
     assert relations(one) == relations(other)
+
+
+def test_what_cannot_be_read_is_told() -> None:
+    with pytest.raises(AssertionError, match=r"POWERS of tests/printed/terms\.py .* got '\+'"):
+        relations("(a b)^+")
