@@ -4,6 +4,7 @@ import base64
 import re
 import shutil
 from pathlib import Path
+from types import ModuleType
 
 import nbformat
 import pytest
@@ -94,11 +95,13 @@ def test_verdicts_that_are_out_of_date_are_told_in_a_line(
 
 
 @pytest.mark.slow
-def test_what_was_stored_in_a_wrong_state_is_refused(pytester: pytest.Pytester) -> None:
+def test_what_was_stored_in_a_wrong_state_is_refused(
+    pytester: pytest.Pytester, rules: ModuleType
+) -> None:
     cases = WRONGLY_STORED | RIGHT
-    assert refused(pytester, cases, "-m", "stored") == {*WRONGLY_STORED}
+    assert refused(pytester, cases, *rules.WITHIN, "-m", "stored") == {*WRONGLY_STORED}
 
 
 @pytest.mark.slow
-def test_what_runs_otherwise_is_refused(pytester: pytest.Pytester) -> None:
-    assert refused(pytester, WRONG_WHEN_RUN | RIGHT) == {*WRONG_WHEN_RUN}
+def test_what_runs_otherwise_is_refused(pytester: pytest.Pytester, rules: ModuleType) -> None:
+    assert refused(pytester, WRONG_WHEN_RUN | RIGHT, *rules.WITHIN) == {*WRONG_WHEN_RUN}
