@@ -78,7 +78,9 @@ def fit_magnetometer(samples: ArrayLike, field: float | None = None) -> Magnetom
     strength = None if field is None else positive("field", field)
     ellipsoid = fit_ellipsoid(samples)
     array = recording("samples", samples)
-    _name_rows(array, ellipsoid.outliers, (array - ellipsoid.centre) @ ellipsoid.to_sphere)
+    with np.errstate(all="ignore"):  # of a row without end
+        corrected = (array - ellipsoid.centre) @ ellipsoid.to_sphere
+    _name_rows(array, ellipsoid.outliers, corrected)
     scale = 1.0 if strength is None else strength / ellipsoid.radius
     soft_iron = scale * ellipsoid.to_sphere
     return MagnetometerCalibration(soft_iron=soft_iron, hard_iron=soft_iron @ ellipsoid.centre)
@@ -164,7 +166,7 @@ def fit_hard_iron(
             "drive a whole circle"
         )
         raise ValueError(msg)
-    _name_rows(array, rows[off], (array - centre) * ([1, 1, 0] if field is None else [1, 1, 1]))
+    _name_rows(array, rows[off], (array - centre)[:, : 2 if field is None else 3])
     return MagnetometerCalibration(soft_iron=np.eye(3), hard_iron=centre)
 
 

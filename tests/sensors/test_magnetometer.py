@@ -184,6 +184,13 @@ def test_a_row_without_end_is_as_good_as_none() -> None:
     assert_allclose(fit_magnetometer(samples).hard_iron, 0, atol=1e-9)
 
 
+def test_a_height_without_end_is_as_good_as_none_for_a_level_vehicle() -> None:
+    turned = np.linspace(0, 2 * np.pi, 200)
+    samples = np.c_[20 * np.cos(turned) + 3, 20 * np.sin(turned) + 4, np.full(200, 40.0)]
+    samples[5, 2] = np.inf
+    assert_allclose(fit_hard_iron(samples).hard_iron, [3, 4, 0], atol=0.2)
+
+
 def test_poses_count_once_however_often_they_are_read() -> None:
     generator = np.random.default_rng(5)
     poses = np.repeat(turned_about(generator, 8), 50, axis=0)
