@@ -12,7 +12,7 @@ from chr_notes.derivations.steps import Step
 from chr_notes.ledger.condition import Condition
 from chr_notes.ledger.edits import Edit, edited
 from chr_notes.ledger.entry import Weight
-from chr_notes.ledger.files import see
+from chr_notes.ledger.files import see, see_case
 from chr_notes.ledger.reading import Defined, Read
 from chr_notes.printed import BY_ID, Printed
 
@@ -222,7 +222,9 @@ def complete(
         presumed = (each.holds for each in read.presumed if case.id in each.presuming)
         cases.append(replace(case, given=(*case.given, *presumed)))
     faults += [
-        f"{case.id}: {odd}; {see(case.id)}" for case in cases for odd in _odd_among(case, cases)
+        f"{case.id}: {odd}; {see_case(case.id)}"
+        for case in cases
+        for odd in _odd_among(case, cases)
     ]
     if faults:
         raise CannotJudgeError("\n".join(faults))

@@ -45,7 +45,10 @@ def check_root(case: Case, *, failing: bool) -> None:
         )
         raise CannotJudgeError(msg)
     if case.root is not None and case.root not in ROOTS:
-        msg = f"{case.id}: expected one of {', '.join(ROOTS)} as root, got {case.root!r}"
+        msg = (
+            f"{case.id}: expected as root one of ROOTS of chr_notes/ledger/roots.py, "
+            f"{', '.join(ROOTS)}; got {case.root!r}"
+        )
         raise CannotJudgeError(msg)
 
 

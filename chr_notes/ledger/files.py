@@ -37,3 +37,10 @@ def see(*names: str) -> str:
     """Say in which files entries are to be mended."""
     files = dict.fromkeys(file for name in names for file in files_of(name))
     return f"see {' and '.join(files)}" if files else "no file prints it"
+
+
+def see_case(name: str) -> str:
+    """Say the same of one entry, and where a case of it goes if none is found."""
+    folders = {Path(file).parent.name for file in files_of(name)}
+    gathered = f"; cases are gathered in chr_notes/ledger/{name.partition('.')[0]}.py"
+    return see(name) + (gathered if folders == {"printed"} else "")

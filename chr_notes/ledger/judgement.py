@@ -40,7 +40,7 @@ from chr_notes.ledger.domain import undefined_where
 from chr_notes.ledger.edits import marked
 from chr_notes.ledger.entry import Entry, Verdict
 from chr_notes.ledger.evaluation import parts
-from chr_notes.ledger.files import see
+from chr_notes.ledger.files import see_case
 from chr_notes.ledger.generality import (
     check_condition,
     check_given,
@@ -113,12 +113,11 @@ def _told(case: Case) -> Iterator[None]:
     try:
         yield
     except CannotJudgeError as error:
-        msg = f"{error}; {see(case.id)}"
+        msg = f"{error}; {see_case(case.id)}"
         raise CannotJudgeError(msg) from error
     except (AttributeError, IndexError, TypeError, ValueError) as error:
-        msg = (
-            f"{case.id}: expected mathematics that can be worked out, got: {error}; {see(case.id)}"
-        )
+        where = see_case(case.id)
+        msg = f"{case.id}: expected mathematics that can be worked out, got: {error}; {where}"
         raise CannotJudgeError(msg) from error
 
 

@@ -14,6 +14,7 @@ from chr_notes.ledger.case import CannotJudgeError, Case
 from chr_notes.ledger.corrections import is_renamed
 from chr_notes.ledger.edits import Edit, in_order
 from chr_notes.ledger.evaluation import evaluate, parts
+from chr_notes.ledger.harm import HARM
 from chr_notes.ledger.proof import fails, proves
 from chr_notes.ledger.roots import KNOWN_BY
 from chr_notes.printed.statement import Approximately, Rotation
@@ -79,7 +80,8 @@ def check_place(case: Case) -> None:
     Raises
     ------
     CannotJudgeError
-        If what is wrong has nothing that the root is known by, or no one says what that is.
+        If what is wrong has nothing that the root is known by, or no one says what that is, or
+        what it does on a device where it misleads.
     """
     if case.root is None:
         return
@@ -96,6 +98,9 @@ def check_place(case: Case) -> None:
             f"{case.id}: expected of a place of {case.root!r} what {known_by!r} matches, "
             f"got: {'; '.join(sorted(found))}"
         )
+        raise CannotJudgeError(msg)
+    if case.weight == "misleads" and case.root not in HARM:
+        msg = f"{case.id}: expected a line for {case.root!r} in HARM of chr_notes/ledger/harm.py"
         raise CannotJudgeError(msg)
 
 

@@ -1,11 +1,12 @@
 """Messages say in which files an entry is to be mended."""
 
+import re
 from pathlib import Path
 
 import pytest
 
 from chr_notes.ledger.cases import CASES
-from chr_notes.ledger.files import files_of, see
+from chr_notes.ledger.files import files_of, see, see_case
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -15,7 +16,14 @@ def test_the_files_of_an_entry(name: str) -> None:
     printed, brought = files_of(name)
     assert f'"{name}"' in (ROOT / printed).read_text(encoding="utf-8")
     assert f'"{name}"' in (ROOT / brought).read_text(encoding="utf-8")
-    assert see(name) == f"see {printed} and {brought}"
+    assert see(name) == see_case(name) == f"see {printed} and {brought}"
+
+
+def test_where_a_case_goes_that_is_not_there() -> None:
+    printed, gathered = see_case("quaternions.3.d").split("; ")
+    assert printed == see("quaternions.3.d")
+    (file,) = re.findall(r"^cases are gathered in (chr_notes/ledger/quaternions\.py)$", gathered)
+    assert "\nCASES = " in (ROOT / file).read_text(encoding="utf-8")
 
 
 def test_a_cell_is_written_with_its_table() -> None:

@@ -81,6 +81,17 @@ def test_a_root_that_is_known_by_nothing_is_told(monkeypatch: pytest.MonkeyPatch
         check_place(CASES["validation.4"])
 
 
+def test_a_root_that_misleads_and_does_nothing_on_a_device_is_told(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(ties, "HARM", {})
+    check_place(replace(CASES["sensors.4.3"], weight="label"))
+    with pytest.raises(
+        CannotJudgeError, match=r"4\.3: expected a line for .* in HARM of .*harm\.py"
+    ):
+        check_place(CASES["sensors.4.3"])
+
+
 # Lighter than they could be, by a statement of the document that has it right.
 LIGHTER = [name for name, case in ROOTED.items() if case.told_in is not None]
 
