@@ -26,6 +26,8 @@ _APPLY: Final = "\u2061"  # the invisible operator between a function and its ar
 _OPENING: Final = frozenset("([{|‖⌊")
 _FENCES: Final = _OPENING | frozenset(")]}⌋")
 _SIGNS: Final = frozenset("−+±")
+_LOW_LINE: Final = "\u0332"  # what the converter writes for a bar above
+_OVERLINE: Final = "\u203e"
 _FLAT: Final = frozenset(
     ("mi", "mn", "mo", "mover", "mpadded", "mrow", "mspace", "msub", "msubsup", "msup", "mtext")
 )
@@ -98,8 +100,15 @@ def _space_words(element: Element) -> None:
 
 
 def _place_accents(element: Element) -> None:
-    """Write an accent's letter as it is shown: Chromium measures the one that is written."""
-    if element.tag == "mover" and element[0].tag == "mi" and not element[0].attrib:
+    """Write an accent's letter as it is shown: Chromium measures the one that is written.
+
+    A bar is one that is above: a combining one would hang half a letter to the left.
+    """
+    if element.tag != "mover":
+        return
+    if element[1].text == _LOW_LINE:
+        element[1].text = _OVERLINE
+    if element[0].tag == "mi" and not element[0].attrib:
         element[0].text = ITALIC.get(element[0].text or "", element[0].text)
 
 

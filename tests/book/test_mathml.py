@@ -126,6 +126,10 @@ def test_an_accent_stands_on_the_letter_that_is_shown() -> None:
     assert "\U0001d713" in drawn(r"\dot{\psi}")
 
 
+def test_a_bar_is_none_that_hangs_on_the_letter_before() -> None:
+    assert drawn(r"\overline{a}") == "\U0001d44e\u203e"
+
+
 def test_a_box_is_left_to_the_style_sheet() -> None:
     assert '<mrow class="boxed"><mrow>' in mathml(r"x = \boxed{\cos y}", display=True)
     assert "menclose" not in mathml(r"x = \boxed{\cos y}", display=True)
