@@ -61,7 +61,8 @@ def test_a_run_told() -> None:
     assert title == "### Turns\n"
     assert f"the shortest time to the longest: {MEMCPY}, {OURS}, B, A." in picture
     near = "with 1 row B takes 2.0 times as long and with 1,000 rows B takes 2.0 times as long."
-    assert f"<figcaption>The nearest of the others: {near}</figcaption>" in picture
+    told = f"The nearest of the others, arrays against arrays: {near}"
+    assert f"<figcaption>{told}</figcaption>" in picture
     assert speed_page.machine(run) == (
         "Timed on a processor, none, one thread, a system, Python 3, A 1.0. "
         "Each time is the shortest of 4 rounds or more.\n"
