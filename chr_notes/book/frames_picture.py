@@ -13,7 +13,7 @@ __all__ = ["generated"]
 ATTITUDE = np.radians([0.0, 10.0, -57.0])
 """Roll, pitch and yaw of the aircraft that is drawn: seen well from the side, no axis hidden."""
 ROOM = ("north", "east", "down")
-BODY = ("forward\nroll φ", "right\npitch θ", "down\nyaw ψ")
+BODY = ("forward\nroll ϕ", "right\npitch θ", "down\nyaw ψ")
 ALT = (
     "Above, the inertial frame: x north, y east, z down. Below, an aircraft with its body frame: x "
     "forward out of the nose, y out of the right wing, z out of the bottom. Around each body axis "

@@ -155,7 +155,7 @@ const definition = {
     { name: "axis", label: "Component along", choices: AXES },
     { name: "yaw", label: "Yaw", symbol: ["ψ"], axis: "z", min: -180, max: 180, step: 1, unit: DEGREES },
     { name: "pitch", label: "Pitch", symbol: ["θ"], axis: "y", min: -90, max: 90, step: 1, unit: DEGREES },
-    { name: "roll", label: "Roll", symbol: ["φ"], axis: "x", min: -180, max: 180, step: 1, unit: DEGREES },
+    { name: "roll", label: "Roll", symbol: ["ϕ"], axis: "x", min: -180, max: 180, step: 1, unit: DEGREES },
     { name: "wind", label: "Wind blows to (90° is east)", symbol: [], min: -180, max: 180, step: 1, unit: DEGREES },
   ],
   outputs: [

@@ -107,7 +107,7 @@ const definition = {
     { name: "view", label: "Show", choices: ["the rings", "a flight over the top", "the rates"] },
     { name: "yaw", label: "Yaw", symbol: ["ψ"], axis: "z", min: -180, max: 180 },
     { name: "pitch", label: "Pitch", symbol: ["θ"], axis: "y", min: -90, max: 90 },
-    { name: "roll", label: "Roll", symbol: ["φ"], axis: "x", min: -180, max: 180 },
+    { name: "roll", label: "Roll", symbol: ["ϕ"], axis: "x", min: -180, max: 180 },
     { name: "flown", label: "In the flight, pitched up by", symbol: [], min: 0, max: 360, also: { view: 1 } },
   ].map((control) => ({ ...control, step: 1, unit: { short: "°", long: "degrees" } })),
   outputs: [

@@ -95,7 +95,7 @@ const definition = {
   start: still,
   legend: LEGEND,
   controls: [
-    { name: "roll", label: "Roll", symbol: ["φ"], axis: "x", min: -180, max: 180, step: 1, unit: DEGREES },
+    { name: "roll", label: "Roll", symbol: ["ϕ"], axis: "x", min: -180, max: 180, step: 1, unit: DEGREES },
     { name: "pitch", label: "Pitch", symbol: ["θ"], axis: "y", min: -90, max: 90, step: 1, unit: DEGREES },
     { name: "forward_acceleration", label: "Forward acceleration", symbol: ["a", "x"], axis: "x", min: -10, max: 10, step: 0.1, unit: METRES },
     { name: "lateral_acceleration", label: "Lateral acceleration", symbol: ["a", "y"], axis: "y", min: -10, max: 10, step: 0.1, unit: METRES },
