@@ -30,11 +30,13 @@ export async function copied(text) {
     await navigator.clipboard.writeText(text);
     return true;
   } catch {
+    const before = document.activeElement;
     const area = node("textarea", { class: "chr-live", "aria-hidden": "true" }, text);
     document.body.append(area);
     area.select();
     const done = document.execCommand("copy");
     area.remove();
+    before?.focus();
     return done;
   }
 }

@@ -78,7 +78,8 @@ function named() {
 function linkTo(name, demo) {
   const skips = document.querySelector(".skip-link");
   if (!skips || !demo) return;
-  const link = node("a", { href: `#${name}` }, `Skip to the demo “${demo.ariaLabel}”`);
+  const again = name.match(/-\d+$/) ? `, number ${name.split("-").at(-1)} on this page` : "";
+  const link = node("a", { href: `#${name}` }, `Skip to the demo “${demo.ariaLabel}”${again}`);
   link.addEventListener("click", (event) => {
     event.preventDefault(); // the address stays, with the states in it
     demo.tabIndex = -1;

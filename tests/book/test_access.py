@@ -89,6 +89,34 @@ def test_what_is_mended_stays() -> None:
     assert mended(once) == once
 
 
+def test_a_pressed_button_keeps_the_focus(visit: Visit, served: str) -> None:
+    page = visit(served + "notebooks/sensors.html", width=390, own=True)
+    for selector in (".theme-switch-button", ".search-button__button", "button.copybtn"):
+        button = page.locator(f"{selector}:visible").first
+        button.focus()
+        page.keyboard.press("Enter")
+        if "search" in selector:
+            expect(page.locator("#pst-search-dialog input")).to_be_focused()
+            page.keyboard.press("Escape")
+        expect(button).to_be_focused()
+
+
+# How far the focused control is below the picture that stays in sight.
+BELOW = """() => {
+  const control = document.activeElement;
+  const stage = control.closest(".chr-demo").querySelector(".chr-stage");
+  return control.getBoundingClientRect().top - stage.getBoundingClientRect().bottom;
+}"""
+
+
+def test_no_focused_control_is_behind_the_picture(visit: Visit, served: str) -> None:
+    page = visit(served + "notebooks/sensors.html", width=390)
+    page.locator("[data-demo='magnetometer'] [name='link']").focus()
+    for _ in range(10):
+        page.keyboard.press("Shift+Tab")
+        assert page.evaluate(BELOW) >= 0
+
+
 @pytest.mark.full
 @pytest.mark.parametrize("seen", list(itertools.product(("light", "dark"), (390, 1280))))
 def test_axe_finds_nothing_on_any_page(

@@ -1,0 +1,13 @@
+/* A button that is pressed by keyboard keeps the focus, which the theme and the buttons for code take from it. */
+
+(() => {
+  let pressed = null;
+  const back = () => setTimeout(() => {
+    if (document.activeElement === document.body) pressed?.focus();
+  });
+  document.addEventListener("click", (event) => {
+    pressed = event.detail === 0 ? event.target.closest("button") : null; // 0 clicks of a mouse
+    back();
+  }, true);
+  document.addEventListener("close", back, true); // of what a button opened, such as the search
+})();
