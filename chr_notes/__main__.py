@@ -20,8 +20,8 @@ SIGNALLED, UNREAD = 128, 141
 VERDICTS = ("definition", "proved", "qualified", "corrected", "reported")
 DOCUMENTS = ("euler", "quaternions", "sensors", "estimation", "dead_reckoning", "validation")
 EXIT_CODES = (
-    "Exit codes: 0 done; 1 it failed, or --check found a difference; 2 the command is written "
-    "wrongly; 130 stopped by Ctrl-C; 141 nobody read its output to the end."
+    "Exit codes: 0 done; 1 it failed{}; 2 the command is written wrongly; 130 stopped by Ctrl-C; "
+    "141 nobody read its output to the end."
 )
 
 
@@ -173,9 +173,10 @@ def _parsers() -> tuple[argparse.ArgumentParser, Mapping[str, argparse.ArgumentP
     """Return the parser of the command line, and those of the commands by their names."""
 
     def command(name: str, told: str, *more: str) -> argparse.ArgumentParser:
+        codes = EXIT_CODES.format(", or --check found a difference" if name == "ledger" else "")
         return commands.add_parser(
             name, help=told, description=f"{told[0].upper()}{told[1:]}.",
-            epilog="\n\n".join((*more, EXIT_CODES)), formatter_class=_Help,
+            epilog="\n\n".join((*more, codes)), formatter_class=_Help,
         )  # fmt: skip
 
     parser = argparse.ArgumentParser(

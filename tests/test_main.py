@@ -3,6 +3,7 @@
 import io
 import json
 import os
+import re
 import signal
 import sys
 from pathlib import Path
@@ -56,6 +57,8 @@ def test_help_tells_what_each_argument_does(
     codes = " ".join(told[told.index("Exit codes: 0 done") :].split())
     assert f"; {command.SIGNALLED + signal.SIGINT} stopped" in codes
     assert f"; {command.UNREAD} nobody" in codes
+    options, _, _ = told.partition("Exit codes")
+    assert {*re.findall(r"--\w+", codes)} <= {*re.findall(r"--\w+", options)}
     # Commands stay whole, to be copied.
     lines = [line for line in told.splitlines() if not line.startswith("chr-notes ")]
     assert max(map(len, lines)) <= columns

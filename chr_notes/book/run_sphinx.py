@@ -26,7 +26,10 @@ def run(aside: Path, *, whole: bool) -> int:
     """
     # Here, for a book is also built without Jupyter Book.
     from jupyter_book.sphinx import build_sphinx  # noqa: PLC0415
+    from sphinx.util.console import color_terminal, nocolor  # noqa: PLC0415
 
+    if not color_terminal():  # what Sphinx's own command asks, and Jupyter Book does not
+        nocolor()
     result = build_sphinx(
         Path.cwd(),
         aside / "html",

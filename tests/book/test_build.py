@@ -13,6 +13,7 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
+from sphinx.util import console
 
 import chr_notes.book
 from chr_notes.__main__ import main
@@ -50,6 +51,29 @@ def test_a_program_that_found_errors_or_ended_in_one_says_so(
 ) -> None:
     monkeypatch.setattr("jupyter_book.sphinx.build_sphinx", lambda *_, **__: result)
     assert run_sphinx.run(tmp_path, whole=True) == code
+
+
+@pytest.mark.parametrize(
+    ("variable", "said"), [("NO_COLOR", "begun"), ("TERM", "begun"), ("FORCE_COLOR", "<begun>")]
+)
+def test_colours_are_for_a_screen(
+    variable: str,
+    said: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    def builds(*_: object, **__: object) -> int:
+        sys.stdout.write(console.colorize("bold", "begun"))
+        return 0
+
+    for each in ("NO_COLOR", "FORCE_COLOR"):
+        monkeypatch.delenv(each, raising=False)
+    monkeypatch.setenv(variable, "xterm")
+    monkeypatch.setattr(console, "codes", {"bold": "<", "reset": ">"})
+    monkeypatch.setattr("jupyter_book.sphinx.build_sphinx", builds)
+    assert run_sphinx.run(tmp_path, whole=True) == 0
+    assert capsys.readouterr().out == said
 
 
 @pytest.mark.full
