@@ -64,7 +64,7 @@ class WithBook(build_py):
             elif name.endswith(".css"):
                 texts[name] = COMMENT.sub(b"", texts[name])
         (package / "prose.bz2").write_bytes(bz2.compress(archive(texts, PROSE)))
-        strongest = {"id": lzma.FILTER_LZMA2, "preset": 9 | lzma.PRESET_EXTREME, "lc": 2, "pb": 0}
+        strongest = {"id": lzma.FILTER_LZMA2, "preset": 9 | lzma.PRESET_EXTREME, "pb": 0}
         packed = lzma.compress(archive(texts, CODE), filters=[strongest])
         (package / "code.xz").write_bytes(packed)
         if texts:
