@@ -14,6 +14,8 @@ ATTITUDE = np.radians([0.0, 10.0, -57.0])
 """Roll, pitch and yaw of the aircraft that is drawn: seen well from the side, no axis hidden."""
 ROOM = ("north", "east", "down")
 BODY = ("forward\nroll ϕ", "right\npitch θ", "down\nyaw ψ")
+REACH = ((1.6, 1.4), (1.45, 1.5), (1.3, 1.3))
+"""How far out the words of an axis stand, of room and body: clear of its tip."""
 ALT = (
     "Above, the inertial frame: x north, y east, z down. Below, an aircraft with its body frame: x "
     "forward out of the nose, y out of the right wing, z out of the bottom. Around each body axis "
@@ -43,9 +45,11 @@ def picture() -> Picture:
     draw_frame(room, np.eye(3), unlabelled="xyz")
     attitude = matrix_from_euler(ATTITUDE)
     draw_frame(draw_aircraft(body, attitude), attitude, unlabelled="xyz")
-    for letter, axis, of_room, of_body in zip(AXES, np.eye(3), ROOM, BODY, strict=True):
-        draw_label(room, 1.45 * axis, f"{letter} {of_room}", colour=letter)
-        draw_turn(body, attitude, letter, f"{letter} {of_body}")
+    for letter, axis, of_room, of_body, (in_room, out) in zip(
+        AXES, np.eye(3), ROOM, BODY, REACH, strict=True
+    ):
+        draw_label(room, in_room * axis, f"{letter} {of_room}", colour=letter)
+        draw_turn(body, attitude, letter, f"{letter} {of_body}", reach=out)
     for height, name in ((0.93, "inertial frame"), (0.56, "body frame")):
         figure.text(0.02, height, name, color=PALETTE["ink"].light, fontsize=12)
     return show(figure, ALT, CAPTION)

@@ -123,6 +123,8 @@ def draw_turn(
     matrix: ArrayLike,
     letter: str,
     label: str,
+    *,
+    reach: float = 1.35,
 ) -> Any:  # noqa: ANN401
     """Draw around an axis of a frame which way a positive turn goes, by the right hand.
 
@@ -136,6 +138,8 @@ def draw_turn(
         The axis: "x", "y" or "z".
     label
         Written beyond the tip of the axis.
+    reach
+        How far out that is, in lengths of the axis.
     """
     place = AXES.index(letter)
     # The thumb along the axis; the fingers go from the next axis to the one after it.
@@ -146,7 +150,7 @@ def draw_turn(
     colour = PALETTE[letter].light
     axes.plot(*arc[:-8].T, color=colour, linewidth=1.6)
     axes.quiver(*arc[-9], *(arc[-1] - arc[-9]), color=colour, linewidth=1.6, arrow_length_ratio=1.0)
-    return draw_label(axes, 1.35 * axis, label, colour=letter)
+    return draw_label(axes, reach * axis, label, colour=letter)
 
 
 def draw_label(
