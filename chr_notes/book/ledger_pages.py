@@ -98,9 +98,9 @@ def _links(entry: Entry, used: list[str]) -> Iterator[str]:
     """Yield where else the entry is, how to try its verdict, and how to cite it."""
     yield "::::{div} entry-links"
     chapter = f"../../notebooks/{entry.document}.html#entry-{entry.id}"
-    yield f'<a href="#{entry.id}">Permalink</a> · <a href="{chapter}">in its chapter</a>'
+    yield f'<a href="#{entry.id}">Permalink</a> <a href="{chapter}">in its chapter</a>'
     for name in used:
-        yield f"· {{py:obj}}`{name.rpartition('.')[2]}() <{name}>`"
+        yield f"{{py:obj}}`{name.rpartition('.')[2]}() <{name}>`"
     yield "\n<details><summary>Check and cite</summary>\n"
     yield f"Print it misprinted: `python -m pytest tests/ledger -k {entry.id} --full`.\n"
     yield f"Cite it: {citation(entry)}\n"
