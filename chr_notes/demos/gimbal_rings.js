@@ -137,7 +137,7 @@ export function drawRings(context, size, state, colours, viewpoint, locked) {
     label(context, [text], project(point), {
       colour: colours(name), rim: colours("page"), offset: [side * 26, down], width: size.width, taken,
     });
-  words("z yaw", scaled(DOWN, -YAW_ARROW), "z", 1);
+  words("z yaw", scaled(DOWN, -YAW_ARROW), "z", 1.3); // clear of the head beside it
   const middle = project([0, 0, 0])[0];
   const outwards = (point) => (project(point)[0] < middle - 12 ? -1 : 1);
   const [pitchEnd, rollEnd] = [scaled(yAxis, 1.3), scaled(xAxis, ROLL_ARROW)];

@@ -6,7 +6,7 @@ import { ironAdded, ironRemoved, matrixFromEuler, matrixFromQuaternion } from ".
 import { inPart, line, linear, mark, words } from "./chart.js";
 import { mountOf } from "./controls.js";
 import { scaled } from "./draw.js";
-import { arcOf, direction, flown, globe, looking, path, pointer } from "./globe.js";
+import { arcOf, direction, flown, globe, looking, namesRound, path, pointer } from "./globe.js";
 import { keeping } from "./keeping.js";
 import { FIELD_DIP, STRENGTH, cloud, gap, headingErrors, ironOf, path as walked } from "./magnetometer_cloud.js";
 import { AROUND, FEWEST, WIDEST_GAP, fit } from "./magnetometer_fit.js";
@@ -103,12 +103,13 @@ const NAMES = ["x", "y", "z"].map((name, i) => [name, scaled(AXES[i], 1.3)]); //
 /** The readings, on the ellipsoid that iron makes of the sphere. */
 function scene(context, size, state, points, colours, viewpoint) {
   const view = looking(viewpoint, size, SHOWN);
-  globe(context, view, colours, size, { radius: BALL, names: NAMES });
+  globe(context, view, colours, size, { radius: BALL, names: [] });
   const iron = ironOf(state);
   for (const circle of CIRCLES)
     path(context, view, circle.map((point) => scaled(ironAdded(...iron, ...scaled(point, STRENGTH)), SCALE)), { colour: colours("x"), width: 1.2 });
   marks(context, view, points.map((point) => scaled(point, SCALE)), "triangle", colours("x"));
   pointer(context, view, scaled(points.at(-1), SCALE), { colours, colour: "ink", width: 1.5 });
+  namesRound(context, view, colours, size, { radius: BALL, names: NAMES }); // over the lines of the ellipsoid
   const centre = view.project(scaled(ironAdded(...iron, 0, 0, 0), SCALE));
   const zero = view.project([0, 0, 0]);
   cross(context, zero, colours("ink"));

@@ -74,7 +74,9 @@ def chip(
     state = " open" if opened else ""
     yield f'<details class="entry chip" id="entry-{entry.id}"{state}>\n<summary>'
     yield f'<span class="entry-id">{entry.id}</span> {badge(entry.verdict)} '
-    words = "" if "$" in entry.says or "`" in entry.says else html.escape(entry.says, quote=False)
+    # As Markdown sets it where the words stand in full.
+    words = html.escape(entry.says.replace("'", "\u2019"), quote=False)
+    words = "" if "$" in words or "`" in words else words
     yield f'<span class="chip-says">{words}</span></summary>\n<div class="entry-body">\n'
     yield f'<p class="entry-term">{_where(entry)}</p>\n'
     yield from _body(entry, derived=derived, alone=alone)

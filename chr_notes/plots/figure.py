@@ -47,10 +47,11 @@ class Picture:
 
     def _repr_html_(self) -> str:
         data = base64.b64encode(self.svg.encode()).decode()
+        caption = self.caption.replace("'", "\u2019")  # as Markdown sets it in the text around
         return (
             f'<figure><img class="chr-figure" alt="{html.escape(self.alt)}" '
             f'src="data:image/svg+xml;base64,{data}">'
-            f"<figcaption>{html.escape(self.caption)}</figcaption></figure>"
+            f"<figcaption>{html.escape(caption)}</figcaption></figure>"
         )
 
 

@@ -87,7 +87,7 @@ def draw_frame(
         if letter in unlabelled:
             continue
         label = rf"${letter}_{{{name}}}$" if name else f"${letter}$"
-        reach = 1.3 if faded else 1.13
+        reach = 1.2
         axes.text(*(reach * end), label, color=colour, ha="center", va="center", fontsize=12)
     return axes
 

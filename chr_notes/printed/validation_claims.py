@@ -196,7 +196,8 @@ with as_printed():
             "validation.l",
             "claim",
             "after equation 4, paragraph 1",
-            "Roll, pitch and yaw turn about x'', y' and z: each turn leaves its axis where it is.",
+            "Roll, pitch and yaw turn about x\u2033, y\u2032 and z: each turn leaves its axis "
+            "where it is.",
             InOrder(
                 Eq(MatMul(R_X, E_X), E_X),
                 Eq(MatMul(R_Y, E_Y), E_Y),

@@ -12,5 +12,5 @@ PLAIN = frozenset(_PLAIN.split())
 
 def meant(says: str) -> str:
     """Take the words and numbers that carry the sense, in their order."""
-    words = re.findall(r"[\w°√½−'/²³.-]*\w[\w'°%²³]*", says.lower())
+    words = re.findall(r"[\w°√½−'/²³.-]*\w[\w'\u2032\u2033°%²³]*", says.lower())
     return " ".join(word for word in words if word not in PLAIN)

@@ -87,6 +87,7 @@ def test_a_path_is_drawn_in_the_same_frame_as_the_axes() -> None:
 
 
 def test_a_caption_stands_below_a_picture_for_all_to_see() -> None:
-    drawn = plots.show(plt.figure(), "A < B", "Simulated & marked.")
+    drawn = plots.show(plt.figure(), "A < B", "Simulated & the robot's.")
     assert drawn._repr_html_().startswith('<figure><img class="chr-figure" alt="A &lt; B"')
-    assert drawn._repr_html_().endswith("<figcaption>Simulated &amp; marked.</figcaption></figure>")
+    caption = "Simulated &amp; the robot\u2019s."
+    assert drawn._repr_html_().endswith(f"<figcaption>{caption}</figcaption></figure>")
