@@ -84,7 +84,7 @@ SETTLED = (
                 ),
             ),
             Step(
-                "The y-axis is at right angles to it: it has turned by some φ from where it would "
+                "The y-axis is at right angles to it: it has turned by some ϕ from where it would "
                 "be level. The z-axis has no choice then.",
                 equation(
                     MatMul(Transpose(claims.ANY_ROTATION), printed.E_Y),

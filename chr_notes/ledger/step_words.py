@@ -55,7 +55,7 @@ GREEK: Final[Mapping[str, str]] = MappingProxyType(
         letter: rf"\\{name}"
         for letter, name in {
             "α": "alpha", "β": "beta", "δ": "delta", "ε": "varepsilon", "θ": "theta", "σ": "sigma",
-            "φ": "phi", "ψ": "psi", "ω": "omega",
+            "ϕ": "phi", "ψ": "psi", "ω": "omega",
         }.items()
     }
 )  # fmt: skip
