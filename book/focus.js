@@ -3,7 +3,8 @@
 (() => {
   let pressed = null;
   const back = () => setTimeout(() => {
-    if (document.activeElement === document.body) pressed?.focus();
+    const here = document.activeElement; // what has just been closed may still have it
+    if (here === document.body || !here.checkVisibility()) pressed?.focus();
   });
   document.addEventListener("click", (event) => {
     pressed = event.detail === 0 ? event.target.closest("button") : null; // 0 clicks of a mouse
