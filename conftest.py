@@ -199,16 +199,11 @@ def pytest_xdist_make_scheduler(config: pytest.Config, log: Producer) -> Togethe
 
 @pytest.hookimpl(wrapper=True)
 def pytest_collection() -> Generator[None, object, object]:
-    """Look for no garbage while tests are imported: all of it stays, in a sixth less time.
-
-    Nor among that later, and seldom: a look through SymPy's cache takes long, and finds nothing.
-    """
+    """Look for no garbage while tests are imported: all of it stays, in a sixth less time."""
     gc.disable()
     try:
         return (yield)
     finally:
-        gc.freeze()
-        gc.set_threshold(20_000, 20, 20)
         gc.enable()
 
 
