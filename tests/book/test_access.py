@@ -29,8 +29,9 @@ LAID_OUT = """() => {
   });
 }"""
 # Of each rule that a page breaks, where. By itself axe says nothing of the contrast of one letter,
-# of a sign such as ✓, and of what lies on a gradient, as all code does.
-DECIDED = "* { background-image: none !important }"
+# of a sign such as ✓, and of what lies on a gradient, as all code does; what was just
+# opened is pale for a moment.
+DECIDED = "* { background-image: none !important; animation: none !important }"
 FOUND = """() => axe.run({
   resultTypes: ["violations"],
   preload: false,
