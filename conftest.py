@@ -10,13 +10,11 @@ import shutil
 import sys
 from collections import Counter
 from collections.abc import Generator
-from importlib import import_module
 from importlib.util import cache_from_source
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import pytest
-from _pytest.assertion.rewrite import AssertionRewritingHook
 from xdist.remote import Producer
 from xdist.scheduler import LoadScopeScheduling
 
@@ -33,15 +31,6 @@ if sys.dont_write_bytecode and not Path(cache_from_source(pytest.__file__)).exis
     COMPILED = TemporaryDirectory(prefix="compiled-", ignore_cleanup_errors=True)
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
     os.environ["PYTHONPYCACHEPREFIX"] = COMPILED.name
-
-# Nobody reads how an assertion of hypothesis fails, for which pytest would compile all of it in
-# each process, a second long.
-FINDERS = sys.meta_path[:]
-sys.meta_path[:] = [each for each in FINDERS if not isinstance(each, AssertionRewritingHook)]
-import_module("hypothesis.strategies")
-sys.meta_path[:] = FINDERS
-# For a run within a test, which would warn of that.
-WITHIN = ("-W", "ignore::pytest.PytestAssertRewriteWarning")
 
 ROOT = Path(__file__).resolve().parent
 RECORDINGS = "../shared/data"
