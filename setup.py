@@ -35,7 +35,10 @@ MAKERS = (
 IMPORTED = {".py", ".pyd", ".so", ".typed"}
 PROSE = (".md", ".bib", ".json", ".yml", ".ipynb")
 CODE = (".css", ".js", ".h", ".mts", ".mjs", ".c", ".svg")
-COMMENT = re.compile(rb"/\*.*?\*/\s*", re.DOTALL)  # of a style sheet, in which no string has one
+COMMENT = {
+    ".css": re.compile(rb"/\*.*?\*/\s*", re.DOTALL),  # no string of a style sheet has one
+    ".js": re.compile(rb"^ */\*.*?\*/\s*", re.DOTALL | re.MULTILINE),
+}
 DRAWN = re.compile(r'data-drawn=\\"([^"\\]*)\\"')
 
 
@@ -61,8 +64,8 @@ class WithBook(build_py):
                 texts[name] = json.dumps(
                     content, ensure_ascii=False, separators=(",", ":")
                 ).encode()
-            elif name.endswith(".css"):
-                texts[name] = COMMENT.sub(b"", texts[name])
+            elif (kind := Path(name).suffix) in COMMENT:
+                texts[name] = COMMENT[kind].sub(b"", texts[name])
         (package / "prose.bz2").write_bytes(bz2.compress(archive(texts, PROSE)))
         strongest = {"id": lzma.FILTER_LZMA2, "preset": 9 | lzma.PRESET_EXTREME, "pb": 0}
         packed = lzma.compress(archive(texts, CODE), filters=[strongest])

@@ -18,5 +18,14 @@ document.addEventListener("DOMContentLoaded", () => {
   results.before(list);
 });
 
+/* What Sphinx says of its search is announced as soon as it changes. */
+document.addEventListener("DOMContentLoaded", () => {
+  const results = document.getElementById("search-results");
+  const announce = () => results.querySelector(".search-summary")?.setAttribute("role", "status");
+  if (!results) return;
+  announce();
+  new MutationObserver(announce).observe(results, { childList: true });
+});
+
 /* A page from the disk may not fetch the others, of which a result would show a few words. */
 if (location.protocol === "file:") DOCUMENTATION_OPTIONS.SHOW_SEARCH_SUMMARY = false;

@@ -22,7 +22,7 @@ ONE_AT_A_TIME: Final = ", one at a time"
 SCALAR: Final = OURS + ONE_AT_A_TIME
 MEMCPY: Final = "memcpy of the result"
 PLAIN_NUMPY: Final = "plain NumPy"
-TOLD: Final = {1: "1 row", 100: "100", 1_000: "1,000", 1_000_000: "10⁶"}
+TOLD: Final = {1: "1\N{NO-BREAK SPACE}row", 100: "100", 1_000: "1,000", 1_000_000: "10⁶"}
 """Numbers of rows in the table; the curves have all."""
 LOOKS: Final = (("z", "y", "s"), ("y", "z", "^"), ("qualified", "alert", "D"), ("ink", "y", "v"))
 """Colour, dashes and marker of other libraries."""
@@ -180,7 +180,7 @@ def nearest(times: Times) -> str:
     for rows in (min(times[OURS]), max(times[OURS])):
         rest = others(times, rows).items()
         time, name = min((time, name) for name, time in rest)
-        many = f"{rows:,} row{'s' if rows > 1 else ''}"
+        many = f"{rows:,}\N{NO-BREAK SPACE}row{'s' if rows > 1 else ''}"
         ends.append(f"with {many} {name} takes {factor(time / times[OURS][rows])} times as long")
     told = " and ".join(ends)
     return f"The nearest of the others, arrays against arrays: {told}."

@@ -62,9 +62,11 @@ export function triplesWords({ triples: [, ...others], locked }, { degrees }, na
   return `${others.map((angles) => asText("angles", angles, narrow)).join(" or ")}; and ${whole} more or less of any angle`;
 }
 
-/** What is announced when a state has come to rest. */
+/** What is announced when a state has come to rest: both sides, as a control may change one alone. */
 export function summary(state) {
-  const { target, there } = computed(state);
+  const { source, target, here, there } = computed(state);
   const short = (values) => values.map((value) => Number(value.toFixed(4))).join(", ").replaceAll("-", "−");
-  return `${target.label}: angles ${short(there.angles)}, ${target.degrees ? "degrees" : "radians"}. Quaternion ${short(there.quaternion)}. ${lockWords(there)}`;
+  const side = ({ label, degrees }, { angles, quaternion }) =>
+    `${label}: angles ${short(angles)}, ${degrees ? "degrees" : "radians"}, quaternion ${short(quaternion)}.`;
+  return `From ${side(source, here)} To ${side(target, there)} ${lockWords(there)}`;
 }

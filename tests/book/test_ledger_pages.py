@@ -87,5 +87,6 @@ def test_the_search_leads_where_it_should(visit: Visit, served: str, asked: str)
     first = page.locator("#search-results, .found-first").first.locator("a").first
     expect(first).to_have_text(words)
     expect(first).to_have_attribute("href", place)
+    expect(page.get_by_role("status").filter(has_text="Search finished")).to_be_visible()
     # The excerpts that the theme fetches meanwhile are there before the page is left.
     page.wait_for_load_state("networkidle")

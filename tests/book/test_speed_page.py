@@ -40,10 +40,11 @@ def made_up() -> dict[str, Any]:
 
 def test_a_run_told() -> None:
     run = made_up()
+    one, many = "1\N{NO-BREAK SPACE}row", "1,000\N{NO-BREAK SPACE}rows"
     _, row, faster = speed_page.factors(run)
     assert row == "| turns | 0.5 | 0.05 | 2.0 |"
     assert faster.strip() == (
-        "Faster here than ours: B, one at a time (turns: 1 row); A (turns: 100); B (turns: 100)."
+        f"Faster here than ours: B, one at a time (turns: {one}); A (turns: 100); B (turns: 100)."
     )
     first, then, single, streamed = speed_page.choice(run)
     assert "took 100 to 100 ns in these runs, those of arrays with one row 150 to 150 ns" in first
@@ -60,7 +61,7 @@ def test_a_run_told() -> None:
     title, picture = speed_page.curves(run)
     assert title == "### Turns\n"
     assert f"the shortest time to the longest: {MEMCPY}, {OURS}, B, A." in picture
-    near = "with 1 row B takes 2.0 times as long and with 1,000 rows B takes 2.0 times as long."
+    near = f"with {one} B takes 2.0 times as long and with {many} B takes 2.0 times as long."
     told = f"The nearest of the others, arrays against arrays: {near}"
     assert f"<figcaption>{told}</figcaption>" in picture
     assert speed_page.machine(run) == (

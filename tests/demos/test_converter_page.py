@@ -119,6 +119,10 @@ def test_another_spelling_is_the_same_attitude(visit: Visit, page_of: PageOf) ->
     page.locator('select[name="source_unit"]').select_option("radians")
     page.locator('select[name="source_sequence"]').select_option("ZXZ")
     assert numbers(page, "target_matrix") == pytest.approx(before, abs=1e-14)
+    # What is announced tells the change, though the other side stays as it was.
+    angles = page.locator('textarea[name="angles"]').input_value().split(", ")
+    told = ", ".join(f"{float(each):.4f}".rstrip("0") for each in angles).replace("-", "−")
+    expect(page.locator(".chr-live")).to_contain_text(f"angles {told}, radians")
     # Another system takes the numbers for its own.
     page.locator('select[name="source"]').select_option("CHR")
     page.locator('textarea[name="angles"]').fill("10, 20, 30")
