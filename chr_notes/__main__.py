@@ -68,6 +68,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _read(arguments: Sequence[str] | None) -> argparse.Namespace:
     """Read what is asked for, or say how to ask."""
+    _keep_whole()
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")  # a sign that a console lacks is no reason to stop
@@ -82,6 +83,15 @@ def _read(arguments: Sequence[str] | None) -> argparse.Namespace:
     if unknown:  # its own usage helps, not that of all commands
         commands[options.command].error(f"unrecognized arguments: {' '.join(unknown)}")
     return options
+
+
+def _keep_whole() -> None:
+    """Give the output a buffer if it has none: Python would drop what it takes in part."""
+    out = sys.__stdout__
+    raw: object = out.buffer if isinstance(out, io.TextIOWrapper) else None
+    if out is sys.stdout and isinstance(raw, io.RawIOBase):
+        whole = io.BufferedWriter(raw)
+        sys.stdout = io.TextIOWrapper(whole, encoding=out.encoding, line_buffering=True)
 
 
 def _end_output() -> None:

@@ -1,5 +1,6 @@
 """The generated C and JavaScript, for people who take them into a program of their own."""
 
+from os.path import lexists
 from pathlib import Path
 from typing import Literal
 
@@ -138,7 +139,7 @@ def export(language: Literal["c", "js"], folder: Path) -> list[Path]:
     readme = folder / "README.md"
     title = text.encode().splitlines()[:1]
     if not (readme.exists() and readme.read_bytes().splitlines()[:1] == title):
-        foreign = next((folder / name for name in made if (folder / name).exists()), None)
+        foreign = next((folder / name for name in made if lexists(folder / name)), None)
         if foreign is not None:
             msg = f"expected a folder of its own for the export, but {foreign} is there already"
             raise FileExistsError(msg)

@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from typing_extensions import Buffer
 
 from chr_notes import __main__ as command
 from chr_notes import __version__
@@ -248,6 +249,27 @@ def test_a_full_disk_is_told_of_help_too(
         monkeypatch.setattr(sys, "stdout", output)
         assert command.main(asked) == 1
     assert capsys.readouterr().err == "chr-notes: No space left on device\n"
+
+
+class InParts(io.FileIO):
+    """A file that takes seven bytes at a time."""
+
+    def write(self, given: Buffer, /) -> int:
+        return super().write(bytes(given)[:7])
+
+
+def test_an_output_without_a_buffer_gets_all(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    parts = InParts(tmp_path / "output", "w")
+    output = io.TextIOWrapper(parts, encoding="ascii", write_through=True)
+    for name in ("stdout", "__stdout__"):
+        monkeypatch.setattr(sys, name, output)
+    with pytest.raises(SystemExit):
+        command.main(["--version"])
+    sys.stdout.close()
+    told = (tmp_path / "output").read_text(encoding="ascii")
+    assert re.fullmatch(r"chr-notes .* compiled kernels\n", told)
 
 
 @pytest.mark.parametrize("asked", [["--version"], ["ledger"]], ids=["version", "ledger"])

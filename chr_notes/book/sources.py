@@ -4,9 +4,11 @@ A package carries the notebooks without their outputs, which are ten times as la
 the book from it runs them first.
 """
 
+import hashlib
 import json
 import subprocess
 import sys
+from os.path import lexists
 from pathlib import Path
 from typing import Any
 
@@ -27,6 +29,7 @@ except CellExecutionError as error:
     sys.exit(f"{error.ename}: {error.evalue}")
 """
 _WIDGET_VIEW = "application/vnd.jupyter.widget-view+json"
+_OUTPUTS_OF = "outputs_of"  # a field of a notebook's metadata: the code that its outputs are of
 _METADATA = {
     "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
     "language_info": {"name": "python"},
@@ -39,8 +42,8 @@ def find(folder: Path) -> Path:
     Parameters
     ----------
     folder
-        Filled if there is no clone. What it has already stays as it is, and a notebook with outputs
-        is not run again.
+        Filled if there is no clone. What it has already stays as it is, and a notebook is not run
+        again while its code is that of its outputs.
 
     Returns
     -------
@@ -105,7 +108,7 @@ def copy_notebooks(folder: Path, *, solutions: bool = True) -> list[Path]:
             without_solutions(notebook)
         texts[folder / path.name] = _written(notebook)
     for target in texts:
-        if target.exists():
+        if lexists(target):
             msg = f"{target} is there already, and may be your work; choose another folder"
             raise FileExistsError(msg)
     folder.mkdir(parents=True, exist_ok=True)
@@ -158,8 +161,10 @@ def run(path: Path) -> None:
 def _run_once(path: Path) -> None:
     import nbformat  # noqa: PLC0415
 
-    cells = nbformat.read(path, as_version=4).cells
-    if not any(cell.cell_type == "code" and cell.execution_count is None for cell in cells):
+    notebook = nbformat.read(path, as_version=4)
+    cells = [cell for cell in notebook.cells if cell.cell_type == "code"]
+    code = hashlib.sha256("\0".join(cell.source for cell in cells).encode()).hexdigest()[:16]
+    if notebook.metadata.get(_OUTPUTS_OF) == code and all(cell.execution_count for cell in cells):
         return
     sys.stdout.write(f"Running {path.name} …\n")
     sys.stdout.flush()
@@ -170,6 +175,9 @@ def _run_once(path: Path) -> None:
     if done.returncode != 0:
         msg = f"{path} does not run to its end: {done.stderr.strip().splitlines()[-1]}"
         raise RuntimeError(msg)
+    notebook = nbformat.read(path, as_version=4)
+    notebook.metadata[_OUTPUTS_OF] = code
+    write({path: nbformat.writes(notebook) + "\n"})
 
 
 def _require_sources() -> None:

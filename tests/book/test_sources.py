@@ -2,6 +2,7 @@
 
 import bz2
 import errno
+import hashlib
 import os
 import signal
 import threading
@@ -26,7 +27,8 @@ def write(folder: Path, **cells: nbformat.NotebookNode) -> None:
     (folder / "packed" / "notebooks").mkdir(exist_ok=True)
     for name, cell in cells.items():
         path = folder / "packed" / "notebooks" / f"{name}.ipynb"
-        nbformat.write(new_notebook(cells=[cell]), path)
+        of = hashlib.sha256(cell.source.encode()).hexdigest()[:16]
+        nbformat.write(new_notebook(cells=[cell], metadata={"outputs_of": of}), path)
     files = {path.relative_to(folder): path.read_bytes() for path in folder.rglob("*.*")}
     parts = [part for path, content in files.items() for part in (str(path).encode(), content)]
     next(iter(_texts.ARCHIVES)).write_bytes(bz2.compress(b"\0".join(parts)))
@@ -65,6 +67,15 @@ def test_a_folder_gets_what_is_packed_and_notebooks_are_run_once(
     sources.find(folder)
     assert capsys.readouterr().out == ""
     assert (folder / "book" / "_config.yml").read_text(encoding="utf-8") == "title: mine\n"
+    # Outputs of other code are not shown.
+    path = folder / "notebooks" / "fresh.ipynb"
+    notebook = nbformat.read(path, as_version=4)
+    notebook.cells[0].source = "print(6 * 8)"
+    nbformat.write(notebook, path)
+    sources.find(folder)
+    assert capsys.readouterr().out == "Running fresh.ipynb …\n"
+    (cell,) = nbformat.read(path, as_version=4).cells
+    assert cell.outputs[0].text == "48\n"
 
 
 def test_a_notebook_that_fails_is_named(packed: Path, tmp_path: Path) -> None:
@@ -120,6 +131,10 @@ def test_notebooks_are_copied_and_never_over_others(
     assert "may be your work; choose another folder" in capsys.readouterr().err
     assert changed.read_text(encoding="utf-8") == "my work"
     assert not (folder / CHAPTERS[0]).exists()
+    changed.unlink()
+    changed.symlink_to("kept elsewhere")
+    assert main(["notebooks", str(folder)]) == 1
+    assert changed.is_symlink()
 
 
 @pytest.mark.usefixtures("packed")
