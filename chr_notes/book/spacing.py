@@ -19,6 +19,8 @@ _THEN_POINT: Final = re.compile(
 )
 _SIZE: Final = re.compile(r"\|(\w)\|")  # |q|, where a line would end after the first bar
 _DOTTED: Final = re.compile(r"(?<=[ >(])chr_notes(?:\.\w+)+\.?(?=[^<>]*<)")  # and not in a tag
+_LONG: Final = re.compile(r'(?<=<span class="pre">)\w{16,}')
+_OPENED: Final = '<span class="sig-paren">(</span>'
 _NO_BREAK: Final = "\N{NO-BREAK SPACE}"
 _MINUS: Final = "\N{MINUS SIGN}"
 _JOINED: Final = "|\N{WORD JOINER}\\1|"
@@ -27,7 +29,8 @@ _JOINED: Final = "|\N{WORD JOINER}\\1|"
 def spaced(page: str) -> str:
     r"""Keep numbers with units, formulas with their comma, |q| whole; no hyphen is a minus.
 
-    Names with dots may go on in another line after each dot.
+    Names with dots may go on in another line after each dot, long ones after each underscore, and
+    signatures after their bracket.
 
     Parameters
     ----------
@@ -40,8 +43,12 @@ def spaced(page: str) -> str:
     '<p>It reads −9.8\xa0m/s² in <code>f(-9.8 m)</code>.</p>'
     >>> spaced("<code>chr_notes.estimation.gains</code>")
     '<code>chr_notes.<wbr>estimation.<wbr>gains</code>'
+    >>> spaced('<span class="pre">matrix_from_euler</span>')
+    '<span class="pre">matrix_<wbr>from_<wbr>euler</span>'
     """
     page = _DOTTED.sub(lambda name: name[0].replace(".", ".<wbr>"), _PART.sub(_set, page))
+    page = _LONG.sub(lambda name: name[0].replace("_", "_<wbr>"), page)
+    page = page.replace(_OPENED, f"{_OPENED}<wbr>")
     return _THEN_POINT.sub(r'<span class="whole">\1\2</span>', page)
 
 

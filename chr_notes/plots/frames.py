@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 from matplotlib import pyplot as plt
-from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
 from numpy.typing import ArrayLike, NDArray
 
 from chr_notes.aircraft import FIN, SECTIONS, TAIL, WING
@@ -79,17 +79,45 @@ def draw_frame(
     ends = np.asarray(matrix, dtype=np.float64) @ _DRAWN_FROM_NED
     for letter, end in zip(AXES, ends, strict=True):
         colour = PALETTE["muted" if faded else letter].light
-        axes.quiver(
-            0, 0, 0, *end,
-            color=colour, linewidth=1.1 if faded else 2.2, arrow_length_ratio=0.08,
-            linestyle=line_style(letter),
+        _draw_arrow(
+            axes, np.zeros(3), end, head=0.08,
+            color=colour, linewidth=1.1 if faded else 2.2, linestyle=line_style(letter),
         )  # fmt: skip
         if letter in unlabelled:
             continue
         label = rf"${letter}_{{{name}}}$" if name else f"${letter}$"
-        reach = 1.2
-        axes.text(*(reach * end), label, color=colour, ha="center", va="center", fontsize=12)
+        place = end + 0.2 * _as_seen(axes, end)
+        axes.text(*place, label, color=colour, ha="center", va="center", fontsize=12)
     return axes
+
+
+def _to_reader(axes: Any) -> NDArray[np.float64]:  # noqa: ANN401
+    """Return the unit vector along the line of sight."""
+    up, turned = np.radians([axes.elev, axes.azim])
+    return np.array([np.cos(up) * np.cos(turned), np.cos(up) * np.sin(turned), np.sin(up)])
+
+
+def _as_seen(axes: Any, vector: NDArray[np.float64]) -> NDArray[np.float64]:  # noqa: ANN401
+    """Return the unit vector, across the line of sight, along which a vector is seen."""
+    seen = vector - (vector @ _to_reader(axes)) * _to_reader(axes)
+    return np.asarray(seen / np.linalg.norm(seen))
+
+
+def _draw_arrow(
+    axes: Any,  # noqa: ANN401
+    start: NDArray[np.float64],
+    end: NDArray[np.float64],
+    *,
+    head: float,
+    linestyle: Any = "-",  # noqa: ANN401
+    **style: Any,  # noqa: ANN401
+) -> None:
+    """Draw an arrow whose head faces the reader: matplotlib's is a bar where seen edgewise."""
+    along = _as_seen(axes, end - start)
+    across = np.cross(along, _to_reader(axes))
+    sides = [end - head * (along + side * np.tan(np.radians(20.0)) * across) for side in (1, -1)]
+    for points, dashes in (([start, end], linestyle), ([sides[0], end, sides[1]], "-")):
+        axes.add_collection3d(Line3DCollection([points], linestyle=dashes, **style))
 
 
 def draw_arc(
@@ -149,7 +177,7 @@ def draw_turn(
     arc = (0.8 * axis + 0.17 * circle) @ _DRAWN_FROM_NED
     colour = PALETTE[letter].light
     axes.plot(*arc[:-8].T, color=colour, linewidth=1.6)
-    axes.quiver(*arc[-9], *(arc[-1] - arc[-9]), color=colour, linewidth=1.6, arrow_length_ratio=1.0)
+    _draw_arrow(axes, arc[-9], arc[-1], head=0.1, color=colour, linewidth=1.6)
     return draw_label(axes, reach * axis, label, colour=letter)
 
 
@@ -203,8 +231,8 @@ def draw_vector(
     """
     tip = np.asarray(vector, dtype=np.float64) @ _DRAWN_FROM_NED
     shade = PALETTE[colour].light
-    axes.quiver(0, 0, 0, *tip, color=shade, linewidth=2.8, arrow_length_ratio=0.12)
-    axes.text(*(1.12 * tip), label, color=shade, ha=align, va="center")
+    _draw_arrow(axes, np.zeros(3), tip, head=0.12, color=shade, linewidth=2.8)
+    axes.text(*(tip + 0.12 * _as_seen(axes, tip)), label, color=shade, ha=align, va="center")
     return axes
 
 

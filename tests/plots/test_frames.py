@@ -3,9 +3,33 @@
 import numpy as np
 import pytest
 from matplotlib import pyplot as plt
+from mpl_toolkits.mplot3d import Axes3D
+from mpl_toolkits.mplot3d.proj3d import proj_transform
+from numpy.typing import ArrayLike, NDArray
 
 import chr_notes
 from chr_notes import plots
+
+ORIGIN_AND_UNITS = np.vstack([np.zeros(3), np.eye(3)])
+
+
+def on_sheet(axes: Axes3D, places: ArrayLike) -> NDArray[np.float64]:
+    """Where projected places are on the sheet from the origin, in the unit of the axes."""
+    origin, *units = ([*proj_transform(*each, axes.get_proj())[:2]] for each in ORIGIN_AND_UNITS)
+    scale = np.sqrt(((np.array(units) - origin) ** 2).sum() / 2)
+    return np.asarray((np.asarray(places) - origin) / scale)
+
+
+def seen(axes: Axes3D, point: ArrayLike) -> NDArray[np.float64]:
+    """Where a point is on the sheet."""
+    x, y, z = np.asarray(point)
+    return on_sheet(axes, proj_transform(x, y, z, axes.get_proj())[:2])
+
+
+def beyond(place: NDArray[np.float64], end: NDArray[np.float64]) -> float:
+    """How far beyond an end, as seen from the origin, a place is; it must be in line with both."""
+    assert np.linalg.det([place, end]) == pytest.approx(0, abs=1e-12)
+    return float((place - end) @ end / np.linalg.norm(end))
 
 
 def test_a_figure_is_the_same_each_time_and_has_words() -> None:
@@ -35,10 +59,23 @@ def test_letters_stand_beyond_the_ends_of_the_axes() -> None:
     matrix = chr_notes.matrix_from_euler([0.1, 0.2, 0.3])
     axes = plots.draw_frame(plots.world(), matrix, "B")
     placed = np.array([text.get_position_3d() for text in axes.texts])
-    ends = placed / np.linalg.norm(placed, axis=1, keepdims=True)
     # East and down are drawn towards the reader's negative axes.
-    np.testing.assert_allclose(ends * [1, -1, -1], matrix, atol=1e-12)
+    for place, end in zip(placed, matrix * [1, -1, -1], strict=True):
+        assert beyond(seen(axes, place), seen(axes, end)) == pytest.approx(0.2)
     plt.close(axes.figure)
+
+
+def test_an_arrow_has_a_head_as_wide_from_each_side() -> None:
+    for vector in ([1, 0, 0], [0, 1, 0], [0, 0, 1], [0.5, -0.5, 0.7]):
+        axes = plots.draw_vector(plots.world(), vector, "it")
+        axes.figure.canvas.draw()
+        shaft, head = (on_sheet(axes, line.get_segments()[0]) for line in axes.collections)
+        one, tip, other = head
+        np.testing.assert_allclose(shaft, [[0, 0], tip], atol=1e-12)
+        np.testing.assert_allclose(tip, seen(axes, np.multiply(vector, [1, -1, -1])), atol=1e-12)
+        assert np.linalg.norm(one - other) == pytest.approx(0.24 * np.tan(np.radians(20)))
+        assert beyond((one + other) / 2, tip) == pytest.approx(-0.12)
+        plt.close(axes.figure)
 
 
 def test_an_arc_runs_from_one_axis_to_the_other() -> None:
@@ -55,9 +92,8 @@ def test_the_label_of_a_vector_stands_beyond_its_tip() -> None:
     vector = np.array([0.3, -0.2, -0.9])
     axes = plots.draw_vector(plots.world(), vector, "reading", align="left")
     (text,) = axes.texts
-    placed = np.array(text.get_position_3d()) * [1, -1, -1]
-    np.testing.assert_allclose(placed / vector, placed[0] / vector[0])
-    assert placed[0] / vector[0] > 1
+    place, tip = text.get_position_3d(), vector * [1, -1, -1]
+    assert beyond(seen(axes, place), seen(axes, tip)) == pytest.approx(0.12)
     assert text.get_horizontalalignment() == "left"
     plt.close(axes.figure)
 
