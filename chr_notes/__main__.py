@@ -218,7 +218,7 @@ def _parsers() -> tuple[argparse.ArgumentParser, Mapping[str, argparse.ArgumentP
     notebooks = command(
         "notebooks", "copy the notebooks of the chapters, to run and change them",
         "chr-notes notebooks my_notebooks && jupyter lab my_notebooks",
-        'To run them takes the extra "notebooks". What is there already it leaves alone.',
+        'To run them takes the extra "notebooks". Where one is there already it writes none.',
     )  # fmt: skip
     notebooks.add_argument("folder", type=_folder, help="copied to; made if it is not there")
     notebooks.add_argument(

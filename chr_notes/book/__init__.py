@@ -5,6 +5,7 @@ import hashlib
 import importlib.util
 import os
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -20,7 +21,7 @@ ROOT = sources.CLONE
 SOURCES = ROOT / "book"
 
 _NEEDED = ("jupyter_book", "anywidget", "math_core", "fontTools", "brotli", "ziamath")
-_INSTALL = 'python -m pip install -e ".[book]", or "chr-notes[book]" without a clone'
+_INSTALL = 'python -m pip install "chr-notes[book]", or -e ".[book]" in a clone'
 _MAKERS = ("jupyter-book", "matplotlib", "myst-nb", "sphinx", "sphinx-book-theme", "sympy")
 _STAMP = "made_by"
 _PDF = "chr-notes.pdf"
@@ -178,6 +179,8 @@ def _run_sphinx(root: Path, aside: Path, *, whole: bool) -> None:
     # In a group of its own, so that who presses Ctrl-C stops us, and we end it without its words.
     done = subprocess.run(command, cwd=root, check=False, process_group=0)  # noqa: S603 - a fixed command
     if done.returncode != 0:
+        if done.returncode == -getattr(signal, "SIGPIPE", 0):
+            raise BrokenPipeError
         if shutil.disk_usage(aside.parent).free < _ROOM:
             raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(aside.parent.parent))
         msg = "Jupyter Book found errors or warnings, in its output above; no page was changed"

@@ -19,7 +19,7 @@ from sphinx.writers.html5 import HTML5Translator
 from chr_notes.book.mathfont import characters, font
 from chr_notes.book.mathml import mathml
 
-__all__ = ["FormulaError", "setup"]
+__all__ = ["FormulaError", "converted", "setup"]
 
 _STYLES: Final = "formulas.css"
 _DRAWN: Final = "chr_notes_drawn"  # the characters that the font has, kept with what Sphinx read
@@ -31,12 +31,16 @@ class FormulaError(SphinxError):
     category = "A formula cannot be set"
 
 
-def _converted(node: nodes.Node) -> str:
+def converted(node: nodes.Node) -> str:
+    """Return a formula as MathML, or say where it stands."""
     latex = node.astext()
     try:
         return mathml(latex, display=isinstance(node, nodes.math_block))
     except ValueError as error:
-        msg = f"{get_node_source(node)}:{get_node_line(node)}: {error}\n{latex}"
+        # MyST-NB numbers ten thousand lines for each cell.
+        cell, line = divmod(get_node_line(node) or 0, 10_000)
+        place = f" cell {cell}, line {line}" if cell else str(line)
+        msg = f"{get_node_source(node)}:{place}: {error}\n{latex}"
         raise FormulaError(msg) from error
 
 
@@ -49,7 +53,7 @@ def _kept(env: BuildEnvironment) -> dict[str, frozenset[str]]:
 def _note(app: Sphinx, page: nodes.document) -> None:
     """Keep the characters of the formulas of a page that was read."""
     found = page.findall(lambda node: isinstance(node, nodes.math | nodes.math_block))
-    _kept(app.env)[app.env.docname] = frozenset(characters(set(map(_converted, found))))
+    _kept(app.env)[app.env.docname] = frozenset(characters(set(map(converted, found))))
 
 
 def _forget(_app: Sphinx, env: BuildEnvironment, name: str) -> None:
@@ -88,13 +92,13 @@ def _add_styles(app: Sphinx, name: str, *_: object) -> None:
 
 def _visit_inline(translator: HTML5Translator, node: nodes.math) -> None:
     translator.body.append(translator.starttag(node, "span", "", CLASS="math"))
-    translator.body.append(f"{_converted(node)}</span>")
+    translator.body.append(f"{converted(node)}</span>")
     raise nodes.SkipNode
 
 
 def _visit_display(translator: HTML5Translator, node: nodes.math_block) -> None:
     translator.body.append(translator.starttag(node, "div", "", CLASS="math"))
-    translator.body.append(f"{_converted(node)}</div>\n")
+    translator.body.append(f"{converted(node)}</div>\n")
     raise nodes.SkipNode
 
 

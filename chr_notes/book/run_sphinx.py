@@ -1,6 +1,7 @@
 """Sphinx as Jupyter Book runs it, for a process of its own."""
 
 import gc
+import signal
 import sys
 from pathlib import Path
 
@@ -50,4 +51,6 @@ def run(aside: Path, *, whole: bool) -> int:
 if __name__ == "__main__":
     # Nearly all that it makes stays to its end: to look for garbage takes a sixth of its time.
     gc.disable()
+    if hasattr(signal, "SIGPIPE"):  # where nobody reads it ends without a word
+        signal.signal(signal.SIGPIPE, signal.SIG_DFL)
     sys.exit(run(Path(sys.argv[1]), whole="--all" in sys.argv[2:]))

@@ -53,7 +53,7 @@ def find(folder: Path) -> Path:
     Raises
     ------
     RuntimeError
-        If there are no sources at all, or a notebook does not run.
+        If there are no sources at all, or a notebook is damaged or does not run.
     """
     _require_sources()
     if ORIGIN == CLONE:
@@ -161,7 +161,11 @@ def run(path: Path) -> None:
 def _run_once(path: Path) -> None:
     import nbformat  # noqa: PLC0415
 
-    notebook = nbformat.read(path, as_version=4)
+    try:
+        notebook = nbformat.read(path, as_version=4)
+    except (AttributeError, ValueError, nbformat.ValidationError) as error:
+        msg = f"expected a notebook in {path}, but it is damaged; mend or remove it"
+        raise RuntimeError(msg) from error
     cells = [cell for cell in notebook.cells if cell.cell_type == "code"]
     code = hashlib.sha256("\0".join(cell.source for cell in cells).encode()).hexdigest()[:16]
     if notebook.metadata.get(_OUTPUTS_OF) == code and all(cell.execution_count for cell in cells):

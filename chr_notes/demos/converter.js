@@ -274,7 +274,7 @@ const definition = {
   title: "Converter",
   hint: "three angles, a quaternion, an axis with its angle, or a matrix, in any notation, into any field below. All others follow.",
   aspect: 0.5,
-  viewpoint: () => ({ heading: -35, elevation: -20 }),
+  viewpoint: () => ({ heading: -115, elevation: -20 }),
   start,
   describe,
   draw,

@@ -29,7 +29,7 @@ def test_missing_package_names_the_command_that_brings_it(monkeypatch: pytest.Mo
         importlib.util, "find_spec", lambda name: None if name == "jupyter_book" else found(name)
     )
     with pytest.raises(
-        RuntimeError, match=r'jupyter_book; run: python -m pip install -e "\.\[book'
+        RuntimeError, match=r'jupyter_book; run: python -m pip install "chr-notes\[book'
     ):
         build()
 
@@ -148,6 +148,25 @@ def test_a_book_is_put_in_place_when_it_is_whole(runs: list[bool], tmp_path: Pat
     assert (tmp_path / "_build/html/index.html").read_text(encoding="utf-8") == "run 2"
     assert [path.name for path in tmp_path.iterdir()] == ["_build"]
     assert runs == [True, False, False]
+
+
+def test_sphinx_ends_without_a_word_where_nobody_reads(tmp_path: Path) -> None:
+    command = [sys.executable, "-m", "chr_notes.book.run_sphinx", str(tmp_path / "aside"), "--all"]
+    unread, output = os.pipe()
+    os.close(unread)
+    done = subprocess.run(command, cwd=tmp_path, stdout=output, stderr=output, check=False)
+    os.close(output)
+    assert done.returncode == -signal.SIGPIPE
+
+
+def test_a_book_that_nobody_reads_of_is_no_faulty_one(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    ended = SimpleNamespace(returncode=-signal.SIGPIPE)
+    monkeypatch.setattr(chr_notes.book.subprocess, "run", lambda *_, **__: ended)
+    with pytest.raises(BrokenPipeError):
+        build(output=tmp_path)
+    assert capsys.readouterr().err == ""
 
 
 def test_who_stops_it_between_two_books_has_the_one_before(

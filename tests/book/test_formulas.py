@@ -9,13 +9,14 @@ from pathlib import Path
 
 import pytest
 import yaml
+from docutils import nodes
 from markdown_it.renderer import RendererHTML
 from markdown_it.token import Token
 from myst_parser.config.main import MdParserConfig
 from myst_parser.parsers.mdit import create_md_parser
 from playwright.sync_api import Browser, Page
 
-from chr_notes.book import ROOT, SOURCES
+from chr_notes.book import ROOT, SOURCES, formulas
 
 Visit = Callable[..., Page]
 
@@ -98,6 +99,13 @@ def test_a_formula_that_cannot_be_set_stops_the_build(tmp_path: Path) -> None:
     assert re.search(r'index\.md:5: .*Unknown command "\\gimbal"', done.stderr)
     assert "\n\\gimbal{b}" in done.stderr
     assert not (tmp_path / "out" / "index.html").exists()
+
+
+def test_in_a_notebook_its_cell_is_named() -> None:
+    block = nodes.math_block("", r"\gimbal{b}")
+    block.source, block.line = "notebook.ipynb", 40_012
+    with pytest.raises(formulas.FormulaError, match=r"notebook\.ipynb: cell 4, line 12: "):
+        formulas.converted(block)
 
 
 def test_formulas_stand_without_a_script(visit: Visit, browser: Browser, book: Path) -> None:

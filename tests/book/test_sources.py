@@ -84,6 +84,16 @@ def test_a_notebook_that_fails_is_named(packed: Path, tmp_path: Path) -> None:
         sources.find(tmp_path / "mine")
 
 
+@pytest.mark.usefixtures("packed")
+@pytest.mark.parametrize("text", ["{}", "[]", '{"cells": ['])
+def test_a_damaged_notebook_is_named(text: str, tmp_path: Path) -> None:
+    path = tmp_path / "mine" / "notebooks" / "fresh.ipynb"
+    path.parent.mkdir(parents=True)
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(RuntimeError, match=r"a notebook in .*fresh\.ipynb, but it is damaged"):
+        sources.find(tmp_path / "mine")
+
+
 @pytest.mark.full
 def test_one_that_is_stopped_stays_as_it_was(
     packed: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
