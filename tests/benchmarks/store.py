@@ -58,6 +58,8 @@ def shortest(cases: list[dict[str, Any]]) -> float:
 
 def main(*paths: str) -> None:
     """Read runs and write what is kept of them."""
+    if not paths:
+        sys.exit("expected the file of a run or more, as --benchmark-json writes them")
     runs = [json.loads(Path(path).read_text(encoding="utf-8")) for path in paths]
     STORED.write_text(json.dumps(stored(runs), indent=1) + "\n", encoding="utf-8")
 

@@ -58,9 +58,12 @@ def test_misprints_are_seen(name: str, pytestconfig: pytest.Config) -> None:
     if not pytestconfig.getoption("full", default=False):
         made = [Random(name).choice(made)]  # noqa: S311 (the same ones each time)
     survivors = [
-        kind for kind, wrong in made if is_seen(name, wrong) == ((name, kind) in EQUIVALENT)
+        f"{kind}: {wrong}"
+        for kind, wrong in made
+        if is_seen(name, wrong) == ((name, kind) in EQUIVALENT)
     ]
-    assert survivors == [], f"{name}: misprints that nobody sees; {see(name)}"
+    told = "nobody sees, and tests/ledger/equivalents.py has not, or the other way round"
+    assert not survivors, "\n".join([f"{name}: misprints that {told}; {see(name)}", *survivors])
 
 
 def test_equivalents_are_misprints_that_exist() -> None:

@@ -1,8 +1,8 @@
 """Run notebooks in place, as they are committed, and show what changed in what they print.
 
 `python tests/notebooks/run.py` runs all of them, `… run.py NOTEBOOK ...` those that are named. It
-ends with 1 if any output is another than before, and with 2 at once where the verdicts that a
-notebook shows have first to be reached again.
+ends with 1 if any output is another than before, and with 2 at once where one is not there, or the
+verdicts that it shows have first to be reached again.
 """
 
 import difflib
@@ -35,7 +35,12 @@ def shown(cell: nbformat.NotebookNode) -> Iterator[str]:
 def main(names: list[str]) -> int:
     """Run notebooks and write the differences on standard output."""
     changed = 0
-    for path in [Path(name).resolve() for name in names] or ALL:
+    chosen = [Path(name).resolve() for name in names] or ALL
+    for path in chosen:
+        if not path.is_file():
+            sys.stderr.write(f"expected a notebook, such as notebooks/{ALL[0].name}, got {path}\n")
+            return 2
+    for path in chosen:
         before = printed(path)
         try:
             run(path)

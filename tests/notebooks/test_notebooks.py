@@ -93,6 +93,8 @@ def test_verdicts_that_are_out_of_date_are_told_in_a_line(
     error = "", "ValueError", "wrong"
     with pytest.raises(CellExecutionError):
         run.main([name])
+    assert run.main([name, "euler"]) == 2
+    assert "expected a notebook, such as notebooks/" in capsys.readouterr().err
 
 
 @pytest.mark.slow

@@ -129,6 +129,7 @@ def test_statements_stand_in_their_places(rules: ModuleType) -> None:
         if statement.kind == "table cell":
             assert f" {name.split('.', 2)[2].rpartition('.')[0]} " in text, where
         elif statement.kind == "equation":
+            assert name in FORMULAS, f"{name} has no line in formulas.tsv"
             assert FORMULAS[name] in text, where
         else:
             assert WORDS[name] in text, where
