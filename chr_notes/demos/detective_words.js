@@ -70,7 +70,7 @@ export function matchParts(match, kinds) {
       angles: `. R = ${productWords(match.convention)}, with α, β, γ as written, each factor a turn of vectors, leads from body to navigation`,
       matrix: isTransposed(match.convention) ? ". Your matrix is the transpose of the one from navigation to body" : "",
     };
-    return node("li", {}, node("b", {}, LABELS[kind].split(",")[0]), `: ${meaningOf(kind, match.convention)}${axes}${names.length > 0 ? ` — as ${names.join(", ")}` : ""}${more[kind] ?? ""}`);
+    return node("li", {}, node("b", {}, LABELS[kind].split(",")[0]), `: ${meaningOf(kind, match.convention)}${axes}${names.length > 0 ? ` — as ${names.join(", ")}` : ""}${more[kind] ?? ""}.`);
   });
   const others = match.others.map((each) => node("li", {}, kinds.map((kind) => meaningOf(kind, each)).join("; ")));
   return [

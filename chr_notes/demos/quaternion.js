@@ -11,7 +11,7 @@ import {
 import { bars, inPart, line, mark, words } from "./chart.js";
 import { mountOf } from "./controls.js";
 import { scaled } from "./draw.js";
-import { directed, direction, flown, globe, looking, path, pointer } from "./globe.js";
+import { directed, direction, flown, globe, looking, namesRound, path, pointer } from "./globe.js";
 import { entry, rounded } from "./parts.js";
 
 const DEGREE = Math.PI / 180;
@@ -102,7 +102,7 @@ function scene(context, size, state, q, product, colours, viewpoint) {
   const view = looking(viewpoint, size, SHOWN);
   const axis = axisOf(state);
   const style = { colours, room: size, taken: [] };
-  globe(context, view, colours, size, { taken: style.taken });
+  globe(context, view, colours, size, { names: [] });
   const ends = [-1.25, 1.25].map((far) => view.project(scaled(axis, far)));
   line(context, ends, { colour: colours("accent"), width: 2, dash: [7, 4] });
   pointer(context, view, scaled(axis, 1.2), { ...style, name: ["axis"], held: true, colour: "accent" });
@@ -115,6 +115,7 @@ function scene(context, size, state, q, product, colours, viewpoint) {
   path(context, view, nose, { colour: colours("x"), width: 3.5 });
   pointer(context, view, nose.at(-1), { ...style, name: ["nose"], colour: "x", width: 1.5 });
   pointer(context, view, product.slice(1), { ...style, name: [stageOf(state.product)], colour: "alert", dash: [6, 2], width: 4 });
+  namesRound(context, view, colours, size, style); // last, or an arrow or the path would cover them
 }
 
 const handles = (state, { width, height }, viewpoint) => [

@@ -6,7 +6,7 @@ import { matrixFromEuler } from "../generated/javascript/attitude.mjs";
 import { inPart, line, linear, mark, words } from "./chart.js";
 import { mountOf } from "./controls.js";
 import { label, scaled } from "./draw.js";
-import { directed, direction, flown, globe, looking, pointer } from "./globe.js";
+import { directed, direction, flown, globe, looking, namesRound, pointer } from "./globe.js";
 import { keeping } from "./keeping.js";
 import { rounded } from "./parts.js";
 import { SEEN_BY, around, axisOf, belowOf, factor, fieldOf, quietly, signedFactor, tiltError } from "./validation_factor.js";
@@ -126,10 +126,11 @@ function scene(context, size, state, colours, viewpoint) {
   const style = { colours, room: size, taken };
   const out = (end, name, colour, dash) =>
     pointer(context, view, scaled(end, TIP), { ...style, name: [name], held: name === "axis", colour, dash, width: facing({ point: scaled(end, TIP) }) > 0 ? 4 : 2.5 });
-  globe(context, view, colours, size, { taken });
+  globe(context, view, colours, size, { names: [] });
   flown(context, view, matrixFromEuler(0, 0, (state.heading * Math.PI) / 180), colours, 0.9);
   out(fieldOf(state), "field", "z", [6, 3]);
   out(axisOf(state), "axis", "ink");
+  namesRound(context, view, colours, size, { taken }); // last, or an arrow would cover them
 }
 
 /** The axis by its end, and the threshold by its line. */

@@ -48,7 +48,7 @@ def _cell(name: str) -> str:
     printed = _number(judged.printed_latex)
     if judged.correction_latex is None:
         return f"{anchor}${printed}$ {mark}"
-    return f"{anchor}<s>${printed}$</s> {mark} ${_number(judged.correction_latex)}$"
+    return f"{anchor}<s>${printed}$</s>&nbsp;{mark} ${_number(judged.correction_latex)}$"
 
 
 def _number(latex: str) -> str:
