@@ -11,7 +11,8 @@ _PART: Final = re.compile(
 )
 _UNITS: Final = "°/s|°/h|°C|m/s²|m/s|µT|Hz|rad/s|rad|km|cm|mm|m|ms|µs|ns|s|min|h|kg|g|%"
 _BEFORE_UNIT: Final = re.compile(rf"(?<=\d) (?=(?:{_UNITS})(?![\w/]))")
-_HYPHEN: Final = re.compile(r"(?<![^\s(\[])-(?=\d|pi\b)|(?:(?<=\b\w )|(?<=[°)] ))-(?= )")  # -1 or a - b
+# -1 or a - b
+_HYPHEN: Final = re.compile(r"(?<![^\s(\[])-(?=\d|pi\b)|(?:(?<=\b\w )|(?<=[°)] ))-(?= )")
 _THEN_POINT: Final = re.compile(
     r'(?<!<span class="whole">)(<span class="math[^"]*"><math>(?:(?!</math>).)*</math></span>)'
     r"([,.:;?!)]+)",
