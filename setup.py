@@ -67,7 +67,7 @@ class WithBook(build_py):
             elif (kind := Path(name).suffix) in COMMENT:
                 texts[name] = COMMENT[kind].sub(b"", texts[name])
         (package / "prose.bz2").write_bytes(bz2.compress(archive(texts, PROSE)))
-        strongest = {"id": lzma.FILTER_LZMA2, "preset": 9 | lzma.PRESET_EXTREME, "pb": 0}
+        strongest = {"id": lzma.FILTER_LZMA2, "preset": 9 | lzma.PRESET_EXTREME, "pb": 0, "lc": 2}
         packed = lzma.compress(archive(texts, CODE), filters=[strongest])
         (package / "code.xz").write_bytes(packed)
         if texts:

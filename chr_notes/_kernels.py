@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from chr_notes._signals import IS_COMMAND
-from chr_notes.generated.stamp import STAMP
+from chr_notes.generated import STAMP
 
 VARIABLE = "CHR_NOTES_KERNELS"
 

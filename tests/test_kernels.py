@@ -14,8 +14,8 @@ from numpy.testing import assert_allclose, assert_array_equal
 import chr_notes
 from chr_notes import _kernels
 from chr_notes._kernels import _load
+from chr_notes.generated import STAMP
 from chr_notes.generated.scalar import estimation, quaternions
-from chr_notes.generated.stamp import STAMP
 
 STALE = "the kernels were built from other sources than these: install chr_notes again"
 

@@ -43,7 +43,6 @@ def files() -> dict[str, str]:
         tuple(lower(_of_squares(step.target), by_library, ("valid",)) for step in steps),
     )
     made = {
-        "__init__.py": '"""Generated code; `python -m chr_notes.codegen` writes it."""\n',
         "scalar/__init__.py": '"""Functions of floats, for one attitude at a time."""\n',
         "arrays/__init__.py": '"""Functions of arrays, for many attitudes at once."""\n',
         "arrays/shapes.py": arrays.table((*columns, *steps)),
@@ -66,7 +65,7 @@ def _stamps(compiled: str) -> dict[str, str]:
     sources = [compiled, *(path.read_text(encoding="utf-8") for path in sorted(NATIVE.iterdir()))]
     stamp = sha256("".join(sources).encode()).hexdigest()[:16]
     return {
-        "stamp.py": f'"""{made_how(())[0]}"""\n\nSTAMP = "{stamp}"\n',
+        "__init__.py": f'"""{made_how(())[0]}"""\n\nSTAMP = "{stamp}"\n',
         "c/stamp.h": f'/* {made_how(())[0]} */\n#define STAMP "{stamp}"\n',
     }
 

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from chr_notes.derivations.telling import Told
+from chr_notes.derivations.told import Told
 from chr_notes.ledger.card import steps
 from chr_notes.typeset import latex
 

@@ -10,7 +10,7 @@ from sympy import Basic, Eq, Expr, Float, Inverse, MatrixBase, MatrixExpr, preor
 from sympy.core.function import AppliedUndef
 
 from chr_notes.derivations import told
-from chr_notes.derivations.telling import Told
+from chr_notes.derivations.told import Told
 from chr_notes.typeset import latex
 
 TOPICS = [each.name for each in iter_modules(told.__path__)]

@@ -21,7 +21,7 @@ from chr_notes.derivations.averaging import speed, t, tau
 from chr_notes.derivations.estimation import accel_noise, bias
 from chr_notes.derivations.euler import rotation
 from chr_notes.derivations.steps import Step, equation
-from chr_notes.derivations.telling import Told
+from chr_notes.derivations.told import Told
 from chr_notes.symbols import T, g
 
 FORCE = MatrixSymbol(r"\mathbf{f}_I", 3, 1)

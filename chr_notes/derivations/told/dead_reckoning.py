@@ -7,7 +7,7 @@ from sympy import Symbol, sin
 from chr_notes.derivations import dead_reckoning as derived
 from chr_notes.derivations.dead_reckoning import gyro_bias, t, tilt_error
 from chr_notes.derivations.steps import Step, equation
-from chr_notes.derivations.telling import Told
+from chr_notes.derivations.told import Told
 from chr_notes.symbols import g
 
 ACCELERATION, VELOCITY, POSITION = (Symbol(rf"\Delta {name}") for name in "avr")

@@ -7,7 +7,7 @@ from sympy import ImmutableMatrix, Integer, MatrixSymbol, Symbol, cos, sin, sqrt
 from chr_notes.derivations import estimation as derived
 from chr_notes.derivations.estimation import L, accel_noise, gyro_noise
 from chr_notes.derivations.steps import Step, equation
-from chr_notes.derivations.telling import Told
+from chr_notes.derivations.told import Told
 from chr_notes.symbols import ACCELEROMETER, Angle, AngularRate, T, g, phi, theta
 
 READING = MatrixSymbol(r"\mathbf{a}", 3, 1)

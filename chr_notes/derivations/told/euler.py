@@ -6,7 +6,7 @@ from sympy import ImmutableMatrix, MatMul, MatrixSymbol, Symbol, cos, sin
 
 from chr_notes.derivations import euler as derived
 from chr_notes.derivations.steps import Step, equation
-from chr_notes.derivations.telling import Told
+from chr_notes.derivations.told import Told
 from chr_notes.symbols import (
     EULER_RATES,
     p,

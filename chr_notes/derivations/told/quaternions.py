@@ -7,7 +7,7 @@ from sympy import ImmutableMatrix, MatMul, MatrixSymbol, Rational, cos, eye, sin
 from chr_notes.derivations import quaternions as derived
 from chr_notes.derivations.hamilton import conjugate, multiply, pure
 from chr_notes.derivations.steps import Step, equation
-from chr_notes.derivations.telling import Told
+from chr_notes.derivations.told import Told
 from chr_notes.symbols import BODY_RATES, VECTOR, AngularRate, T, a, alpha, b, c, d
 
 # Quaternions s + t n and s - t n; any unit axis, by two angles; any vector.

@@ -7,7 +7,7 @@ from sympy import ImmutableMatrix, Inverse, MatMul, MatrixSymbol, Symbol, Transp
 from chr_notes.derivations import calibration as derived
 from chr_notes.derivations.euler import rotation
 from chr_notes.derivations.steps import Step, equation
-from chr_notes.derivations.telling import Told
+from chr_notes.derivations.told import Told
 
 READING, CENTRE = (MatrixSymbol(rf"\mathbf{{{name}}}", 3, 1) for name in "bc")
 HARD, FIELD = (MatrixSymbol(name, 3, 1) for name in (r"\beta_h", r"\mathbf{b}_c"))
