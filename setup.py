@@ -38,6 +38,7 @@ CODE = (".css", ".js", ".h", ".mts", ".mjs", ".c", ".svg")
 COMMENT = {
     ".css": re.compile(rb"/\*.*?\*/\s*", re.DOTALL),  # no string of a style sheet has one
     ".js": re.compile(rb"^ */\*.*?\*/\s*", re.DOTALL | re.MULTILINE),
+    ".yml": re.compile(rb" +# .*"),
 }
 DRAWN = re.compile(r'data-drawn=\\"([^"\\]*)\\"')
 

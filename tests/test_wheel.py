@@ -11,6 +11,7 @@ from functools import partial
 from pathlib import Path
 
 import pytest
+import yaml
 
 from chr_notes._texts import ARCHIVES, PACKAGE
 
@@ -47,6 +48,9 @@ def test_a_wheel_of_python_alone_is_small_and_whole(
     assert BESIDE | {f"packed/notebooks/{name}" for name in notebooks} <= texts.keys()
     for folder in TEXTS:
         assert {f"{folder}/{path.name}" for path in (PACKAGE / folder).iterdir()} <= texts.keys()
+    for name in ("book/_config.yml", "book/_toc.yml"):
+        whole = (PACKAGE.parent / name).read_text(encoding="utf-8")
+        assert yaml.safe_load(texts[f"packed/{name}"]) == yaml.safe_load(whole)
     for kind, without in WITHOUT.items():
         bare = [name for name in texts if name.endswith(kind)]
         assert bare
