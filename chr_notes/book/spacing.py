@@ -20,7 +20,8 @@ _THEN_POINT: Final = re.compile(
 )
 _SIZE: Final = re.compile(r"\|(\w)\|")  # |q|, where a line would end after the first bar
 _DOTTED: Final = re.compile(r"(?<=[ >(])chr_notes(?:\.\w+)+\.?(?=[^<>]*<)")  # and not in a tag
-_LONG: Final = re.compile(r'(?<=<span class="pre">)\w{16,}')
+_LONG: Final = re.compile(r'(?<=<span class="pre">)\w{10,}')
+_PARTS: Final = re.compile(r"(?<=_)(?=[^_])|(?<=[a-z])(?=[A-Z])")
 _OPENED: Final = '<span class="sig-paren">(</span>'
 _NO_BREAK: Final = "\N{NO-BREAK SPACE}"
 _MINUS: Final = "\N{MINUS SIGN}"
@@ -30,8 +31,8 @@ _JOINED: Final = "|\N{WORD JOINER}\\1|"
 def spaced(page: str) -> str:
     r"""Keep numbers with units, formulas with their comma, |q| whole; no hyphen is a minus.
 
-    Names with dots may go on in another line after each dot, long ones after each underscore, and
-    signatures after their bracket.
+    Names with dots may go on in another line after each dot, long ones after each underscore and
+    before capitals, and signatures after their bracket.
 
     Parameters
     ----------
@@ -48,7 +49,7 @@ def spaced(page: str) -> str:
     '<span class="pre">matrix_<wbr>from_<wbr>euler</span>'
     """
     page = _DOTTED.sub(lambda name: name[0].replace(".", ".<wbr>"), _PART.sub(_set, page))
-    page = _LONG.sub(lambda name: name[0].replace("_", "_<wbr>"), page)
+    page = _LONG.sub(lambda name: _PARTS.sub("<wbr>", name[0]), page)
     page = page.replace(_OPENED, f"{_OPENED}<wbr>")
     return _THEN_POINT.sub(r'<span class="whole">\1\2</span>', page)
 

@@ -6,6 +6,7 @@ import { camera, label, paint, parsed, scaled, sum, toParent, viewIn } from "./d
 
 const DEGREE = Math.PI / 180;
 const DISTANCE = 7;
+const RING = 13; // pixels from the end of what is held to the outside of the ring round it
 const [NORTH, EAST, DOWN] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 const NAMES = [["N", NORTH], ["E", EAST], ["S", scaled(NORTH, -1)], ["W", scaled(EAST, -1)], ["down", DOWN]];
 
@@ -71,14 +72,21 @@ export function beyond([x0, y0], [x1, y1], letters = 1, held = false) {
   return [x1 + (6 + off + 4 * letters) * right, y1 + (11 + off) * down];
 }
 
-/** An arrow from the centre, or from another point, with a name beyond its end, in a picture of the size `room`. */
+/**
+ * An arrow from the centre, or from another point, with a name beyond its end, in a picture of the size `room`.
+ * What is held ends at the ring round its end, where no name is put.
+ */
 export function pointer(context, view, end, { name, from = [0, 0, 0], colour, colours, room, taken, held, ...style }) {
   const [start, tip] = [from, end].map(view.project);
-  arrow(context, start, tip, { colour: colours(colour), width: 3, ...style });
+  const whole = Math.hypot(tip[0] - start[0], tip[1] - start[1]);
+  const part = held ? Math.max(0, 1 - RING / whole) : 1;
+  const drawn = start.map((value, i) => value + part * (tip[i] - value));
+  arrow(context, start, drawn, { colour: colours(colour), width: 3, ...style });
   if (name)
     label(context, name, beyond(start, tip, name.join("").length, held), {
       colour: colours(colour), rim: colours("page"), size: 13, ...room, taken,
     });
+  if (held) taken.push({ x: tip[0], y: tip[1], half: RING, high: RING });
 }
 
 /**
