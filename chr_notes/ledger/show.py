@@ -1,11 +1,13 @@
-"""One entry of the ledger as a page shows it: formula, verdict, and what the verdict needs."""
+"""Entries of the ledger, and steps of other derivations, as a page shows them."""
 
 from dataclasses import dataclass
 
+from chr_notes.derivations.told import Told
 from chr_notes.ledger import entry as judged
 from chr_notes.ledger.card import card, chip, is_small, steps, together
 from chr_notes.ledger.entry import Entry
 from chr_notes.ledger.harm import HARM
+from chr_notes.typeset import latex
 
 
 @dataclass(frozen=True)
@@ -132,3 +134,34 @@ def show_additions(document: str) -> Cards:
     from chr_notes.printed import ADDITIONS  # noqa: PLC0415 (cards of known ids need no SymPy)
 
     return Cards(tuple(show(printed.id) for printed in ADDITIONS[document]))
+
+
+@dataclass(frozen=True)
+class Steps:
+    """A derivation that a notebook cell can show."""
+
+    derivation: tuple[tuple[str, str], ...]
+    folded: str = ""
+
+    def __repr__(self) -> str:
+        """Give the words, where no Markdown can be shown."""
+        return "\n".join(words for words, _ in self.derivation)
+
+    def _repr_markdown_(self) -> str:
+        lines = "\n".join(steps(self.derivation))
+        if not self.folded:
+            return lines
+        return f"<details>\n<summary>{self.folded}</summary>\n\n{lines}\n</details>\n"
+
+
+def show_steps(told: Told, *, folded: str = "") -> Steps:
+    """Go through a derivation step by step, typeset from the statements that a test compares.
+
+    Parameters
+    ----------
+    told
+        One of those in `chr_notes.derivations.told`.
+    folded
+        What stands on the line that opens them, where the text gets on without; else they are open.
+    """
+    return Steps(tuple((step.says, latex(step.statement)) for step in told.steps), folded)

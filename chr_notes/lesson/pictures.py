@@ -17,7 +17,7 @@ __all__ = ["Drawing", "from_above", "outline", "path"]
 
 _SIZE: Final = 200  # of a picture, in its own units
 _LARGE: Final = 1.25  # the aircraft, whose axes reach beyond it
-_USED: Final = ("page", "line", "muted", "ink", "body", "x", "y", "z")
+_USED: Final = ("page", "line", "muted", "ink", "shade", "x", "y", "z")
 _CROSS: Final = '<path class="line" stroke-width="1" d="M3 100L197 100M100 3L100 197"/>'
 Points = NDArray[np.float64]
 
@@ -57,7 +57,7 @@ def from_above(matrix: ArrayLike) -> Drawing:
     shapes = [
         _CROSS,
         *(
-            f'<path class="body" fill="currentColor" d="{_data(_LARGE * _seen(each))}z"/>'
+            f'<path class="shade" fill="currentColor" d="{_data(_LARGE * _seen(each))}z"/>'
             for each in plates
         ),
         *(_axis(name, rows[row]) for row, name in enumerate("xy")),

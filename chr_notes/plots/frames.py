@@ -272,7 +272,7 @@ def draw_aircraft(axes: Any, matrix: ArrayLike) -> Any:  # noqa: ANN401
     axes.add_collection3d(
         Poly3DCollection(
             [corners @ to_drawn for corners in _aircraft()],
-            facecolor=PALETTE["body"].light,
+            facecolor=PALETTE["shade"].light,
             edgecolor=PALETTE["glass"].light,
             linewidth=0.8,
             alpha=0.95,

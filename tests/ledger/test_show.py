@@ -12,9 +12,8 @@ from chr_notes.ledger.cases import CASES
 from chr_notes.ledger.difference import boxed_alike, unboxed
 from chr_notes.ledger.harm import HARM
 from chr_notes.ledger.proof import proves
-from chr_notes.ledger.show import show, show_additions, show_together
+from chr_notes.ledger.show import show, show_additions, show_steps, show_together
 from chr_notes.ledger.summary import show_summary
-from chr_notes.ledger.told import show_steps
 from chr_notes.printed import ADDITIONS
 
 
