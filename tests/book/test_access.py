@@ -118,6 +118,26 @@ def test_no_focused_control_is_behind_the_picture(visit: Visit, served: str) -> 
         assert page.evaluate(BELOW) >= 0
 
 
+MARKED = """(part) => [getComputedStyle(part).boxShadow, getComputedStyle(part).maskImage]
+  .some((drawn) => drawn !== "none")"""
+
+
+@pytest.mark.parametrize("kind", ["div.math", ".pst-scrollable-table-container"])
+def test_what_scrolls_is_marked_where_there_is_more(visit: Visit, served: str, kind: str) -> None:
+    page = visit(served + "book/errata.html", width=390, own=True)
+    wide = page.locator(f"{kind}[data-more]").first
+    expect(wide).to_have_attribute("data-more", "right")
+    for far, more in ((5, "left right"), (10_000, "left"), (0, "right")):
+        wide.evaluate("(part, far) => part.scrollTo(far, 0)", far)
+        expect(wide).to_have_attribute("data-more", more)
+        assert wide.evaluate(MARKED)
+    page.emulate_media(media="print")
+    assert not wide.evaluate(MARKED)
+    page.emulate_media(media="screen")
+    page.set_viewport_size({"width": 2400, "height": 800})
+    expect(page.locator(f"{kind}[data-more]")).to_have_count(0)
+
+
 @pytest.mark.full
 @pytest.mark.parametrize("seen", list(itertools.product(("light", "dark"), (390, 1280))))
 def test_axe_finds_nothing_on_any_page(
