@@ -98,9 +98,9 @@ def _to_reader(axes: Any) -> NDArray[np.float64]:  # noqa: ANN401
 
 
 def _as_seen(axes: Any, vector: NDArray[np.float64]) -> NDArray[np.float64]:  # noqa: ANN401
-    """Return the unit vector, across the line of sight, along which a vector is seen."""
+    """Return the unit vector, across the line of sight, along which a vector is seen, or zero."""
     seen = vector - (vector @ _to_reader(axes)) * _to_reader(axes)
-    return np.asarray(seen / np.linalg.norm(seen))
+    return np.asarray(seen / max(float(np.linalg.norm(seen)), 1e-9))
 
 
 def _draw_arrow(

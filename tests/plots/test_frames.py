@@ -78,6 +78,14 @@ def test_an_arrow_has_a_head_as_wide_from_each_side() -> None:
         plt.close(axes.figure)
 
 
+def test_an_arrow_towards_the_reader_is_a_point() -> None:
+    axes = plots.world()
+    axes.view_init(elev=0, azim=0)
+    plots.draw_vector(axes, [1, 0, 0], "it")
+    np.testing.assert_allclose(axes.texts[0].get_position_3d(), [1, 0, 0], atol=1e-12)
+    plt.close(axes.figure)
+
+
 def test_an_arc_runs_from_one_axis_to_the_other() -> None:
     start, end = np.array([1.0, 0, 0]), np.array([0, 1.0, 0])
     axes = plots.draw_arc(plots.world(), start, end, "angle")
