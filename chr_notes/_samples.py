@@ -71,15 +71,13 @@ def one_sample(name: str, value: ArrayLike) -> Sequence[float]:
         If the shape is not (3,); it states the received shape.
     """
     # Of what is the rule it is quick to see.
-    numbers: Any = ()
-    if type(value) is ndarray:
-        numbers = value.tolist()
-    elif isinstance(value, (list, tuple)):
-        numbers = value
+    kind: type = type(value)
+    numbers: Any = value.tolist() if kind is ndarray else value  # type: ignore[union-attr]
     try:
-        x, y, z = numbers
-        if type(x) is type(y) is type(z) is float:
-            return numbers  # type: ignore[no-any-return]
+        if kind is list or kind is ndarray or isinstance(value, (list, tuple)):
+            x, y, z = numbers
+            if type(x) is type(y) is type(z) is float:
+                return numbers  # type: ignore[no-any-return]
     except (TypeError, ValueError):  # of which is told below
         pass
     array = floats(name, value, 3)

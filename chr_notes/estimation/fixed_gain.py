@@ -7,6 +7,7 @@ out, and the estimate goes on without it.
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from math import pi
+from struct import Struct
 from typing import Any, Literal, NoReturn
 
 import numpy as np
@@ -32,6 +33,8 @@ from chr_notes.generated.scalar.quaternions import euler_from_quaternion, quater
 
 Method = Literal["quaternion", "euler"]
 _LEAST, _DOWN, _UP = -pi, -pi / 2, pi / 2
+# An array is filled by it in less time than it takes to make one of numbers.
+_fill: Callable[..., None] = Struct("3d").pack_into
 
 
 @dataclass(frozen=True)
@@ -66,10 +69,8 @@ class _Way:
 def _angles(quaternion: Sequence[float]) -> Floats:
     a, b, c, d = quaternion
     roll, pitch, yaw, _ = euler_from_quaternion(a, b, c, d)
-    angles = empty(3)  # to fill it takes less time than to make an array of numbers
-    angles[0] = roll if roll < pi else -pi
-    angles[1] = pitch
-    angles[2] = yaw if yaw < pi else -pi
+    angles = empty(3)
+    _fill(angles, 0, roll if roll < pi else _LEAST, pitch, yaw if yaw < pi else _LEAST)
     return angles
 
 
@@ -84,7 +85,7 @@ def angles_in_range(euler: Sequence[float] | Floats) -> Floats:
     # As is_in_range, to call which takes as long as to see it.
     if _LEAST <= roll < pi and _LEAST <= yaw < pi and _DOWN <= pitch <= _UP:
         angles = empty(3)
-        angles[0], angles[1], angles[2] = roll, pitch, yaw
+        _fill(angles, 0, roll, pitch, yaw)
         return angles
     return np.asarray(in_range(np.array([euler]))[0])
 

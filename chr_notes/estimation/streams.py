@@ -79,9 +79,10 @@ def observe_sample(  # noqa: PLR0913 (a state and a sample)
     array([0.0561, 0.    , 0.    ])
     """
     way = WAYS[method]
-    # The usual case is looked at here: to call another function takes as long as to see it.
-    share = gain if type(gain) is float and 0 <= gain <= 1 else check_gain("gain", gain)
-    step = dt if type(dt) is float and 0 <= dt < inf else period(dt)
+    # The usual case is looked at here: to call another function takes as long as to see it, and
+    # so does to compare a float with an integer.
+    share = gain if type(gain) is float and 0.0 <= gain <= 1.0 else check_gain("gain", gain)
+    step = dt if type(dt) is float and 0.0 <= dt < inf else period(dt)
     take = way.quick_sample
     if take is not None:
         found = take(euler, body_rates, accel, step, share, None)
@@ -201,6 +202,7 @@ def _by_numbers(
 ) -> Iterator[Estimate]:
     heading: Callable[..., tuple[float, ...]] = steps.observer_heading_turn
     way, share, incomplete = WAYS[method], constants[0], 0
+    turn, angles, by_angles = way.step, way.angles, method == "euler"
     for sample in stream:
         mag: Sequence[float] = ()
         if len(sample) == _ALONE:
@@ -211,7 +213,7 @@ def _by_numbers(
             mag = one_sample("mag", field)
         p, q, r = rates = one_sample("body_rates", body_rates)
         x, y, z = force = one_sample("accel", accel)
-        step = dt if type(dt) is float and 0 <= dt < inf else period(dt)
+        step = dt if type(dt) is float and 0.0 <= dt < inf else period(dt)
         size = hypot(p, q, r)
         if not (z and isfinite(x + y + z) and size < WILD_RATE and size * step < pi):
             incomplete += _is_left_out(rates, force)
@@ -223,12 +225,12 @@ def _by_numbers(
             state = way.begin(*first)
         elif mag:
             state = heading(*state, *rates, *force, *mag, step, *constants)
-        elif method == "euler":
-            state = way.step(*state, *rates, *force, step, share)
+        elif by_angles:
+            state = turn(*state, *rates, *force, step, share)
         else:  # as above, where arguments take a while to be put together
             a, b, c, d = state
-            state = way.step(a, b, c, d, p, q, r, x, y, z, step, share)
-        yield _NEW(Estimate, (way.angles(state), incomplete))
+            state = turn(a, b, c, d, p, q, r, x, y, z, step, share)
+        yield _NEW(Estimate, (angles(state), incomplete))
 
 
 def _by_kernels(
