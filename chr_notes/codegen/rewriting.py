@@ -51,11 +51,13 @@ def by_library(values: tuple[Basic, ...]) -> tuple[tuple[Let, ...], dict[Basic, 
     for angle, functions_of_it in _angles(values).items():
         named = {name: _local(name, angle) for name in ("sin", "cos", "tan", "sec")}
         needed = {*functions_of_it, *(["cos"] if "sec" in functions_of_it else [])}
-        functions = {"sin": sin(angle), "cos": cos(angle), "tan": tan(angle)}
-        lets += [Let(named[name], functions[name]) for name in functions if name in needed]
+        called = [function for function in (sin, cos, tan) if function.__name__ in needed]
+        known = angle if angle.is_Symbol else Symbol(_name(angle), real=True)
+        lets += [Let(known, angle)] if known != angle else []
+        lets += [Let(named[function.__name__], function(known)) for function in called]
         if "sec" in needed:
             lets.append(Let(named["sec"], 1 / named["cos"]))
-        replaced |= {functions[name]: named[name] for name in functions if name in needed}
+        replaced |= {function(angle): named[function.__name__] for function in called}
     return tuple(lets), replaced
 
 

@@ -106,12 +106,15 @@ def quaternion_from_euler(euler: Floats, out: Floats) -> Told:
     roll = euler[..., 0]
     pitch = euler[..., 1]
     yaw = euler[..., 2]
-    sin_half_pitch = sin(0.5*pitch)
-    cos_half_pitch = cos(0.5*pitch)
-    sin_half_roll = sin(0.5*roll)
-    cos_half_roll = cos(0.5*roll)
-    sin_half_yaw = sin(0.5*yaw)
-    cos_half_yaw = cos(0.5*yaw)
+    half_pitch = 0.5*pitch
+    sin_half_pitch = sin(half_pitch)
+    cos_half_pitch = cos(half_pitch)
+    half_roll = 0.5*roll
+    sin_half_roll = sin(half_roll)
+    cos_half_roll = cos(half_roll)
+    half_yaw = 0.5*yaw
+    sin_half_yaw = sin(half_yaw)
+    cos_half_yaw = cos(half_yaw)
     cos_half_pitch_cos_half_yaw = cos_half_pitch*cos_half_yaw
     sin_half_pitch_sin_half_yaw = sin_half_pitch*sin_half_yaw
     a = cos_half_pitch_cos_half_yaw*cos_half_roll + sin_half_pitch_sin_half_yaw*sin_half_roll
@@ -177,15 +180,16 @@ def quaternion_from_axis_angle(axis: Floats, angle: Floats, out: Floats) -> Told
     x = axis[..., 0]
     y = axis[..., 1]
     z = axis[..., 2]
-    sin_half_angle = sin(0.5*angle)
-    cos_half_angle = cos(0.5*angle)
+    half_angle = 0.5*angle
+    sin_half_angle = sin(half_angle)
+    cos_half_angle = cos(half_angle)
     length_squared = x*x + y*y + z*z
     sign = where(cos_half_angle >= 0.0, 1.0, -1.0)
-    common_2 = sign*sin_half_angle/sqrt(length_squared)
+    common_3 = sign*sin_half_angle/sqrt(length_squared)
     out[..., 0] = cos_half_angle*sign
-    out[..., 1] = common_2*x
-    out[..., 2] = common_2*y
-    out[..., 3] = common_2*z
+    out[..., 1] = common_3*x
+    out[..., 2] = common_3*y
+    out[..., 3] = common_3*z
     return None, length_squared
 
 

@@ -235,12 +235,15 @@ def quaternion_from_angles(angles: Floats, axes: Floats, out: Floats) -> Told:
     first_axis = axes[..., 0]
     second_axis = axes[..., 1]
     third_axis = axes[..., 2]
-    sin_half_first = sin(0.5*first)
-    cos_half_first = cos(0.5*first)
-    sin_half_second = sin(0.5*second)
-    cos_half_second = cos(0.5*second)
-    sin_half_third = sin(0.5*third)
-    cos_half_third = cos(0.5*third)
+    half_first = 0.5*first
+    sin_half_first = sin(half_first)
+    cos_half_first = cos(half_first)
+    half_second = 0.5*second
+    sin_half_second = sin(half_second)
+    cos_half_second = cos(half_second)
+    half_third = 0.5*third
+    sin_half_third = sin(half_third)
+    cos_half_third = cos(half_third)
     first_x = (
         where(first_axis == 1.0, 1.0, where(first_axis == 2.0, 0.0, where(first_axis == 3.0, 0.0,
             nan)))

@@ -430,12 +430,15 @@ void attitude_quaternion_from_matrix_f(float r11, float r12, float r13, float r2
 
 void attitude_quaternion_from_euler(double roll, double pitch, double yaw, double out[4])
 {
-    const double sin_half_pitch = sin(0.5*pitch);
-    const double cos_half_pitch = cos(0.5*pitch);
-    const double sin_half_roll = sin(0.5*roll);
-    const double cos_half_roll = cos(0.5*roll);
-    const double sin_half_yaw = sin(0.5*yaw);
-    const double cos_half_yaw = cos(0.5*yaw);
+    const double half_pitch = 0.5*pitch;
+    const double sin_half_pitch = sin(half_pitch);
+    const double cos_half_pitch = cos(half_pitch);
+    const double half_roll = 0.5*roll;
+    const double sin_half_roll = sin(half_roll);
+    const double cos_half_roll = cos(half_roll);
+    const double half_yaw = 0.5*yaw;
+    const double sin_half_yaw = sin(half_yaw);
+    const double cos_half_yaw = cos(half_yaw);
     const double cos_half_pitch_cos_half_yaw = cos_half_pitch*cos_half_yaw;
     const double sin_half_pitch_sin_half_yaw = sin_half_pitch*sin_half_yaw;
     const double a = cos_half_pitch_cos_half_yaw*cos_half_roll +
@@ -457,12 +460,15 @@ void attitude_quaternion_from_euler(double roll, double pitch, double yaw, doubl
 
 void attitude_quaternion_from_euler_f(float roll, float pitch, float yaw, float out[4])
 {
-    const float sin_half_pitch = sinf(0.5f*pitch);
-    const float cos_half_pitch = cosf(0.5f*pitch);
-    const float sin_half_roll = sinf(0.5f*roll);
-    const float cos_half_roll = cosf(0.5f*roll);
-    const float sin_half_yaw = sinf(0.5f*yaw);
-    const float cos_half_yaw = cosf(0.5f*yaw);
+    const float half_pitch = 0.5f*pitch;
+    const float sin_half_pitch = sinf(half_pitch);
+    const float cos_half_pitch = cosf(half_pitch);
+    const float half_roll = 0.5f*roll;
+    const float sin_half_roll = sinf(half_roll);
+    const float cos_half_roll = cosf(half_roll);
+    const float half_yaw = 0.5f*yaw;
+    const float sin_half_yaw = sinf(half_yaw);
+    const float cos_half_yaw = cosf(half_yaw);
     const float cos_half_pitch_cos_half_yaw = cos_half_pitch*cos_half_yaw;
     const float sin_half_pitch_sin_half_yaw = sin_half_pitch*sin_half_yaw;
     const float a = cos_half_pitch_cos_half_yaw*cos_half_roll +
@@ -542,28 +548,30 @@ int attitude_euler_from_quaternion_f(float a, float b, float c, float d, float o
 
 void attitude_quaternion_from_axis_angle(double x, double y, double z, double angle, double out[4])
 {
-    const double sin_half_angle = sin(0.5*angle);
-    const double cos_half_angle = cos(0.5*angle);
+    const double half_angle = 0.5*angle;
+    const double sin_half_angle = sin(half_angle);
+    const double cos_half_angle = cos(half_angle);
     const double length_squared = x*x + y*y + z*z;
     const double sign = cos_half_angle >= 0.0 ? 1.0 : -1.0;
-    const double common_2 = sign*sin_half_angle/sqrt(length_squared);
+    const double common_3 = sign*sin_half_angle/sqrt(length_squared);
     out[0] = cos_half_angle*sign;
-    out[1] = common_2*x;
-    out[2] = common_2*y;
-    out[3] = common_2*z;
+    out[1] = common_3*x;
+    out[2] = common_3*y;
+    out[3] = common_3*z;
 }
 
 void attitude_quaternion_from_axis_angle_f(float x, float y, float z, float angle, float out[4])
 {
-    const float sin_half_angle = sinf(0.5f*angle);
-    const float cos_half_angle = cosf(0.5f*angle);
+    const float half_angle = 0.5f*angle;
+    const float sin_half_angle = sinf(half_angle);
+    const float cos_half_angle = cosf(half_angle);
     const float length_squared = x*x + y*y + z*z;
     const float sign = cos_half_angle >= 0.0f ? 1.0f : -1.0f;
-    const float common_2 = sign*sin_half_angle/sqrtf(length_squared);
+    const float common_3 = sign*sin_half_angle/sqrtf(length_squared);
     out[0] = cos_half_angle*sign;
-    out[1] = common_2*x;
-    out[2] = common_2*y;
-    out[3] = common_2*z;
+    out[1] = common_3*x;
+    out[2] = common_3*y;
+    out[3] = common_3*z;
 }
 
 void attitude_axis_angle_from_quaternion(double a, double b, double c, double d, double out[4])
@@ -1233,12 +1241,15 @@ int attitude_angles_from_matrix_f(float r11, float r12, float r13, float r21, fl
 void attitude_quaternion_from_angles(double first, double second, double third, double first_axis,
     double second_axis, double third_axis, double out[4])
 {
-    const double sin_half_first = sin(0.5*first);
-    const double cos_half_first = cos(0.5*first);
-    const double sin_half_second = sin(0.5*second);
-    const double cos_half_second = cos(0.5*second);
-    const double sin_half_third = sin(0.5*third);
-    const double cos_half_third = cos(0.5*third);
+    const double half_first = 0.5*first;
+    const double sin_half_first = sin(half_first);
+    const double cos_half_first = cos(half_first);
+    const double half_second = 0.5*second;
+    const double sin_half_second = sin(half_second);
+    const double cos_half_second = cos(half_second);
+    const double half_third = 0.5*third;
+    const double sin_half_third = sin(half_third);
+    const double cos_half_third = cos(half_third);
     double first_x, first_y, first_z;
     if (first_axis == 1.0) {
         first_x = 1.0;
@@ -1336,12 +1347,15 @@ void attitude_quaternion_from_angles(double first, double second, double third, 
 void attitude_quaternion_from_angles_f(float first, float second, float third, float first_axis,
     float second_axis, float third_axis, float out[4])
 {
-    const float sin_half_first = sinf(0.5f*first);
-    const float cos_half_first = cosf(0.5f*first);
-    const float sin_half_second = sinf(0.5f*second);
-    const float cos_half_second = cosf(0.5f*second);
-    const float sin_half_third = sinf(0.5f*third);
-    const float cos_half_third = cosf(0.5f*third);
+    const float half_first = 0.5f*first;
+    const float sin_half_first = sinf(half_first);
+    const float cos_half_first = cosf(half_first);
+    const float half_second = 0.5f*second;
+    const float sin_half_second = sinf(half_second);
+    const float cos_half_second = cosf(half_second);
+    const float half_third = 0.5f*third;
+    const float sin_half_third = sinf(half_third);
+    const float cos_half_third = cosf(half_third);
     float first_x, first_y, first_z;
     if (first_axis == 1.0f) {
         first_x = 1.0f;
@@ -2371,12 +2385,15 @@ void attitude_observer_turn_f(float a, float b, float c, float d, float p, float
 void attitude_observer_step(double roll, double pitch, double yaw, double p, double q, double r,
     double accel_x, double accel_y, double accel_z, double dt, double gain, double out[3])
 {
-    const double sin_half_pitch = sin(0.5*pitch);
-    const double cos_half_pitch = cos(0.5*pitch);
-    const double sin_half_roll = sin(0.5*roll);
-    const double cos_half_roll = cos(0.5*roll);
-    const double sin_half_yaw = sin(0.5*yaw);
-    const double cos_half_yaw = cos(0.5*yaw);
+    const double half_pitch = 0.5*pitch;
+    const double sin_half_pitch = sin(half_pitch);
+    const double cos_half_pitch = cos(half_pitch);
+    const double half_roll = 0.5*roll;
+    const double sin_half_roll = sin(half_roll);
+    const double cos_half_roll = cos(half_roll);
+    const double half_yaw = 0.5*yaw;
+    const double sin_half_yaw = sin(half_yaw);
+    const double cos_half_yaw = cos(half_yaw);
     const double cos_half_pitch_cos_half_yaw = cos_half_pitch*cos_half_yaw;
     const double sin_half_pitch_sin_half_yaw = sin_half_pitch*sin_half_yaw;
     const double start_a = cos_half_pitch_cos_half_yaw*cos_half_roll +
@@ -2408,10 +2425,10 @@ void attitude_observer_step(double roll, double pitch, double yaw, double p, dou
     const double sin_half_turn = sin(half_turn);
     const double ratio = half_turn > 0.0 ? sin_half_turn/half_turn : 1.0;
     const double turn_a = cos(half_turn);
-    const double common_14 = 0.5*dt*ratio;
-    const double turn_b = common_14*rate_x;
-    const double turn_c = common_14*rate_y;
-    const double turn_d = common_14*rate_z;
+    const double common_17 = 0.5*dt*ratio;
+    const double turn_b = common_17*rate_x;
+    const double turn_c = common_17*rate_y;
+    const double turn_d = common_17*rate_z;
     const double predicted_a = start_a*turn_a - start_b*turn_b - start_c*turn_c - start_d*turn_d;
     const double predicted_b = start_a*turn_b + start_b*turn_a + start_c*turn_d - start_d*turn_c;
     const double predicted_c = start_a*turn_c - start_b*turn_d + start_c*turn_a + start_d*turn_b;
@@ -2486,12 +2503,15 @@ void attitude_observer_step(double roll, double pitch, double yaw, double p, dou
 void attitude_observer_step_f(float roll, float pitch, float yaw, float p, float q, float r,
     float accel_x, float accel_y, float accel_z, float dt, float gain, float out[3])
 {
-    const float sin_half_pitch = sinf(0.5f*pitch);
-    const float cos_half_pitch = cosf(0.5f*pitch);
-    const float sin_half_roll = sinf(0.5f*roll);
-    const float cos_half_roll = cosf(0.5f*roll);
-    const float sin_half_yaw = sinf(0.5f*yaw);
-    const float cos_half_yaw = cosf(0.5f*yaw);
+    const float half_pitch = 0.5f*pitch;
+    const float sin_half_pitch = sinf(half_pitch);
+    const float cos_half_pitch = cosf(half_pitch);
+    const float half_roll = 0.5f*roll;
+    const float sin_half_roll = sinf(half_roll);
+    const float cos_half_roll = cosf(half_roll);
+    const float half_yaw = 0.5f*yaw;
+    const float sin_half_yaw = sinf(half_yaw);
+    const float cos_half_yaw = cosf(half_yaw);
     const float cos_half_pitch_cos_half_yaw = cos_half_pitch*cos_half_yaw;
     const float sin_half_pitch_sin_half_yaw = sin_half_pitch*sin_half_yaw;
     const float start_a = cos_half_pitch_cos_half_yaw*cos_half_roll +
@@ -2523,10 +2543,10 @@ void attitude_observer_step_f(float roll, float pitch, float yaw, float p, float
     const float sin_half_turn = sinf(half_turn);
     const float ratio = half_turn > 0.0f ? sin_half_turn/half_turn : 1.0f;
     const float turn_a = cosf(half_turn);
-    const float common_14 = 0.5f*dt*ratio;
-    const float turn_b = common_14*rate_x;
-    const float turn_c = common_14*rate_y;
-    const float turn_d = common_14*rate_z;
+    const float common_17 = 0.5f*dt*ratio;
+    const float turn_b = common_17*rate_x;
+    const float turn_c = common_17*rate_y;
+    const float turn_d = common_17*rate_z;
     const float predicted_a = start_a*turn_a - start_b*turn_b - start_c*turn_c - start_d*turn_d;
     const float predicted_b = start_a*turn_b + start_b*turn_a + start_c*turn_d - start_d*turn_c;
     const float predicted_c = start_a*turn_c - start_b*turn_d + start_c*turn_a + start_d*turn_b;

@@ -326,12 +326,15 @@ export function quaternionFromMatrix(r11, r12, r13, r21, r22, r23, r31, r32, r33
  * @returns {[number, number, number, number]}
  */
 export function quaternionFromEuler(roll, pitch, yaw) {
-  const sinHalfPitch = Math.sin(0.5*pitch);
-  const cosHalfPitch = Math.cos(0.5*pitch);
-  const sinHalfRoll = Math.sin(0.5*roll);
-  const cosHalfRoll = Math.cos(0.5*roll);
-  const sinHalfYaw = Math.sin(0.5*yaw);
-  const cosHalfYaw = Math.cos(0.5*yaw);
+  const halfPitch = 0.5*pitch;
+  const sinHalfPitch = Math.sin(halfPitch);
+  const cosHalfPitch = Math.cos(halfPitch);
+  const halfRoll = 0.5*roll;
+  const sinHalfRoll = Math.sin(halfRoll);
+  const cosHalfRoll = Math.cos(halfRoll);
+  const halfYaw = 0.5*yaw;
+  const sinHalfYaw = Math.sin(halfYaw);
+  const cosHalfYaw = Math.cos(halfYaw);
   const cosHalfPitchCosHalfYaw = cosHalfPitch*cosHalfYaw;
   const sinHalfPitchSinHalfYaw = sinHalfPitch*sinHalfYaw;
   const a = cosHalfPitchCosHalfYaw*cosHalfRoll + sinHalfPitchSinHalfYaw*sinHalfRoll;
@@ -394,12 +397,13 @@ export function eulerFromQuaternion(a, b, c, d) {
  * @returns {[number, number, number, number]}
  */
 export function quaternionFromAxisAngle(x, y, z, angle) {
-  const sinHalfAngle = Math.sin(0.5*angle);
-  const cosHalfAngle = Math.cos(0.5*angle);
+  const halfAngle = 0.5*angle;
+  const sinHalfAngle = Math.sin(halfAngle);
+  const cosHalfAngle = Math.cos(halfAngle);
   const lengthSquared = x*x + y*y + z*z;
   const sign = cosHalfAngle >= 0 ? 1 : -1;
-  const common2 = sign*sinHalfAngle/Math.sqrt(lengthSquared);
-  return [cosHalfAngle*sign, common2*x, common2*y, common2*z];
+  const common3 = sign*sinHalfAngle/Math.sqrt(lengthSquared);
+  return [cosHalfAngle*sign, common3*x, common3*y, common3*z];
 }
 
 /**
@@ -865,12 +869,15 @@ export function anglesFromMatrix(
  * @returns {[number, number, number, number]}
  */
 export function quaternionFromAngles(first, second, third, firstAxis, secondAxis, thirdAxis) {
-  const sinHalfFirst = Math.sin(0.5*first);
-  const cosHalfFirst = Math.cos(0.5*first);
-  const sinHalfSecond = Math.sin(0.5*second);
-  const cosHalfSecond = Math.cos(0.5*second);
-  const sinHalfThird = Math.sin(0.5*third);
-  const cosHalfThird = Math.cos(0.5*third);
+  const halfFirst = 0.5*first;
+  const sinHalfFirst = Math.sin(halfFirst);
+  const cosHalfFirst = Math.cos(halfFirst);
+  const halfSecond = 0.5*second;
+  const sinHalfSecond = Math.sin(halfSecond);
+  const cosHalfSecond = Math.cos(halfSecond);
+  const halfThird = 0.5*third;
+  const sinHalfThird = Math.sin(halfThird);
+  const cosHalfThird = Math.cos(halfThird);
   let firstX, firstY, firstZ;
   if (firstAxis == 1) {
     firstX = 1;
@@ -1789,12 +1796,15 @@ export function observerTurn(a, b, c, d, p, q, r, accelX, accelY, accelZ, dt, ga
  * @returns {[number, number, number]}
  */
 export function observerStep(roll, pitch, yaw, p, q, r, accelX, accelY, accelZ, dt, gain) {
-  const sinHalfPitch = Math.sin(0.5*pitch);
-  const cosHalfPitch = Math.cos(0.5*pitch);
-  const sinHalfRoll = Math.sin(0.5*roll);
-  const cosHalfRoll = Math.cos(0.5*roll);
-  const sinHalfYaw = Math.sin(0.5*yaw);
-  const cosHalfYaw = Math.cos(0.5*yaw);
+  const halfPitch = 0.5*pitch;
+  const sinHalfPitch = Math.sin(halfPitch);
+  const cosHalfPitch = Math.cos(halfPitch);
+  const halfRoll = 0.5*roll;
+  const sinHalfRoll = Math.sin(halfRoll);
+  const cosHalfRoll = Math.cos(halfRoll);
+  const halfYaw = 0.5*yaw;
+  const sinHalfYaw = Math.sin(halfYaw);
+  const cosHalfYaw = Math.cos(halfYaw);
   const cosHalfPitchCosHalfYaw = cosHalfPitch*cosHalfYaw;
   const sinHalfPitchSinHalfYaw = sinHalfPitch*sinHalfYaw;
   const startA = cosHalfPitchCosHalfYaw*cosHalfRoll + sinHalfPitchSinHalfYaw*sinHalfRoll;
@@ -1823,10 +1833,10 @@ export function observerStep(roll, pitch, yaw, p, q, r, accelX, accelY, accelZ, 
   const sinHalfTurn = Math.sin(halfTurn);
   const ratio = halfTurn > 0 ? sinHalfTurn/halfTurn : 1;
   const turnA = Math.cos(halfTurn);
-  const common14 = 0.5*dt*ratio;
-  const turnB = common14*rateX;
-  const turnC = common14*rateY;
-  const turnD = common14*rateZ;
+  const common17 = 0.5*dt*ratio;
+  const turnB = common17*rateX;
+  const turnC = common17*rateY;
+  const turnD = common17*rateZ;
   const predictedA = startA*turnA - startB*turnB - startC*turnC - startD*turnD;
   const predictedB = startA*turnB + startB*turnA + startC*turnD - startD*turnC;
   const predictedC = startA*turnC - startB*turnD + startC*turnA + startD*turnB;

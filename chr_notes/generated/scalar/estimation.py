@@ -243,12 +243,15 @@ def observer_step(
     dt: time that passes, s
     gain: weight of the accelerometer, from 0 to 1
     """
-    sin_half_pitch = sin(0.5*pitch)
-    cos_half_pitch = cos(0.5*pitch)
-    sin_half_roll = sin(0.5*roll)
-    cos_half_roll = cos(0.5*roll)
-    sin_half_yaw = sin(0.5*yaw)
-    cos_half_yaw = cos(0.5*yaw)
+    half_pitch = 0.5*pitch
+    sin_half_pitch = sin(half_pitch)
+    cos_half_pitch = cos(half_pitch)
+    half_roll = 0.5*roll
+    sin_half_roll = sin(half_roll)
+    cos_half_roll = cos(half_roll)
+    half_yaw = 0.5*yaw
+    sin_half_yaw = sin(half_yaw)
+    cos_half_yaw = cos(half_yaw)
     cos_half_pitch_cos_half_yaw = cos_half_pitch*cos_half_yaw
     sin_half_pitch_sin_half_yaw = sin_half_pitch*sin_half_yaw
     start_a = cos_half_pitch_cos_half_yaw*cos_half_roll + sin_half_pitch_sin_half_yaw*sin_half_roll
@@ -277,10 +280,10 @@ def observer_step(
     else:
         ratio = 1.0
     turn_a = cos(half_turn)
-    common_14 = 0.5*dt*ratio
-    turn_b = common_14*rate_x
-    turn_c = common_14*rate_y
-    turn_d = common_14*rate_z
+    common_17 = 0.5*dt*ratio
+    turn_b = common_17*rate_x
+    turn_c = common_17*rate_y
+    turn_d = common_17*rate_z
     predicted_a = start_a*turn_a - start_b*turn_b - start_c*turn_c - start_d*turn_d
     predicted_b = start_a*turn_b + start_b*turn_a + start_c*turn_d - start_d*turn_c
     predicted_c = start_a*turn_c - start_b*turn_d + start_c*turn_a + start_d*turn_b

@@ -277,12 +277,15 @@ def quaternion_from_angles(
     second_axis: axis of the second turn, as turned so far: 1, 2, 3 for x, y, z
     third_axis: axis of the third turn, as turned so far: 1, 2, 3 for x, y, z
     """
-    sin_half_first = sin(0.5*first)
-    cos_half_first = cos(0.5*first)
-    sin_half_second = sin(0.5*second)
-    cos_half_second = cos(0.5*second)
-    sin_half_third = sin(0.5*third)
-    cos_half_third = cos(0.5*third)
+    half_first = 0.5*first
+    sin_half_first = sin(half_first)
+    cos_half_first = cos(half_first)
+    half_second = 0.5*second
+    sin_half_second = sin(half_second)
+    cos_half_second = cos(half_second)
+    half_third = 0.5*third
+    sin_half_third = sin(half_third)
+    cos_half_third = cos(half_third)
     if first_axis == 1.0:
         first_x = 1.0
         first_y = 0.0
