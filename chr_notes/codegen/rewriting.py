@@ -27,6 +27,7 @@ from sympy.codegen.cfunctions import hypot
 from chr_notes.codegen.names import name_of
 from chr_notes.derivations.computation import Choice, Computation, Let, map_step
 from chr_notes.derivations.forms.estimation import KNOWN
+from chr_notes.derivations.forms.filters import SIDES
 
 Rewriting = Callable[[tuple[Basic, ...]], tuple[tuple[Let, ...], dict[Basic, Expr]]]
 
@@ -123,7 +124,7 @@ def without_roots(computation: Computation) -> Computation:
             known[sin(name) / name] = sinc_of_root(root[factor], root[square])
         elif share and isinstance(values.get(share[square]), Pow):
             length = share[square]
-            given = (share[factor], values[length].base, share[x])
+            given = (share[factor], values[length].base, share[x], SIDES)
             known[cos(name)] = cos_of_share(*given)
             known[sin(name) / length] = sin_of_share(*given)
     steps: list[Let | Choice] = []

@@ -23,8 +23,12 @@ double angle(double y, double x) {{ return column_atan2(y, x); }}
 double any_sine(double x) {{ return step_sin(x); }}
 double any_cosine(double x) {{ return step_cos(x); }}
 double any_angle(double y, double x) {{ return step_atan2(y, x); }}
-double share_cosine(double s, double y, double x) {{ return step_cos_of_share(s, y, x); }}
-double share_sine(double s, double y, double x) {{ return step_sin_of_share(s, y, x); }}
+double root_cosine(double f, double y) {{ return step_cos_of_root(f, y); }}
+double root_sine(double f, double y) {{ return step_sinc_of_root(f, y); }}
+double share_cosine(double s, double y, double x, double both)
+{{ return step_cos_of_share(s, y, x, both); }}
+double share_sine(double s, double y, double x, double both)
+{{ return step_sin_of_share(s, y, x, both); }}
 """
 MP = mpmath.mp.clone()
 MP.prec = 200
@@ -90,18 +94,34 @@ def test_arctangent(functions: dict[str, Callable[..., float]]) -> None:
         assert ulps_off(functions["angle"](y, x), MP.atan2(MP.mpf(y), MP.mpf(x))) < 1.8, (y, x)
 
 
+@pytest.mark.parametrize("factor", [0.5, 1e-3])
+def test_a_factor_of_a_root(functions: dict[str, Callable[..., float]], factor: float) -> None:
+    generator = np.random.default_rng(3)
+    ends = np.array([2**-5.5, np.pi / 4])  # of each of the two series
+    few = [angle for end in ends for angle in generator.uniform(0, end, 300)]
+    for angle in [*few, *ends, *1.001 * ends, 1e-9, 1e-150]:
+        square = float((angle / factor) ** 2)
+        part = MP.mpf(factor) * MP.sqrt(MP.mpf(square))
+        assert ulps_off(functions["root_cosine"](factor, square), MP.cos(part)) < 2, angle
+        found, exact = functions["root_sine"](factor, square), MP.sin(part) / part
+        assert ulps_off(found, exact) < 4, angle
+    assert functions["root_sine"](factor, 0.0) == 1.0
+
+
 @pytest.mark.parametrize("share", [0.0, 1e-9, 0.01, 0.25, 0.5])
 def test_a_share_of_an_angle(functions: dict[str, Callable[..., float]], share: float) -> None:
     generator = np.random.default_rng(2)
-    few = generator.uniform(0, np.arcsin(0.125), 300)  # about where the series ends, and up to it
-    all_of_them = [*few, *generator.uniform(0, np.pi, 100), np.arcsin(0.125), 1e-9, 1e-160]
+    ends = np.arcsin([2**-6.5, 2**-3])  # of each of the two series
+    few = [angle for end in ends for angle in generator.uniform(0, end, 300)]
+    all_of_them = [*few, *generator.uniform(0, np.pi, 100), *ends, *1.001 * ends, 1e-9, 1e-160]
     for angle in all_of_them:
         square, x = float(np.sin(angle) ** 2), float(np.cos(angle))
+        given = share, square, x, square + x * x
         root = MP.sqrt(MP.mpf(square))
         part = MP.mpf(share) * MP.atan2(root, MP.mpf(x))
-        assert ulps_off(functions["share_cosine"](share, square, x), MP.cos(part)) < 1.6, angle
+        assert ulps_off(functions["share_cosine"](*given), MP.cos(part)) < 1.6, angle
         sine = MP.sin(part) / root if square else 0
-        assert ulps_off(functions["share_sine"](share, square, x), MP.mpf(sine)) < 4, angle
+        assert ulps_off(functions["share_sine"](*given), MP.mpf(sine)) < 4, angle
 
 
 @pytest.mark.parametrize("y", [0.0, -0.0, 1.0, -1.0])

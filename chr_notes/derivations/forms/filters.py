@@ -30,6 +30,12 @@ WILD_RATE = 10**12
 RATES = symbols("rate_x rate_y rate_z", real=True)
 SPEED, WHOLE, TURN = symbols("speed_squared whole_turn_squared turn_squared", real=True)
 MOVES, USUAL = symbols("moves usual", real=True)
+PREDICTED = symbols("predicted_a predicted_b predicted_c predicted_d", real=True)
+# In units in which no square overflows or vanishes.
+READING = symbols("reading_x reading_y reading_z", real=True)
+# What the squared sine and cosine of the angle between expected and taken reading are shares of:
+# their sum, by Lagrange's identity, and known before either is.
+SIDES = sum(name**2 for name in PREDICTED) ** 2 * sum(name**2 for name in READING)
 SPEED_SQUARED = sum(rate**2 for rate in BODY_RATES)
 
 
@@ -87,15 +93,12 @@ def observer_turn() -> Computation:
     axis is better than another, and none is taken.
     """
     step = gyro_turn()
-    predicted = symbols("predicted_a predicted_b predicted_c predicted_d", real=True)
-    expected = further.gravity_seen().xreplace(dict(zip(QUATERNION, predicted, strict=True)))
-    # In units in which no square overflows or vanishes.
-    reading = symbols("reading_x reading_y reading_z", real=True)
+    expected = further.gravity_seen().xreplace(dict(zip(QUATERNION, PREDICTED, strict=True)))
     size, known = symbols("size has_direction", real=True)
     scaled = tuple(element / size for element in ACCELEROMETER)
     # The derived turn, with what its parts have in common under a name.
-    turn = further.turn_towards().xreplace(dict(zip(ACCELEROMETER, reading, strict=True)))
-    off = ImmutableMatrix(reading).cross(ImmutableMatrix(further.EXPECTED))
+    turn = further.turn_towards().xreplace(dict(zip(ACCELEROMETER, READING, strict=True)))
+    off = ImmutableMatrix(READING).cross(ImmutableMatrix(further.EXPECTED))
     across = symbols("across_x across_y across_z", real=True)
     length, half, stays, factor = symbols("sine_off half_turn_back turn_back_a factor", real=True)
     angle = turn[0].args[0]
@@ -104,15 +107,15 @@ def observer_turn() -> Computation:
     common = (turn[1] / off[0]).subs({angle: half}).subs(lengths)
     # The turn back is `stays + factor * across`; the product with the second part is ready early.
     moved = symbols("moved_a moved_b moved_c moved_d", real=True)
-    with_across = hamilton.multiply(ImmutableMatrix(predicted), ImmutableMatrix([0, *across]))
+    with_across = hamilton.multiply(ImmutableMatrix(PREDICTED), ImmutableMatrix([0, *across]))
     return Computation(
         (
             *step.steps,
-            *map(Let, predicted, step.results),
+            *map(Let, PREDICTED, step.results),
             *map(Let, further.EXPECTED, expected),
             Let(size, sum(map(Abs, ACCELEROMETER))),
             Let(known, And(size > 0, size <= LARGEST)),
-            Choice(reading, ((known, scaled), otherwise(*(0 * element for element in scaled)))),
+            Choice(READING, ((known, scaled), otherwise(*(0 * element for element in scaled)))),
             *map(Let, across, off),
             *map(Let, moved, with_across),
             Let(length, sqrt(sum(name**2 for name in across))),
@@ -122,7 +125,7 @@ def observer_turn() -> Computation:
             ),
             is_usual(known),
         ),
-        stays * ImmutableMatrix(predicted) + factor * ImmutableMatrix(moved),
+        stays * ImmutableMatrix(PREDICTED) + factor * ImmutableMatrix(moved),
         valid=USUAL,
     )
 
