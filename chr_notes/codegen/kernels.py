@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from itertools import chain
 
-from sympy import Function, Pow, cos, sin
+from sympy import cos, sin
 
 from chr_notes.codegen.c import of_type
 from chr_notes.codegen.expressions import ColumnC, Spelling, StepC
@@ -14,7 +14,6 @@ from chr_notes.codegen.target import Target
 from chr_notes.derivations.computation import Choice, Let
 
 COLUMN, STEP = ColumnC(), StepC()
-FEW, QUATERNION = 8, 4
 # How elements are named in a frame of axes that are named otherwise.
 _ORDERS = {
     "angles": "turns",
@@ -66,24 +65,25 @@ def _columns(program: Program, *, turned: bool) -> list[str]:
     size = len(program.results)
     made = target.name.partition("_from_")[0]
     swapped = target.arrays if turned else ()
+    loads = [
+        f"LOAD({name}_{'given' if turned else 'in'}, {place}, {len(each)},"
+        for place, (name, each) in enumerate(target.arrays)
+    ]
     lines = [
         f"EVERY_INSTRUCTION_SET static int64_t {target.name}",
         f"    {RUN}",
         "     unsigned char *odd)",
         "{",
-        *([f"    enum {{ BLOCK = {FEW} }};"] if _waits_for_memory(program) else []),
         *(["    const Frame frame = frame_of(in[1]);"] if turned else []),
         "    int64_t any = 0;",
         *(f"    double {name}_in[{len(each)}][BLOCK];" for name, each in target.arrays),
         *(f"    double {name}_given[{len(each)}][BLOCK];" for name, each in swapped),
+        f"    LINES({size})",
+        *(f"    {load} 0)" for load in loads),
         "    FOR_EACH_BLOCK(rows) {",
         f"        double results[{size}][BLOCK];",
         *([f"        double told[{size}][BLOCK];"] if turned else []),
         "        int64_t left[BLOCK], some = 0;",
-        *(
-            f"        LOAD({name}_{'given' if turned else 'in'}, {place}, {len(each)})"
-            for place, (name, each) in enumerate(target.arrays)
-        ),
         *(
             f"        TO_FRAME({name}_in, {name}_given, {len(each)}, {_ORDERS[name]})"
             for name, each in swapped
@@ -106,6 +106,7 @@ def _columns(program: Program, *, turned: bool) -> list[str]:
         *lines,
         "        }",
         *([f"        FROM_FRAME(told, results, {size}, {_ORDERS[made]})"] if turned else []),
+        *(f"        {load} start + BLOCK)" for load in loads),
         f"        STORE({'told' if turned else 'results'}, {size})",
         "        if (some) {",
         "            any = 1;",
@@ -117,17 +118,6 @@ def _columns(program: Program, *, turned: bool) -> list[str]:
         "    return any;",
         "}",
     ]
-
-
-def _waits_for_memory(program: Program) -> bool:
-    """Say whether a kernel but adds and multiplies quaternions.
-
-    For a million products blocks of 8 rows take a fifth less time than of 16; for all that computes
-    more, or has other widths, some per cent more.
-    """
-    widths = {len(elements) for _, elements in program.target.arrays} | {len(program.results)}
-    computes = any(value.has(Pow, Function) for value in program.expressions)
-    return widths == {QUATERNION} and not computes
 
 
 def _handled(program: Program) -> list[str]:

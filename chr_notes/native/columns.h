@@ -1,6 +1,7 @@
 /*
  * What the generated kernels share. A kernel goes through arrays in blocks of rows: it loads the
- * elements of a block into columns, computes row after row without a branch, and stores columns.
+ * elements of a block into columns, computes row after row without a branch, loads the next block,
+ * so that no row waits for what has just been written, and stores columns.
  */
 #ifndef COLUMNS_H
 #define COLUMNS_H
@@ -9,16 +10,18 @@
 
 #include "elementary.h"
 
-/* Few enough rows that a processor loads a block while it computes another, or fewer. */
-enum { BLOCK = 16, TOGETHER = 8, AHEAD = 256, MANY = 1 << 20, MOST_ARRAYS = 12 };
+enum { BLOCK = 16, TOGETHER = 8, AHEAD = 128, LINE = 8, MANY = 1 << 20, MOST_ARRAYS = 12 };
 
 /* The fastest instruction set is chosen at run time, where compiler and system can. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__gnu_linux__) \
     && !defined(ONE_INSTRUCTION_SET)
 #define EVERY_INSTRUCTION_SET \
     __attribute__((target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4")))
+/* Whether the last of them is: its registers hold eight numbers. */
+#define EIGHT_AT_ONCE __builtin_cpu_supports("avx512dq")
 #else
 #define EVERY_INSTRUCTION_SET
+#define EIGHT_AT_ONCE 0
 #endif
 
 /*
@@ -47,23 +50,44 @@ typedef struct {
 #if defined(__clang__) || __GNUC__ >= 12
 #define TILE 4
 #define PICK __builtin_shufflevector
+#define AT(type, address) (*(type *)(address))
+#define BOTH(one, other) PICK(AT(const Four, one), AT(const Four, other), 0, 1, 2, 3, 4, 5, 6, 7)
 typedef double Four __attribute__((vector_size(32), aligned(8)));
+typedef double Eight __attribute__((vector_size(64), aligned(8)));
 
 /* Write four rows of four numbers as columns. */
 INLINE void tile(double *to, ptrdiff_t across, const double *from, ptrdiff_t down)
 {
-    const Four a = *(const Four *)from, b = *(const Four *)(from + down);
-    const Four c = *(const Four *)(from + 2 * down), d = *(const Four *)(from + 3 * down);
+    const Four a = AT(const Four, from), b = AT(const Four, from + down);
+    const Four c = AT(const Four, from + 2 * down), d = AT(const Four, from + 3 * down);
     const Four p = PICK(a, b, 0, 4, 2, 6), q = PICK(a, b, 1, 5, 3, 7);
     const Four r = PICK(c, d, 0, 4, 2, 6), s = PICK(c, d, 1, 5, 3, 7);
-    *(Four *)to = PICK(p, r, 0, 1, 4, 5);
-    *(Four *)(to + across) = PICK(q, s, 0, 1, 4, 5);
-    *(Four *)(to + 2 * across) = PICK(p, r, 2, 3, 6, 7);
-    *(Four *)(to + 3 * across) = PICK(q, s, 2, 3, 6, 7);
+    AT(Four, to) = PICK(p, r, 0, 1, 4, 5);
+    AT(Four, to + across) = PICK(q, s, 0, 1, 4, 5);
+    AT(Four, to + 2 * across) = PICK(p, r, 2, 3, 6, 7);
+    AT(Four, to + 3 * across) = PICK(q, s, 2, 3, 6, 7);
+}
+
+/* The same of eight rows. */
+INLINE void two_tiles(double *to, ptrdiff_t across, const double *from, ptrdiff_t down)
+{
+    const double *const later = from + 4 * down;
+    const Eight a = BOTH(from, later), b = BOTH(from + down, later + down);
+    const Eight c = BOTH(from + 2 * down, later + 2 * down);
+    const Eight d = BOTH(from + 3 * down, later + 3 * down);
+    const Eight p = PICK(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
+    const Eight q = PICK(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
+    const Eight r = PICK(c, d, 0, 8, 2, 10, 4, 12, 6, 14);
+    const Eight s = PICK(c, d, 1, 9, 3, 11, 5, 13, 7, 15);
+    AT(Eight, to) = PICK(p, r, 0, 1, 8, 9, 4, 5, 12, 13);
+    AT(Eight, to + across) = PICK(q, s, 0, 1, 8, 9, 4, 5, 12, 13);
+    AT(Eight, to + 2 * across) = PICK(p, r, 2, 3, 10, 11, 6, 7, 14, 15);
+    AT(Eight, to + 3 * across) = PICK(q, s, 2, 3, 10, 11, 6, 7, 14, 15);
 }
 #else
 #define TILE BLOCK /* none */
 #define tile(to, across, from, down)
+#define two_tiles(to, across, from, down)
 #endif
 
 /* Fetch early what comes AHEAD rows later: a processor does not look as far ahead. */
@@ -73,71 +97,94 @@ INLINE void tile(double *to, ptrdiff_t across, const double *from, ptrdiff_t dow
 #define FETCH(address)
 #endif
 
-/*
- * A row that is one for all fills the first block, and stays; the first row fills up a block that is
- * not full.
- */
-INLINE void load(double *columns, int block, int width, const double *in, ptrdiff_t step,
-    ptrdiff_t start, ptrdiff_t count, ptrdiff_t padded)
+/* A row that is one for all fills the first block, and stays; the first row fills up a block. */
+INLINE void load(double *columns, int width, const double *in, ptrdiff_t step, ptrdiff_t start,
+    ptrdiff_t rows)
 {
-    const double *const first = in + start * step;
+    const ptrdiff_t count = rows - start < BLOCK ? rows - start : BLOCK;
     const ptrdiff_t close = step == width ? count : 0;
     const ptrdiff_t tiles = width < TILE ? 0 : close / TILE * TILE;
     const int tiled = width / TILE * TILE;
-    if (step == 0 && start > 0) return;
-    for (int number = 0; number < block * width; number += 8)
+    const double *first;
+    ptrdiff_t row = 0;
+    if (count <= 0 || (step == 0 && start > 0)) return;
+    first = in + start * step;
+    for (int number = 0; number < BLOCK * width; number += LINE)
         FETCH(first + AHEAD * width + number);
-    for (ptrdiff_t row = 0; row < tiles; row += TILE)
+    if (EIGHT_AT_ONCE)
+        for (; row + 2 * TILE <= tiles; row += 2 * TILE)
+            for (int element = 0; element < tiled; element += TILE)
+                two_tiles(
+                    columns + element * BLOCK + row, BLOCK, first + row * width + element, width);
+    for (; row < tiles; row += TILE)
         for (int element = 0; element < tiled; element += TILE)
-            tile(columns + element * block + row, block, first + row * width + element, width);
+            tile(columns + element * BLOCK + row, BLOCK, first + row * width + element, width);
     for (int element = tiled; element < width; element++)
-        for (ptrdiff_t row = 0; row < tiles; row++)
-            columns[element * block + row] = first[row * width + element];
-    for (ptrdiff_t row = tiles; row < close; row++)
+        for (row = 0; row < tiles; row++)
+            columns[element * BLOCK + row] = first[row * width + element];
+    for (row = tiles; row < close; row++)
         for (int element = 0; element < width; element++)
-            columns[element * block + row] = first[row * width + element];
-    for (ptrdiff_t row = close; row < count; row++)
+            columns[element * BLOCK + row] = first[row * width + element];
+    for (row = close; row < count; row++)
         for (int element = 0; element < width; element++)
-            columns[element * block + row] = first[row * step + element];
+            columns[element * BLOCK + row] = first[row * step + element];
     for (int element = 0; element < width; element++)
-        for (ptrdiff_t row = count; row < padded; row++)
-            columns[element * block + row] = in[element];
+        for (row = count; row % TOGETHER; row++)
+            columns[element * BLOCK + row] = in[element];
 }
 
-INLINE void store(double *first, const double *columns, int block, int width, ptrdiff_t count)
+INLINE void store(double *first, const double *columns, int width, ptrdiff_t count)
 {
     const ptrdiff_t rows = width < TILE ? 0 : count / TILE * TILE;
     const int tiled = width / TILE * TILE;
     for (ptrdiff_t row = 0; row < rows; row += TILE) {
         for (int element = 0; element < tiled; element += TILE)
-            tile(first + row * width + element, width, columns + element * block + row, block);
+            tile(first + row * width + element, width, columns + element * BLOCK + row, BLOCK);
         for (int element = tiled; element < width; element++)
             for (ptrdiff_t each = row; each < row + TILE; each++)
-                first[each * width + element] = columns[element * block + each];
+                first[each * width + element] = columns[element * BLOCK + each];
     }
     for (ptrdiff_t row = rows; row < count; row++)
         for (int element = 0; element < width; element++)
-            first[row * width + element] = columns[element * block + row];
+            first[row * width + element] = columns[element * BLOCK + row];
 }
 
-#define LOAD(columns, array, width) \
-    load((columns)[0], BLOCK, width, in[array], step[array], start, count, padded);
+#define LOAD(columns, array, width, start) \
+    load((columns)[0], width, in[array], step[array], start, rows);
 
-/* A result that no cache holds goes to memory without being read from there before. */
+/*
+ * A result that no cache holds goes to memory without being read from there before, in whole lines:
+ * numbers of one that is not full wait in front of those of the next block.
+ */
 #if defined(__SSE2__)
 #include <emmintrin.h>
+INLINE void stream(double *to, double *lines, int numbers, int is_first, int is_last)
+{
+    const int waiting = (int)((uintptr_t)to / sizeof *to % LINE);
+    const int known = is_first ? waiting : 0;
+    double *const line = to - waiting;
+    int number = known ? LINE : 0;
+    for (int each = known; each < number; each++) line[each] = lines[each];
+    for (; number + LINE <= waiting + numbers; number += LINE)
+        for (int each = number; each < number + LINE; each += 2)
+            _mm_stream_pd(line + each, _mm_loadu_pd(lines + each));
+    if (is_last)
+        for (; number < waiting + numbers; number++) line[number] = lines[number];
+    memcpy(lines, lines + numbers, LINE * sizeof *lines);
+}
+#define LINES(width) double lines[BLOCK * (width) + LINE];
 #define STORE(columns, width) \
-    if (rows * (width) > MANY && count == BLOCK && (uintptr_t)out % 16 == 0) { \
-        double lines[BLOCK * (width)]; \
-        store(lines, (columns)[0], BLOCK, width, BLOCK); \
-        for (int number = 0; number < BLOCK * (width); number += 2) \
-            _mm_stream_pd(out + start * (width) + number, _mm_loadu_pd(lines + number)); \
+    if (rows * (width) > MANY && count == BLOCK) { \
+        double *const to = out + start * (width); \
+        store(lines + (uintptr_t)to / sizeof *to % LINE, (columns)[0], width, BLOCK); \
+        stream(to, lines, BLOCK * (width), start == 0, rows - start < 2 * BLOCK); \
     } else { \
-        store(out + start * (width), (columns)[0], BLOCK, width, count); \
+        store(out + start * (width), (columns)[0], width, count); \
     }
 #define FINISH _mm_sfence();
 #else
-#define STORE(columns, width) store(out + start * (width), (columns)[0], BLOCK, width, count);
+#define LINES(width)
+#define STORE(columns, width) store(out + start * (width), (columns)[0], width, count);
 #define FINISH
 #endif
 

@@ -18,10 +18,11 @@ EVERY_INSTRUCTION_SET static int64_t matrix_from_euler
 {
     int64_t any = 0;
     double euler_in[3][BLOCK];
+    LINES(9)
+    LOAD(euler_in, 0, 3, 0)
     FOR_EACH_BLOCK(rows) {
         double results[9][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(euler_in, 0, 3)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double roll = euler_in[0][row];
             const double pitch = euler_in[1][row];
@@ -49,6 +50,7 @@ EVERY_INSTRUCTION_SET static int64_t matrix_from_euler
                 LARGEST_ANGLE) & (fabs(yaw) < LARGEST_ANGLE));
             some |= left[row];
         }
+        LOAD(euler_in, 0, 3, start + BLOCK)
         STORE(results, 9)
         if (some) {
             any = 1;
@@ -66,10 +68,11 @@ EVERY_INSTRUCTION_SET static int64_t euler_from_matrix
 {
     int64_t any = 0;
     double matrix_in[9][BLOCK];
+    LINES(3)
+    LOAD(matrix_in, 0, 9, 0)
     FOR_EACH_BLOCK(rows) {
         double results[3][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(matrix_in, 0, 9)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double r11 = matrix_in[0][row];
             const double r12 = matrix_in[1][row];
@@ -106,6 +109,7 @@ EVERY_INSTRUCTION_SET static int64_t euler_from_matrix
                 !locked);
             some |= left[row];
         }
+        LOAD(matrix_in, 0, 9, start + BLOCK)
         STORE(results, 3)
         if (some) {
             any = 1;
@@ -123,10 +127,11 @@ EVERY_INSTRUCTION_SET static int64_t rotation_defect
 {
     int64_t any = 0;
     double matrix_in[9][BLOCK];
+    LINES(2)
+    LOAD(matrix_in, 0, 9, 0)
     FOR_EACH_BLOCK(rows) {
         double results[2][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(matrix_in, 0, 9)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double r11 = matrix_in[0][row];
             const double r12 = matrix_in[1][row];
@@ -152,6 +157,7 @@ EVERY_INSTRUCTION_SET static int64_t rotation_defect
             left[row] = !(FINITE(r11 + r12 + r13 + r21 + r22 + r23 + r31 + r32 + r33));
             some |= left[row];
         }
+        LOAD(matrix_in, 0, 9, start + BLOCK)
         STORE(results, 2)
         if (some) {
             any = 1;
@@ -169,10 +175,11 @@ EVERY_INSTRUCTION_SET static int64_t euler_rates_matrix
 {
     int64_t any = 0;
     double euler_in[3][BLOCK];
+    LINES(9)
+    LOAD(euler_in, 0, 3, 0)
     FOR_EACH_BLOCK(rows) {
         double results[9][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(euler_in, 0, 3)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double roll = euler_in[0][row];
             const double pitch = euler_in[1][row];
@@ -197,6 +204,7 @@ EVERY_INSTRUCTION_SET static int64_t euler_rates_matrix
                 LARGEST_ANGLE));
             some |= left[row];
         }
+        LOAD(euler_in, 0, 3, start + BLOCK)
         STORE(results, 9)
         if (some) {
             any = 1;
@@ -215,11 +223,12 @@ EVERY_INSTRUCTION_SET static int64_t euler_rates_from_body_rates
     int64_t any = 0;
     double euler_in[3][BLOCK];
     double body_rates_in[3][BLOCK];
+    LINES(3)
+    LOAD(euler_in, 0, 3, 0)
+    LOAD(body_rates_in, 1, 3, 0)
     FOR_EACH_BLOCK(rows) {
         double results[3][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(euler_in, 0, 3)
-        LOAD(body_rates_in, 1, 3)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double roll = euler_in[0][row];
             const double pitch = euler_in[1][row];
@@ -241,6 +250,8 @@ EVERY_INSTRUCTION_SET static int64_t euler_rates_from_body_rates
                 (fabs(roll) < LARGEST_ANGLE));
             some |= left[row];
         }
+        LOAD(euler_in, 0, 3, start + BLOCK)
+        LOAD(body_rates_in, 1, 3, start + BLOCK)
         STORE(results, 3)
         if (some) {
             any = 1;
@@ -259,11 +270,12 @@ EVERY_INSTRUCTION_SET static int64_t body_rates_from_euler_rates
     int64_t any = 0;
     double euler_in[3][BLOCK];
     double euler_rates_in[3][BLOCK];
+    LINES(3)
+    LOAD(euler_in, 0, 3, 0)
+    LOAD(euler_rates_in, 1, 3, 0)
     FOR_EACH_BLOCK(rows) {
         double results[3][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(euler_in, 0, 3)
-        LOAD(euler_rates_in, 1, 3)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double roll = euler_in[0][row];
             const double pitch = euler_in[1][row];
@@ -283,6 +295,8 @@ EVERY_INSTRUCTION_SET static int64_t body_rates_from_euler_rates
                 (fabs(pitch) < LARGEST_ANGLE) & (fabs(roll) < LARGEST_ANGLE));
             some |= left[row];
         }
+        LOAD(euler_in, 0, 3, start + BLOCK)
+        LOAD(euler_rates_in, 1, 3, start + BLOCK)
         STORE(results, 3)
         if (some) {
             any = 1;
@@ -300,10 +314,11 @@ EVERY_INSTRUCTION_SET static int64_t wrap_angle
 {
     int64_t any = 0;
     double angle_in[1][BLOCK];
+    LINES(1)
+    LOAD(angle_in, 0, 1, 0)
     FOR_EACH_BLOCK(rows) {
         double results[1][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(angle_in, 0, 1)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double angle = angle_in[0][row];
             const double turned_back = column_principal(angle);
@@ -312,6 +327,7 @@ EVERY_INSTRUCTION_SET static int64_t wrap_angle
             left[row] = !(FINITE(angle) & (fabs(angle) < LARGEST_ANGLE));
             some |= left[row];
         }
+        LOAD(angle_in, 0, 1, start + BLOCK)
         STORE(results, 1)
         if (some) {
             any = 1;
@@ -329,10 +345,11 @@ EVERY_INSTRUCTION_SET static int64_t matrix_from_quaternion
 {
     int64_t any = 0;
     double q_in[4][BLOCK];
+    LINES(9)
+    LOAD(q_in, 0, 4, 0)
     FOR_EACH_BLOCK(rows) {
         double results[9][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(q_in, 0, 4)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double a = q_in[0][row];
             const double b = q_in[1][row];
@@ -369,6 +386,7 @@ EVERY_INSTRUCTION_SET static int64_t matrix_from_quaternion
             left[row] = !(FINITE(a + b + c + d) & IN_RANGE(norm_squared));
             some |= left[row];
         }
+        LOAD(q_in, 0, 4, start + BLOCK)
         STORE(results, 9)
         if (some) {
             any = 1;
@@ -386,10 +404,11 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_from_matrix
 {
     int64_t any = 0;
     double matrix_in[9][BLOCK];
+    LINES(4)
+    LOAD(matrix_in, 0, 9, 0)
     FOR_EACH_BLOCK(rows) {
         double results[4][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(matrix_in, 0, 9)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double r11 = matrix_in[0][row];
             const double r12 = matrix_in[1][row];
@@ -431,6 +450,7 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_from_matrix
             left[row] = !(FINITE(r11 + r12 + r13 + r21 + r22 + r23 + r31 + r32 + r33) & rotation);
             some |= left[row];
         }
+        LOAD(matrix_in, 0, 9, start + BLOCK)
         STORE(results, 4)
         if (some) {
             any = 1;
@@ -448,10 +468,11 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_from_euler
 {
     int64_t any = 0;
     double euler_in[3][BLOCK];
+    LINES(4)
+    LOAD(euler_in, 0, 3, 0)
     FOR_EACH_BLOCK(rows) {
         double results[4][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(euler_in, 0, 3)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double roll = euler_in[0][row];
             const double pitch = euler_in[1][row];
@@ -483,6 +504,7 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_from_euler
                 (fabs(0.5*roll) < LARGEST_ANGLE) & (fabs(0.5*yaw) < LARGEST_ANGLE));
             some |= left[row];
         }
+        LOAD(euler_in, 0, 3, start + BLOCK)
         STORE(results, 4)
         if (some) {
             any = 1;
@@ -500,10 +522,11 @@ EVERY_INSTRUCTION_SET static int64_t euler_from_quaternion
 {
     int64_t any = 0;
     double q_in[4][BLOCK];
+    LINES(3)
+    LOAD(q_in, 0, 4, 0)
     FOR_EACH_BLOCK(rows) {
         double results[3][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(q_in, 0, 4)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double a = q_in[0][row];
             const double b = q_in[1][row];
@@ -531,6 +554,7 @@ EVERY_INSTRUCTION_SET static int64_t euler_from_quaternion
             left[row] = !(FINITE(a + b + c + d) & IN_RANGE(sum_of_squares) & !locked);
             some |= left[row];
         }
+        LOAD(q_in, 0, 4, start + BLOCK)
         STORE(results, 3)
         if (some) {
             any = 1;
@@ -549,11 +573,12 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_from_axis_angle
     int64_t any = 0;
     double axis_in[3][BLOCK];
     double angle_in[1][BLOCK];
+    LINES(4)
+    LOAD(axis_in, 0, 3, 0)
+    LOAD(angle_in, 1, 1, 0)
     FOR_EACH_BLOCK(rows) {
         double results[4][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(axis_in, 0, 3)
-        LOAD(angle_in, 1, 1)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double x = axis_in[0][row];
             const double y = axis_in[1][row];
@@ -572,6 +597,8 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_from_axis_angle
                 IN_RANGE(length_squared));
             some |= left[row];
         }
+        LOAD(axis_in, 0, 3, start + BLOCK)
+        LOAD(angle_in, 1, 1, start + BLOCK)
         STORE(results, 4)
         if (some) {
             any = 1;
@@ -589,10 +616,11 @@ EVERY_INSTRUCTION_SET static int64_t axis_angle_from_quaternion
 {
     int64_t any = 0;
     double q_in[4][BLOCK];
+    LINES(4)
+    LOAD(q_in, 0, 4, 0)
     FOR_EACH_BLOCK(rows) {
         double results[4][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(q_in, 0, 4)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double a = q_in[0][row];
             const double b = q_in[1][row];
@@ -616,6 +644,7 @@ EVERY_INSTRUCTION_SET static int64_t axis_angle_from_quaternion
             left[row] = !(FINITE(a + b + c + d) & IN_RANGE(norm_squared));
             some |= left[row];
         }
+        LOAD(q_in, 0, 4, start + BLOCK)
         STORE(results, 4)
         if (some) {
             any = 1;
@@ -633,10 +662,11 @@ EVERY_INSTRUCTION_SET static int64_t inclination_from_quaternion
 {
     int64_t any = 0;
     double q_in[4][BLOCK];
+    LINES(1)
+    LOAD(q_in, 0, 4, 0)
     FOR_EACH_BLOCK(rows) {
         double results[1][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(q_in, 0, 4)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double a = q_in[0][row];
             const double b = q_in[1][row];
@@ -649,6 +679,7 @@ EVERY_INSTRUCTION_SET static int64_t inclination_from_quaternion
             left[row] = !(FINITE(a + b + c + d) & IN_RANGE(norm_squared));
             some |= left[row];
         }
+        LOAD(q_in, 0, 4, start + BLOCK)
         STORE(results, 1)
         if (some) {
             any = 1;
@@ -664,15 +695,15 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_multiply
     (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
      unsigned char *odd)
 {
-    enum { BLOCK = 8 };
     int64_t any = 0;
     double p_in[4][BLOCK];
     double q_in[4][BLOCK];
+    LINES(4)
+    LOAD(p_in, 0, 4, 0)
+    LOAD(q_in, 1, 4, 0)
     FOR_EACH_BLOCK(rows) {
         double results[4][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(p_in, 0, 4)
-        LOAD(q_in, 1, 4)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double a1 = p_in[0][row];
             const double b1 = p_in[1][row];
@@ -689,6 +720,8 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_multiply
             left[row] = !(FINITE(a1 + b1 + c1 + d1 + a2 + b2 + c2 + d2));
             some |= left[row];
         }
+        LOAD(p_in, 0, 4, start + BLOCK)
+        LOAD(q_in, 1, 4, start + BLOCK)
         STORE(results, 4)
         if (some) {
             any = 1;
@@ -704,13 +737,13 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_conjugate
     (ptrdiff_t rows, const double *const *in, const ptrdiff_t *step, double *out,
      unsigned char *odd)
 {
-    enum { BLOCK = 8 };
     int64_t any = 0;
     double q_in[4][BLOCK];
+    LINES(4)
+    LOAD(q_in, 0, 4, 0)
     FOR_EACH_BLOCK(rows) {
         double results[4][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(q_in, 0, 4)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double a = q_in[0][row];
             const double b = q_in[1][row];
@@ -723,6 +756,7 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_conjugate
             left[row] = !(FINITE(a + b + c + d));
             some |= left[row];
         }
+        LOAD(q_in, 0, 4, start + BLOCK)
         STORE(results, 4)
         if (some) {
             any = 1;
@@ -740,10 +774,11 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_inverse
 {
     int64_t any = 0;
     double q_in[4][BLOCK];
+    LINES(4)
+    LOAD(q_in, 0, 4, 0)
     FOR_EACH_BLOCK(rows) {
         double results[4][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(q_in, 0, 4)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double a = q_in[0][row];
             const double b = q_in[1][row];
@@ -758,6 +793,7 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_inverse
             left[row] = !(FINITE(a + b + c + d) & IN_RANGE(norm_squared));
             some |= left[row];
         }
+        LOAD(q_in, 0, 4, start + BLOCK)
         STORE(results, 4)
         if (some) {
             any = 1;
@@ -776,11 +812,12 @@ EVERY_INSTRUCTION_SET static int64_t rotate_to_inertial
     int64_t any = 0;
     double q_in[4][BLOCK];
     double v_body_in[3][BLOCK];
+    LINES(3)
+    LOAD(q_in, 0, 4, 0)
+    LOAD(v_body_in, 1, 3, 0)
     FOR_EACH_BLOCK(rows) {
         double results[3][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(q_in, 0, 4)
-        LOAD(v_body_in, 1, 3)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double a = q_in[0][row];
             const double b = q_in[1][row];
@@ -800,6 +837,8 @@ EVERY_INSTRUCTION_SET static int64_t rotate_to_inertial
             left[row] = !(FINITE(a + b + c + d + x + y + z) & IN_RANGE(norm_squared));
             some |= left[row];
         }
+        LOAD(q_in, 0, 4, start + BLOCK)
+        LOAD(v_body_in, 1, 3, start + BLOCK)
         STORE(results, 3)
         if (some) {
             any = 1;
@@ -818,11 +857,12 @@ EVERY_INSTRUCTION_SET static int64_t rotate_to_body
     int64_t any = 0;
     double q_in[4][BLOCK];
     double v_inertial_in[3][BLOCK];
+    LINES(3)
+    LOAD(q_in, 0, 4, 0)
+    LOAD(v_inertial_in, 1, 3, 0)
     FOR_EACH_BLOCK(rows) {
         double results[3][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(q_in, 0, 4)
-        LOAD(v_inertial_in, 1, 3)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double a = q_in[0][row];
             const double b = q_in[1][row];
@@ -842,6 +882,8 @@ EVERY_INSTRUCTION_SET static int64_t rotate_to_body
             left[row] = !(FINITE(a + b + c + d + x + y + z) & IN_RANGE(norm_squared));
             some |= left[row];
         }
+        LOAD(q_in, 0, 4, start + BLOCK)
+        LOAD(v_inertial_in, 1, 3, start + BLOCK)
         STORE(results, 3)
         if (some) {
             any = 1;
@@ -861,11 +903,12 @@ EVERY_INSTRUCTION_SET static int64_t matrix_from_angles_zyx
     int64_t any = 0;
     double angles_in[3][BLOCK];
     double angles_given[3][BLOCK];
+    LINES(9)
+    LOAD(angles_given, 0, 3, 0)
     FOR_EACH_BLOCK(rows) {
         double results[9][BLOCK];
         double told[9][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(angles_given, 0, 3)
         TO_FRAME(angles_in, angles_given, 3, turns)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double first = angles_in[0][row];
@@ -908,6 +951,7 @@ EVERY_INSTRUCTION_SET static int64_t matrix_from_angles_zyx
             some |= left[row];
         }
         FROM_FRAME(told, results, 9, matrix)
+        LOAD(angles_given, 0, 3, start + BLOCK)
         STORE(told, 9)
         if (some) {
             any = 1;
@@ -927,11 +971,12 @@ EVERY_INSTRUCTION_SET static int64_t matrix_from_angles_zyz
     int64_t any = 0;
     double angles_in[3][BLOCK];
     double angles_given[3][BLOCK];
+    LINES(9)
+    LOAD(angles_given, 0, 3, 0)
     FOR_EACH_BLOCK(rows) {
         double results[9][BLOCK];
         double told[9][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(angles_given, 0, 3)
         TO_FRAME(angles_in, angles_given, 3, turns)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double first = angles_in[0][row];
@@ -974,6 +1019,7 @@ EVERY_INSTRUCTION_SET static int64_t matrix_from_angles_zyz
             some |= left[row];
         }
         FROM_FRAME(told, results, 9, matrix)
+        LOAD(angles_given, 0, 3, start + BLOCK)
         STORE(told, 9)
         if (some) {
             any = 1;
@@ -995,11 +1041,12 @@ EVERY_INSTRUCTION_SET static int64_t angles_from_matrix_zyx
     int64_t any = 0;
     double matrix_in[9][BLOCK];
     double matrix_given[9][BLOCK];
+    LINES(3)
+    LOAD(matrix_given, 0, 9, 0)
     FOR_EACH_BLOCK(rows) {
         double results[3][BLOCK];
         double told[3][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(matrix_given, 0, 9)
         TO_FRAME(matrix_in, matrix_given, 9, matrix)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double r11 = matrix_in[0][row];
@@ -1049,6 +1096,7 @@ EVERY_INSTRUCTION_SET static int64_t angles_from_matrix_zyx
             some |= left[row];
         }
         FROM_FRAME(told, results, 3, turns)
+        LOAD(matrix_given, 0, 9, start + BLOCK)
         STORE(told, 3)
         if (some) {
             any = 1;
@@ -1068,11 +1116,12 @@ EVERY_INSTRUCTION_SET static int64_t angles_from_matrix_zyz
     int64_t any = 0;
     double matrix_in[9][BLOCK];
     double matrix_given[9][BLOCK];
+    LINES(3)
+    LOAD(matrix_given, 0, 9, 0)
     FOR_EACH_BLOCK(rows) {
         double results[3][BLOCK];
         double told[3][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(matrix_given, 0, 9)
         TO_FRAME(matrix_in, matrix_given, 9, matrix)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double r11 = matrix_in[0][row];
@@ -1122,6 +1171,7 @@ EVERY_INSTRUCTION_SET static int64_t angles_from_matrix_zyz
             some |= left[row];
         }
         FROM_FRAME(told, results, 3, turns)
+        LOAD(matrix_given, 0, 9, start + BLOCK)
         STORE(told, 3)
         if (some) {
             any = 1;
@@ -1143,11 +1193,12 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_from_angles_zyx
     int64_t any = 0;
     double angles_in[3][BLOCK];
     double angles_given[3][BLOCK];
+    LINES(4)
+    LOAD(angles_given, 0, 3, 0)
     FOR_EACH_BLOCK(rows) {
         double results[4][BLOCK];
         double told[4][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(angles_given, 0, 3)
         TO_FRAME(angles_in, angles_given, 3, turns)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double first = angles_in[0][row];
@@ -1177,6 +1228,7 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_from_angles_zyx
             some |= left[row];
         }
         FROM_FRAME(told, results, 4, quaternion)
+        LOAD(angles_given, 0, 3, start + BLOCK)
         STORE(told, 4)
         if (some) {
             any = 1;
@@ -1196,11 +1248,12 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_from_angles_zyz
     int64_t any = 0;
     double angles_in[3][BLOCK];
     double angles_given[3][BLOCK];
+    LINES(4)
+    LOAD(angles_given, 0, 3, 0)
     FOR_EACH_BLOCK(rows) {
         double results[4][BLOCK];
         double told[4][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(angles_given, 0, 3)
         TO_FRAME(angles_in, angles_given, 3, turns)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double first = angles_in[0][row];
@@ -1230,6 +1283,7 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_from_angles_zyz
             some |= left[row];
         }
         FROM_FRAME(told, results, 4, quaternion)
+        LOAD(angles_given, 0, 3, start + BLOCK)
         STORE(told, 4)
         if (some) {
             any = 1;
@@ -1251,11 +1305,12 @@ EVERY_INSTRUCTION_SET static int64_t angles_from_quaternion_zyx
     int64_t any = 0;
     double q_in[4][BLOCK];
     double q_given[4][BLOCK];
+    LINES(3)
+    LOAD(q_given, 0, 4, 0)
     FOR_EACH_BLOCK(rows) {
         double results[3][BLOCK];
         double told[3][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(q_given, 0, 4)
         TO_FRAME(q_in, q_given, 4, quaternion)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double a = q_in[0][row];
@@ -1290,6 +1345,7 @@ EVERY_INSTRUCTION_SET static int64_t angles_from_quaternion_zyx
             some |= left[row];
         }
         FROM_FRAME(told, results, 3, turns)
+        LOAD(q_given, 0, 4, start + BLOCK)
         STORE(told, 3)
         if (some) {
             any = 1;
@@ -1309,11 +1365,12 @@ EVERY_INSTRUCTION_SET static int64_t angles_from_quaternion_zyz
     int64_t any = 0;
     double q_in[4][BLOCK];
     double q_given[4][BLOCK];
+    LINES(3)
+    LOAD(q_given, 0, 4, 0)
     FOR_EACH_BLOCK(rows) {
         double results[3][BLOCK];
         double told[3][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(q_given, 0, 4)
         TO_FRAME(q_in, q_given, 4, quaternion)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double a = q_in[0][row];
@@ -1347,6 +1404,7 @@ EVERY_INSTRUCTION_SET static int64_t angles_from_quaternion_zyz
             some |= left[row];
         }
         FROM_FRAME(told, results, 3, turns)
+        LOAD(q_given, 0, 4, start + BLOCK)
         STORE(told, 3)
         if (some) {
             any = 1;
@@ -1368,11 +1426,12 @@ EVERY_INSTRUCTION_SET static int64_t angle_rates_matrix_zyx
     int64_t any = 0;
     double angles_in[3][BLOCK];
     double angles_given[3][BLOCK];
+    LINES(9)
+    LOAD(angles_given, 0, 3, 0)
     FOR_EACH_BLOCK(rows) {
         double results[9][BLOCK];
         double told[9][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(angles_given, 0, 3)
         TO_FRAME(angles_in, angles_given, 3, turns)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double first = angles_in[0][row];
@@ -1405,6 +1464,7 @@ EVERY_INSTRUCTION_SET static int64_t angle_rates_matrix_zyx
             some |= left[row];
         }
         FROM_FRAME(told, results, 9, rates)
+        LOAD(angles_given, 0, 3, start + BLOCK)
         STORE(told, 9)
         if (some) {
             any = 1;
@@ -1424,11 +1484,12 @@ EVERY_INSTRUCTION_SET static int64_t angle_rates_matrix_zyz
     int64_t any = 0;
     double angles_in[3][BLOCK];
     double angles_given[3][BLOCK];
+    LINES(9)
+    LOAD(angles_given, 0, 3, 0)
     FOR_EACH_BLOCK(rows) {
         double results[9][BLOCK];
         double told[9][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(angles_given, 0, 3)
         TO_FRAME(angles_in, angles_given, 3, turns)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double first = angles_in[0][row];
@@ -1461,6 +1522,7 @@ EVERY_INSTRUCTION_SET static int64_t angle_rates_matrix_zyz
             some |= left[row];
         }
         FROM_FRAME(told, results, 9, rates)
+        LOAD(angles_given, 0, 3, start + BLOCK)
         STORE(told, 9)
         if (some) {
             any = 1;
@@ -1481,11 +1543,12 @@ EVERY_INSTRUCTION_SET static int64_t accelerometer_at_rest
     int64_t any = 0;
     double euler_in[3][BLOCK];
     double gravity_in[1][BLOCK];
+    LINES(3)
+    LOAD(euler_in, 0, 3, 0)
+    LOAD(gravity_in, 1, 1, 0)
     FOR_EACH_BLOCK(rows) {
         double results[3][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(euler_in, 0, 3)
-        LOAD(gravity_in, 1, 1)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double roll = euler_in[0][row];
             const double pitch = euler_in[1][row];
@@ -1503,6 +1566,8 @@ EVERY_INSTRUCTION_SET static int64_t accelerometer_at_rest
                 (fabs(roll) < LARGEST_ANGLE));
             some |= left[row];
         }
+        LOAD(euler_in, 0, 3, start + BLOCK)
+        LOAD(gravity_in, 1, 1, start + BLOCK)
         STORE(results, 3)
         if (some) {
             any = 1;
@@ -1523,13 +1588,14 @@ EVERY_INSTRUCTION_SET static int64_t sensor_measures
     double sensitivity_in[3][BLOCK];
     double bias_in[3][BLOCK];
     double actual_in[3][BLOCK];
+    LINES(3)
+    LOAD(misalignment_in, 0, 9, 0)
+    LOAD(sensitivity_in, 1, 3, 0)
+    LOAD(bias_in, 2, 3, 0)
+    LOAD(actual_in, 3, 3, 0)
     FOR_EACH_BLOCK(rows) {
         double results[3][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(misalignment_in, 0, 9)
-        LOAD(sensitivity_in, 1, 3)
-        LOAD(bias_in, 2, 3)
-        LOAD(actual_in, 3, 3)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double m11 = misalignment_in[0][row];
             const double m12 = misalignment_in[1][row];
@@ -1559,6 +1625,10 @@ EVERY_INSTRUCTION_SET static int64_t sensor_measures
                 + sensitivity_y + sensitivity_z + bias_x + bias_y + bias_z + x + y + z));
             some |= left[row];
         }
+        LOAD(misalignment_in, 0, 9, start + BLOCK)
+        LOAD(sensitivity_in, 1, 3, start + BLOCK)
+        LOAD(bias_in, 2, 3, start + BLOCK)
+        LOAD(actual_in, 3, 3, start + BLOCK)
         STORE(results, 3)
         if (some) {
             any = 1;
@@ -1579,13 +1649,14 @@ EVERY_INSTRUCTION_SET static int64_t sensor_corrected
     double sensitivity_in[3][BLOCK];
     double bias_in[3][BLOCK];
     double measured_in[3][BLOCK];
+    LINES(3)
+    LOAD(misalignment_in, 0, 9, 0)
+    LOAD(sensitivity_in, 1, 3, 0)
+    LOAD(bias_in, 2, 3, 0)
+    LOAD(measured_in, 3, 3, 0)
     FOR_EACH_BLOCK(rows) {
         double results[3][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(misalignment_in, 0, 9)
-        LOAD(sensitivity_in, 1, 3)
-        LOAD(bias_in, 2, 3)
-        LOAD(measured_in, 3, 3)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double n11 = misalignment_in[0][row];
             const double n12 = misalignment_in[1][row];
@@ -1612,6 +1683,10 @@ EVERY_INSTRUCTION_SET static int64_t sensor_corrected
                 + sensitivity_y + sensitivity_z + bias_x + bias_y + bias_z + x + y + z));
             some |= left[row];
         }
+        LOAD(misalignment_in, 0, 9, start + BLOCK)
+        LOAD(sensitivity_in, 1, 3, start + BLOCK)
+        LOAD(bias_in, 2, 3, start + BLOCK)
+        LOAD(measured_in, 3, 3, start + BLOCK)
         STORE(results, 3)
         if (some) {
             any = 1;
@@ -1634,15 +1709,16 @@ EVERY_INSTRUCTION_SET static int64_t gyro_measures
     double g_sensitivity_in[9][BLOCK];
     double accel_in[3][BLOCK];
     double actual_in[3][BLOCK];
+    LINES(3)
+    LOAD(misalignment_in, 0, 9, 0)
+    LOAD(sensitivity_in, 1, 3, 0)
+    LOAD(bias_in, 2, 3, 0)
+    LOAD(g_sensitivity_in, 3, 9, 0)
+    LOAD(accel_in, 4, 3, 0)
+    LOAD(actual_in, 5, 3, 0)
     FOR_EACH_BLOCK(rows) {
         double results[3][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(misalignment_in, 0, 9)
-        LOAD(sensitivity_in, 1, 3)
-        LOAD(bias_in, 2, 3)
-        LOAD(g_sensitivity_in, 3, 9)
-        LOAD(accel_in, 4, 3)
-        LOAD(actual_in, 5, 3)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double m11 = misalignment_in[0][row];
             const double m12 = misalignment_in[1][row];
@@ -1685,6 +1761,12 @@ EVERY_INSTRUCTION_SET static int64_t gyro_measures
                 c22 + c23 + c31 + c32 + c33 + accel_x + accel_y + accel_z + x + y + z));
             some |= left[row];
         }
+        LOAD(misalignment_in, 0, 9, start + BLOCK)
+        LOAD(sensitivity_in, 1, 3, start + BLOCK)
+        LOAD(bias_in, 2, 3, start + BLOCK)
+        LOAD(g_sensitivity_in, 3, 9, start + BLOCK)
+        LOAD(accel_in, 4, 3, start + BLOCK)
+        LOAD(actual_in, 5, 3, start + BLOCK)
         STORE(results, 3)
         if (some) {
             any = 1;
@@ -1707,15 +1789,16 @@ EVERY_INSTRUCTION_SET static int64_t gyro_corrected
     double g_sensitivity_in[9][BLOCK];
     double accel_in[3][BLOCK];
     double measured_in[3][BLOCK];
+    LINES(3)
+    LOAD(misalignment_in, 0, 9, 0)
+    LOAD(sensitivity_in, 1, 3, 0)
+    LOAD(bias_in, 2, 3, 0)
+    LOAD(g_sensitivity_in, 3, 9, 0)
+    LOAD(accel_in, 4, 3, 0)
+    LOAD(measured_in, 5, 3, 0)
     FOR_EACH_BLOCK(rows) {
         double results[3][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(misalignment_in, 0, 9)
-        LOAD(sensitivity_in, 1, 3)
-        LOAD(bias_in, 2, 3)
-        LOAD(g_sensitivity_in, 3, 9)
-        LOAD(accel_in, 4, 3)
-        LOAD(measured_in, 5, 3)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double n11 = misalignment_in[0][row];
             const double n12 = misalignment_in[1][row];
@@ -1758,6 +1841,12 @@ EVERY_INSTRUCTION_SET static int64_t gyro_corrected
                 c22 + c23 + c31 + c32 + c33 + accel_x + accel_y + accel_z + x + y + z));
             some |= left[row];
         }
+        LOAD(misalignment_in, 0, 9, start + BLOCK)
+        LOAD(sensitivity_in, 1, 3, start + BLOCK)
+        LOAD(bias_in, 2, 3, start + BLOCK)
+        LOAD(g_sensitivity_in, 3, 9, start + BLOCK)
+        LOAD(accel_in, 4, 3, start + BLOCK)
+        LOAD(measured_in, 5, 3, start + BLOCK)
         STORE(results, 3)
         if (some) {
             any = 1;
@@ -1777,12 +1866,13 @@ EVERY_INSTRUCTION_SET static int64_t iron_removed
     double soft_iron_in[9][BLOCK];
     double hard_iron_in[3][BLOCK];
     double field_in[3][BLOCK];
+    LINES(3)
+    LOAD(soft_iron_in, 0, 9, 0)
+    LOAD(hard_iron_in, 1, 3, 0)
+    LOAD(field_in, 2, 3, 0)
     FOR_EACH_BLOCK(rows) {
         double results[3][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(soft_iron_in, 0, 9)
-        LOAD(hard_iron_in, 1, 3)
-        LOAD(field_in, 2, 3)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double d11 = soft_iron_in[0][row];
             const double d12 = soft_iron_in[1][row];
@@ -1806,6 +1896,9 @@ EVERY_INSTRUCTION_SET static int64_t iron_removed
                 hard_y + hard_z + x + y + z));
             some |= left[row];
         }
+        LOAD(soft_iron_in, 0, 9, start + BLOCK)
+        LOAD(hard_iron_in, 1, 3, start + BLOCK)
+        LOAD(field_in, 2, 3, start + BLOCK)
         STORE(results, 3)
         if (some) {
             any = 1;
@@ -1825,12 +1918,13 @@ EVERY_INSTRUCTION_SET static int64_t iron_added
     double soft_iron_in[9][BLOCK];
     double hard_iron_in[3][BLOCK];
     double actual_in[3][BLOCK];
+    LINES(3)
+    LOAD(soft_iron_in, 0, 9, 0)
+    LOAD(hard_iron_in, 1, 3, 0)
+    LOAD(actual_in, 2, 3, 0)
     FOR_EACH_BLOCK(rows) {
         double results[3][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(soft_iron_in, 0, 9)
-        LOAD(hard_iron_in, 1, 3)
-        LOAD(actual_in, 2, 3)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double n11 = soft_iron_in[0][row];
             const double n12 = soft_iron_in[1][row];
@@ -1854,6 +1948,9 @@ EVERY_INSTRUCTION_SET static int64_t iron_added
                 hard_y + hard_z + x + y + z));
             some |= left[row];
         }
+        LOAD(soft_iron_in, 0, 9, start + BLOCK)
+        LOAD(hard_iron_in, 1, 3, start + BLOCK)
+        LOAD(actual_in, 2, 3, start + BLOCK)
         STORE(results, 3)
         if (some) {
             any = 1;
@@ -1872,11 +1969,12 @@ EVERY_INSTRUCTION_SET static int64_t vector_rate
     int64_t any = 0;
     double vector_in[3][BLOCK];
     double body_rates_in[3][BLOCK];
+    LINES(3)
+    LOAD(vector_in, 0, 3, 0)
+    LOAD(body_rates_in, 1, 3, 0)
     FOR_EACH_BLOCK(rows) {
         double results[3][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(vector_in, 0, 3)
-        LOAD(body_rates_in, 1, 3)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double x = vector_in[0][row];
             const double y = vector_in[1][row];
@@ -1890,6 +1988,8 @@ EVERY_INSTRUCTION_SET static int64_t vector_rate
             left[row] = !(FINITE(x + y + z + p + q + r));
             some |= left[row];
         }
+        LOAD(vector_in, 0, 3, start + BLOCK)
+        LOAD(body_rates_in, 1, 3, start + BLOCK)
         STORE(results, 3)
         if (some) {
             any = 1;
@@ -1909,12 +2009,13 @@ EVERY_INSTRUCTION_SET static int64_t norm_misfit
     double to_sphere_in[6][BLOCK];
     double centre_in[3][BLOCK];
     double reading_in[3][BLOCK];
+    LINES(10)
+    LOAD(to_sphere_in, 0, 6, 0)
+    LOAD(centre_in, 1, 3, 0)
+    LOAD(reading_in, 2, 3, 0)
     FOR_EACH_BLOCK(rows) {
         double results[10][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(to_sphere_in, 0, 6)
-        LOAD(centre_in, 1, 3)
-        LOAD(reading_in, 2, 3)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double a_xx = to_sphere_in[0][row];
             const double a_xy = to_sphere_in[1][row];
@@ -1962,6 +2063,9 @@ EVERY_INSTRUCTION_SET static int64_t norm_misfit
                 centre_z + x + y + z));
             some |= left[row];
         }
+        LOAD(to_sphere_in, 0, 6, start + BLOCK)
+        LOAD(centre_in, 1, 3, start + BLOCK)
+        LOAD(reading_in, 2, 3, start + BLOCK)
         STORE(results, 10)
         if (some) {
             any = 1;
@@ -1979,10 +2083,11 @@ EVERY_INSTRUCTION_SET static int64_t tilt_from_accelerometer
 {
     int64_t any = 0;
     double accel_in[3][BLOCK];
+    LINES(2)
+    LOAD(accel_in, 0, 3, 0)
     FOR_EACH_BLOCK(rows) {
         double results[2][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(accel_in, 0, 3)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double accel_x = accel_in[0][row];
             const double accel_y = accel_in[1][row];
@@ -1999,6 +2104,7 @@ EVERY_INSTRUCTION_SET static int64_t tilt_from_accelerometer
             left[row] = !(FINITE(accel_x + accel_y + accel_z) & IN_RANGE(length_squared));
             some |= left[row];
         }
+        LOAD(accel_in, 0, 3, start + BLOCK)
         STORE(results, 2)
         if (some) {
             any = 1;
@@ -2018,12 +2124,13 @@ EVERY_INSTRUCTION_SET static int64_t heading_from_magnetometer
     double mag_in[3][BLOCK];
     double tilt_in[2][BLOCK];
     double reference_in[2][BLOCK];
+    LINES(1)
+    LOAD(mag_in, 0, 3, 0)
+    LOAD(tilt_in, 1, 2, 0)
+    LOAD(reference_in, 2, 2, 0)
     FOR_EACH_BLOCK(rows) {
         double results[1][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(mag_in, 0, 3)
-        LOAD(tilt_in, 1, 2)
-        LOAD(reference_in, 2, 2)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double mag_x = mag_in[0][row];
             const double mag_y = mag_in[1][row];
@@ -2046,6 +2153,9 @@ EVERY_INSTRUCTION_SET static int64_t heading_from_magnetometer
                 < LARGEST_ANGLE) & (fabs(roll) < LARGEST_ANGLE) & IN_RANGE(length_squared));
             some |= left[row];
         }
+        LOAD(mag_in, 0, 3, start + BLOCK)
+        LOAD(tilt_in, 1, 2, start + BLOCK)
+        LOAD(reference_in, 2, 2, start + BLOCK)
         STORE(results, 1)
         if (some) {
             any = 1;
@@ -2065,12 +2175,13 @@ EVERY_INSTRUCTION_SET static int64_t validation_factor
     double mag_in[3][BLOCK];
     double tilt_in[2][BLOCK];
     double reference_down_in[1][BLOCK];
+    LINES(1)
+    LOAD(mag_in, 0, 3, 0)
+    LOAD(tilt_in, 1, 2, 0)
+    LOAD(reference_down_in, 2, 1, 0)
     FOR_EACH_BLOCK(rows) {
         double results[1][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(mag_in, 0, 3)
-        LOAD(tilt_in, 1, 2)
-        LOAD(reference_down_in, 2, 1)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double mag_x = mag_in[0][row];
             const double mag_y = mag_in[1][row];
@@ -2097,6 +2208,9 @@ EVERY_INSTRUCTION_SET static int64_t validation_factor
                 (fabs(pitch) < LARGEST_ANGLE) & (fabs(roll) < LARGEST_ANGLE));
             some |= left[row];
         }
+        LOAD(mag_in, 0, 3, start + BLOCK)
+        LOAD(tilt_in, 1, 2, start + BLOCK)
+        LOAD(reference_down_in, 2, 1, start + BLOCK)
         STORE(results, 1)
         if (some) {
             any = 1;
@@ -2118,14 +2232,15 @@ EVERY_INSTRUCTION_SET static int64_t monitor_gain
     double gain_in[1][BLOCK];
     double lowest_in[1][BLOCK];
     double highest_in[1][BLOCK];
+    LINES(1)
+    LOAD(above_in, 0, 1, 0)
+    LOAD(patience_in, 1, 1, 0)
+    LOAD(gain_in, 2, 1, 0)
+    LOAD(lowest_in, 3, 1, 0)
+    LOAD(highest_in, 4, 1, 0)
     FOR_EACH_BLOCK(rows) {
         double results[1][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(above_in, 0, 1)
-        LOAD(patience_in, 1, 1)
-        LOAD(gain_in, 2, 1)
-        LOAD(lowest_in, 3, 1)
-        LOAD(highest_in, 4, 1)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double above = above_in[0][row];
             const double patience = patience_in[0][row];
@@ -2138,6 +2253,11 @@ EVERY_INSTRUCTION_SET static int64_t monitor_gain
             left[row] = !(FINITE(above + patience + gain + lowest + highest));
             some |= left[row];
         }
+        LOAD(above_in, 0, 1, start + BLOCK)
+        LOAD(patience_in, 1, 1, start + BLOCK)
+        LOAD(gain_in, 2, 1, start + BLOCK)
+        LOAD(lowest_in, 3, 1, start + BLOCK)
+        LOAD(highest_in, 4, 1, start + BLOCK)
         STORE(results, 1)
         if (some) {
             any = 1;
@@ -2157,12 +2277,13 @@ EVERY_INSTRUCTION_SET static int64_t inertial_acceleration
     double accel_in[3][BLOCK];
     double euler_in[3][BLOCK];
     double gravity_in[1][BLOCK];
+    LINES(3)
+    LOAD(accel_in, 0, 3, 0)
+    LOAD(euler_in, 1, 3, 0)
+    LOAD(gravity_in, 2, 1, 0)
     FOR_EACH_BLOCK(rows) {
         double results[3][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(accel_in, 0, 3)
-        LOAD(euler_in, 1, 3)
-        LOAD(gravity_in, 2, 1)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double accel_x = accel_in[0][row];
             const double accel_y = accel_in[1][row];
@@ -2194,6 +2315,9 @@ EVERY_INSTRUCTION_SET static int64_t inertial_acceleration
                 LARGEST_ANGLE));
             some |= left[row];
         }
+        LOAD(accel_in, 0, 3, start + BLOCK)
+        LOAD(euler_in, 1, 3, start + BLOCK)
+        LOAD(gravity_in, 2, 1, start + BLOCK)
         STORE(results, 3)
         if (some) {
             any = 1;
@@ -2213,12 +2337,13 @@ EVERY_INSTRUCTION_SET static int64_t accelerometer_from_acceleration
     double acceleration_in[3][BLOCK];
     double euler_in[3][BLOCK];
     double gravity_in[1][BLOCK];
+    LINES(3)
+    LOAD(acceleration_in, 0, 3, 0)
+    LOAD(euler_in, 1, 3, 0)
+    LOAD(gravity_in, 2, 1, 0)
     FOR_EACH_BLOCK(rows) {
         double results[3][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(acceleration_in, 0, 3)
-        LOAD(euler_in, 1, 3)
-        LOAD(gravity_in, 2, 1)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double accel_north = acceleration_in[0][row];
             const double accel_east = acceleration_in[1][row];
@@ -2254,6 +2379,9 @@ EVERY_INSTRUCTION_SET static int64_t accelerometer_from_acceleration
                 < LARGEST_ANGLE));
             some |= left[row];
         }
+        LOAD(acceleration_in, 0, 3, start + BLOCK)
+        LOAD(euler_in, 1, 3, start + BLOCK)
+        LOAD(gravity_in, 2, 1, start + BLOCK)
         STORE(results, 3)
         if (some) {
             any = 1;
@@ -2273,12 +2401,13 @@ EVERY_INSTRUCTION_SET static int64_t drift_from_tilt_error
     double angle_error_in[1][BLOCK];
     double time_in[1][BLOCK];
     double gravity_in[1][BLOCK];
+    LINES(3)
+    LOAD(angle_error_in, 0, 1, 0)
+    LOAD(time_in, 1, 1, 0)
+    LOAD(gravity_in, 2, 1, 0)
     FOR_EACH_BLOCK(rows) {
         double results[3][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(angle_error_in, 0, 1)
-        LOAD(time_in, 1, 1)
-        LOAD(gravity_in, 2, 1)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double angle_error = angle_error_in[0][row];
             const double time = time_in[0][row];
@@ -2292,6 +2421,9 @@ EVERY_INSTRUCTION_SET static int64_t drift_from_tilt_error
                 LARGEST_ANGLE));
             some |= left[row];
         }
+        LOAD(angle_error_in, 0, 1, start + BLOCK)
+        LOAD(time_in, 1, 1, start + BLOCK)
+        LOAD(gravity_in, 2, 1, start + BLOCK)
         STORE(results, 3)
         if (some) {
             any = 1;
@@ -2317,18 +2449,19 @@ EVERY_INSTRUCTION_SET static int64_t position_errors
     double gyro_noise_in[1][BLOCK];
     double time_in[1][BLOCK];
     double gravity_in[1][BLOCK];
+    LINES(6)
+    LOAD(angle_error_in, 0, 1, 0)
+    LOAD(accel_bias_in, 1, 1, 0)
+    LOAD(gyro_bias_in, 2, 1, 0)
+    LOAD(scale_error_in, 3, 1, 0)
+    LOAD(acceleration_in, 4, 1, 0)
+    LOAD(accel_noise_in, 5, 1, 0)
+    LOAD(gyro_noise_in, 6, 1, 0)
+    LOAD(time_in, 7, 1, 0)
+    LOAD(gravity_in, 8, 1, 0)
     FOR_EACH_BLOCK(rows) {
         double results[6][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(angle_error_in, 0, 1)
-        LOAD(accel_bias_in, 1, 1)
-        LOAD(gyro_bias_in, 2, 1)
-        LOAD(scale_error_in, 3, 1)
-        LOAD(acceleration_in, 4, 1)
-        LOAD(accel_noise_in, 5, 1)
-        LOAD(gyro_noise_in, 6, 1)
-        LOAD(time_in, 7, 1)
-        LOAD(gravity_in, 8, 1)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double angle_error = angle_error_in[0][row];
             const double accel_bias = accel_bias_in[0][row];
@@ -2353,6 +2486,15 @@ EVERY_INSTRUCTION_SET static int64_t position_errors
                 accel_noise + gyro_noise + time + gravity) & (fabs(angle_error) < LARGEST_ANGLE));
             some |= left[row];
         }
+        LOAD(angle_error_in, 0, 1, start + BLOCK)
+        LOAD(accel_bias_in, 1, 1, start + BLOCK)
+        LOAD(gyro_bias_in, 2, 1, start + BLOCK)
+        LOAD(scale_error_in, 3, 1, start + BLOCK)
+        LOAD(acceleration_in, 4, 1, start + BLOCK)
+        LOAD(accel_noise_in, 5, 1, start + BLOCK)
+        LOAD(gyro_noise_in, 6, 1, start + BLOCK)
+        LOAD(time_in, 7, 1, start + BLOCK)
+        LOAD(gravity_in, 8, 1, start + BLOCK)
         STORE(results, 6)
         if (some) {
             any = 1;
@@ -2371,11 +2513,12 @@ EVERY_INSTRUCTION_SET static int64_t gain_from_time_constant
     int64_t any = 0;
     double time_constant_in[1][BLOCK];
     double dt_in[1][BLOCK];
+    LINES(1)
+    LOAD(time_constant_in, 0, 1, 0)
+    LOAD(dt_in, 1, 1, 0)
     FOR_EACH_BLOCK(rows) {
         double results[1][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(time_constant_in, 0, 1)
-        LOAD(dt_in, 1, 1)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double time_constant = time_constant_in[0][row];
             const double dt = dt_in[0][row];
@@ -2384,6 +2527,8 @@ EVERY_INSTRUCTION_SET static int64_t gain_from_time_constant
             left[row] = !(FINITE(time_constant + dt));
             some |= left[row];
         }
+        LOAD(time_constant_in, 0, 1, start + BLOCK)
+        LOAD(dt_in, 1, 1, start + BLOCK)
         STORE(results, 1)
         if (some) {
             any = 1;
@@ -2402,11 +2547,12 @@ EVERY_INSTRUCTION_SET static int64_t time_constant_from_gain
     int64_t any = 0;
     double gain_in[1][BLOCK];
     double dt_in[1][BLOCK];
+    LINES(1)
+    LOAD(gain_in, 0, 1, 0)
+    LOAD(dt_in, 1, 1, 0)
     FOR_EACH_BLOCK(rows) {
         double results[1][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(gain_in, 0, 1)
-        LOAD(dt_in, 1, 1)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double gain = gain_in[0][row];
             const double dt = dt_in[0][row];
@@ -2417,6 +2563,8 @@ EVERY_INSTRUCTION_SET static int64_t time_constant_from_gain
             left[row] = !(FINITE(gain + dt));
             some |= left[row];
         }
+        LOAD(gain_in, 0, 1, start + BLOCK)
+        LOAD(dt_in, 1, 1, start + BLOCK)
         STORE(results, 1)
         if (some) {
             any = 1;
@@ -2437,13 +2585,14 @@ EVERY_INSTRUCTION_SET static int64_t averaging_bound
     double time_constant_in[1][BLOCK];
     double speed_in[1][BLOCK];
     double bias_bound_in[1][BLOCK];
+    LINES(1)
+    LOAD(averaged_in, 0, 1, 0)
+    LOAD(time_constant_in, 1, 1, 0)
+    LOAD(speed_in, 2, 1, 0)
+    LOAD(bias_bound_in, 3, 1, 0)
     FOR_EACH_BLOCK(rows) {
         double results[1][BLOCK];
         int64_t left[BLOCK], some = 0;
-        LOAD(averaged_in, 0, 1)
-        LOAD(time_constant_in, 1, 1)
-        LOAD(speed_in, 2, 1)
-        LOAD(bias_bound_in, 3, 1)
         for (ptrdiff_t row = 0; row < padded; row++) {
             const double averaged = averaged_in[0][row];
             const double time_constant = time_constant_in[0][row];
@@ -2458,6 +2607,10 @@ EVERY_INSTRUCTION_SET static int64_t averaging_bound
             left[row] = !(FINITE(averaged + time_constant + speed + bias_bound));
             some |= left[row];
         }
+        LOAD(averaged_in, 0, 1, start + BLOCK)
+        LOAD(time_constant_in, 1, 1, start + BLOCK)
+        LOAD(speed_in, 2, 1, start + BLOCK)
+        LOAD(bias_bound_in, 3, 1, start + BLOCK)
         STORE(results, 1)
         if (some) {
             any = 1;
