@@ -132,15 +132,17 @@ def test_stale_kernels_say_so_once_and_numpy_serves() -> None:
 
 
 @pytest.mark.kernels
-def test_a_result_past_the_cache_is_that_of_its_rows() -> None:
-    rows = 2**20 // 9 + 13  # no whole number of blocks
+@pytest.mark.parametrize("rest", [0, 13])  # whole blocks, and not
+@pytest.mark.parametrize("place", range(8))  # where in a line of the cache it begins
+def test_a_result_past_the_cache_is_that_of_its_rows(place: int, rest: int) -> None:
+    rows = (2**20 // 9 // 16 + 1) * 16 + rest
     euler = np.random.default_rng(0).uniform(-3, 3, (rows, 3))
-    matrices = np.empty(9 * rows + 1)
-    for start in (0, 1):  # one of the two is not where vectors begin
-        large = matrices[start:][: 9 * rows].reshape(rows, 3, 3)
-        chr_notes.matrix_from_euler(euler, out=large)
-        for place in (slice(40), slice(5000, 6000), slice(rows - 40, rows)):
-            assert_array_equal(large[place], chr_notes.matrix_from_euler(euler[place]))
+    matrices = np.full(9 * rows + 16, nan)
+    large = matrices[place:][: 9 * rows].reshape(rows, 3, 3)
+    chr_notes.matrix_from_euler(euler, out=large)
+    parts = (euler[start : start + 5000] for start in range(0, rows, 5000))
+    assert_array_equal(large, np.concatenate([chr_notes.matrix_from_euler(part) for part in parts]))
+    assert np.isnan(matrices).sum() == 16  # nothing else is written
 
 
 def test_a_result_in_new_memory_is_that_of_its_rows() -> None:

@@ -477,12 +477,15 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_from_euler
             const double roll = euler_in[0][row];
             const double pitch = euler_in[1][row];
             const double yaw = euler_in[2][row];
-            const double sin_half_pitch = column_sin(0.5*pitch);
-            const double cos_half_pitch = column_cos(0.5*pitch);
-            const double sin_half_roll = column_sin(0.5*roll);
-            const double cos_half_roll = column_cos(0.5*roll);
-            const double sin_half_yaw = column_sin(0.5*yaw);
-            const double cos_half_yaw = column_cos(0.5*yaw);
+            const double half_pitch = 0.5*pitch;
+            const double sin_half_pitch = column_sin(half_pitch);
+            const double cos_half_pitch = column_cos(half_pitch);
+            const double half_roll = 0.5*roll;
+            const double sin_half_roll = column_sin(half_roll);
+            const double cos_half_roll = column_cos(half_roll);
+            const double half_yaw = 0.5*yaw;
+            const double sin_half_yaw = column_sin(half_yaw);
+            const double cos_half_yaw = column_cos(half_yaw);
             const double cos_half_pitch_cos_half_yaw = cos_half_pitch*cos_half_yaw;
             const double sin_half_pitch_sin_half_yaw = sin_half_pitch*sin_half_yaw;
             const double a = cos_half_pitch_cos_half_yaw*cos_half_roll +
@@ -500,8 +503,8 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_from_euler
             results[1][row] = b*sign;
             results[2][row] = c*sign;
             results[3][row] = d*sign;
-            left[row] = !(FINITE(roll + pitch + yaw) & (fabs(0.5*pitch) < LARGEST_ANGLE) &
-                (fabs(0.5*roll) < LARGEST_ANGLE) & (fabs(0.5*yaw) < LARGEST_ANGLE));
+            left[row] = !(FINITE(roll + pitch + yaw) & (fabs(half_pitch) < LARGEST_ANGLE) &
+                (fabs(half_roll) < LARGEST_ANGLE) & (fabs(half_yaw) < LARGEST_ANGLE));
             some |= left[row];
         }
         LOAD(euler_in, 0, 3, start + BLOCK)
@@ -584,16 +587,17 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_from_axis_angle
             const double y = axis_in[1][row];
             const double z = axis_in[2][row];
             const double angle = angle_in[0][row];
-            const double sin_half_angle = column_sin(0.5*angle);
-            const double cos_half_angle = column_cos(0.5*angle);
+            const double half_angle = 0.5*angle;
+            const double sin_half_angle = column_sin(half_angle);
+            const double cos_half_angle = column_cos(half_angle);
             const double length_squared = x*x + y*y + z*z;
             const double sign = cos_half_angle >= 0.0 ? 1.0 : -1.0;
-            const double common_2 = sign*sin_half_angle/sqrt(length_squared);
+            const double common_3 = sign*sin_half_angle/sqrt(length_squared);
             results[0][row] = cos_half_angle*sign;
-            results[1][row] = common_2*x;
-            results[2][row] = common_2*y;
-            results[3][row] = common_2*z;
-            left[row] = !(FINITE(x + y + z + angle) & (fabs(0.5*angle) < LARGEST_ANGLE) &
+            results[1][row] = common_3*x;
+            results[2][row] = common_3*y;
+            results[3][row] = common_3*z;
+            left[row] = !(FINITE(x + y + z + angle) & (fabs(half_angle) < LARGEST_ANGLE) &
                 IN_RANGE(length_squared));
             some |= left[row];
         }
@@ -1204,12 +1208,15 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_from_angles_zyx
             const double first = angles_in[0][row];
             const double second = angles_in[1][row];
             const double third = angles_in[2][row];
-            const double sin_half_first = column_sin(0.5*first);
-            const double cos_half_first = column_cos(0.5*first);
-            const double sin_half_second = column_sin(0.5*second);
-            const double cos_half_second = column_cos(0.5*second);
-            const double sin_half_third = column_sin(0.5*third);
-            const double cos_half_third = column_cos(0.5*third);
+            const double half_first = 0.5*first;
+            const double sin_half_first = column_sin(half_first);
+            const double cos_half_first = column_cos(half_first);
+            const double half_second = 0.5*second;
+            const double sin_half_second = column_sin(half_second);
+            const double cos_half_second = column_cos(half_second);
+            const double half_third = 0.5*third;
+            const double sin_half_third = column_sin(half_third);
+            const double cos_half_third = column_cos(half_third);
             const double twice_a = cos_half_first*cos_half_second;
             const double twice_b = -sin_half_first*sin_half_second;
             const double twice_c = cos_half_first*sin_half_second;
@@ -1223,8 +1230,8 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_from_angles_zyx
             results[1][row] = b*sign;
             results[2][row] = c*sign;
             results[3][row] = d*sign;
-            left[row] = !(FINITE(first + second + third) & (fabs(0.5*first) < LARGEST_ANGLE) &
-                (fabs(0.5*second) < LARGEST_ANGLE) & (fabs(0.5*third) < LARGEST_ANGLE));
+            left[row] = !(FINITE(first + second + third) & (fabs(half_first) < LARGEST_ANGLE) &
+                (fabs(half_second) < LARGEST_ANGLE) & (fabs(half_third) < LARGEST_ANGLE));
             some |= left[row];
         }
         FROM_FRAME(told, results, 4, quaternion)
@@ -1259,12 +1266,15 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_from_angles_zyz
             const double first = angles_in[0][row];
             const double second = angles_in[1][row];
             const double third = angles_in[2][row];
-            const double sin_half_first = column_sin(0.5*first);
-            const double cos_half_first = column_cos(0.5*first);
-            const double sin_half_second = column_sin(0.5*second);
-            const double cos_half_second = column_cos(0.5*second);
-            const double sin_half_third = column_sin(0.5*third);
-            const double cos_half_third = column_cos(0.5*third);
+            const double half_first = 0.5*first;
+            const double sin_half_first = column_sin(half_first);
+            const double cos_half_first = column_cos(half_first);
+            const double half_second = 0.5*second;
+            const double sin_half_second = column_sin(half_second);
+            const double cos_half_second = column_cos(half_second);
+            const double half_third = 0.5*third;
+            const double sin_half_third = column_sin(half_third);
+            const double cos_half_third = column_cos(half_third);
             const double twice_a = cos_half_first*cos_half_second;
             const double twice_b = -sin_half_first*sin_half_second;
             const double twice_c = cos_half_first*sin_half_second;
@@ -1278,8 +1288,8 @@ EVERY_INSTRUCTION_SET static int64_t quaternion_from_angles_zyz
             results[1][row] = b*sign;
             results[2][row] = c*sign;
             results[3][row] = d*sign;
-            left[row] = !(FINITE(first + second + third) & (fabs(0.5*first) < LARGEST_ANGLE) &
-                (fabs(0.5*second) < LARGEST_ANGLE) & (fabs(0.5*third) < LARGEST_ANGLE));
+            left[row] = !(FINITE(first + second + third) & (fabs(half_first) < LARGEST_ANGLE) &
+                (fabs(half_second) < LARGEST_ANGLE) & (fabs(half_third) < LARGEST_ANGLE));
             some |= left[row];
         }
         FROM_FRAME(told, results, 4, quaternion)
@@ -2789,12 +2799,15 @@ static int64_t observer_step
         const double accel_z = in[2][row * step[2] + 2];
         const double dt = in[3][row * step[3] + 0];
         const double gain = in[4][row * step[4] + 0];
-        const double sin_half_pitch = step_sin(0.5*pitch);
-        const double cos_half_pitch = step_cos(0.5*pitch);
-        const double sin_half_roll = step_sin(0.5*roll);
-        const double cos_half_roll = step_cos(0.5*roll);
-        const double sin_half_yaw = step_sin(0.5*yaw);
-        const double cos_half_yaw = step_cos(0.5*yaw);
+        const double half_pitch = 0.5*pitch;
+        const double sin_half_pitch = step_sin(half_pitch);
+        const double cos_half_pitch = step_cos(half_pitch);
+        const double half_roll = 0.5*roll;
+        const double sin_half_roll = step_sin(half_roll);
+        const double cos_half_roll = step_cos(half_roll);
+        const double half_yaw = 0.5*yaw;
+        const double sin_half_yaw = step_sin(half_yaw);
+        const double cos_half_yaw = step_cos(half_yaw);
         const double cos_half_pitch_cos_half_yaw = cos_half_pitch*cos_half_yaw;
         const double sin_half_pitch_sin_half_yaw = sin_half_pitch*sin_half_yaw;
         const double start_a = cos_half_pitch_cos_half_yaw*cos_half_roll +
@@ -2816,10 +2829,10 @@ static int64_t observer_step
         const double turn_squared = moves ? whole_turn_squared : 0.0;
         const double ratio = step_sinc_of_root(0.5, turn_squared);
         const double turn_a = step_cos_of_root(0.5, turn_squared);
-        const double common_10 = 0.5*dt*ratio;
-        const double turn_b = common_10*rate_x;
-        const double turn_c = common_10*rate_y;
-        const double turn_d = common_10*rate_z;
+        const double common_13 = 0.5*dt*ratio;
+        const double turn_b = common_13*rate_x;
+        const double turn_c = common_13*rate_y;
+        const double turn_d = common_13*rate_z;
         const double predicted_a = (start_a*turn_a - start_b*turn_b) + (-start_c*turn_c -
             start_d*turn_d);
         const double predicted_b = (start_a*turn_b + start_b*turn_a) + (start_c*turn_d -
@@ -2832,9 +2845,9 @@ static int64_t observer_step
         const double e_y = -2.0*predicted_a*predicted_b - 2.0*predicted_c*predicted_d;
         const double predicted_b_squared = predicted_b*predicted_b;
         const double predicted_c_squared = predicted_c*predicted_c;
-        const double common_13 = predicted_b_squared + predicted_c_squared;
-        const double common_14 = predicted_a*predicted_a + predicted_d*predicted_d;
-        const double e_z = common_13 - common_14;
+        const double common_16 = predicted_b_squared + predicted_c_squared;
+        const double common_17 = predicted_a*predicted_a + predicted_d*predicted_d;
+        const double e_z = common_16 - common_17;
         const double size = fabs(accel_x) + fabs(accel_y) + fabs(accel_z);
         const int has_direction = (size <= 1.7976931348623157e+308) & (size > 0.0);
         const double reading_x = has_direction ? accel_x/size : 0.0;
@@ -2847,12 +2860,12 @@ static int64_t observer_step
         const double moved_b = across_x*predicted_a - across_y*predicted_d + across_z*predicted_c;
         const double moved_c = across_x*predicted_d + across_y*predicted_a - across_z*predicted_b;
         const double moved_d = across_y*predicted_b - across_x*predicted_c + across_z*predicted_a;
-        const double common_15 = across_x*across_x + across_y*across_y + across_z*across_z;
-        const double common_16 = e_x*reading_x + e_y*reading_y + e_z*reading_z;
-        const double common_17 = ((common_13 + common_14)*(common_13 +
-            common_14))*(reading_x*reading_x + reading_y*reading_y + reading_z*reading_z);
-        const double turn_back_a = step_cos_of_share(0.5*gain, common_15, common_16, common_17);
-        const double factor = step_sin_of_share(0.5*gain, common_15, common_16, common_17);
+        const double common_18 = across_x*across_x + across_y*across_y + across_z*across_z;
+        const double common_19 = e_x*reading_x + e_y*reading_y + e_z*reading_z;
+        const double common_20 = ((common_16 + common_17)*(common_16 +
+            common_17))*(reading_x*reading_x + reading_y*reading_y + reading_z*reading_z);
+        const double turn_back_a = step_cos_of_share(0.5*gain, common_18, common_19, common_20);
+        const double factor = step_sin_of_share(0.5*gain, common_18, common_19, common_20);
         const int usual = (has_direction) & (moves) & (9.869604401089358 > whole_turn_squared) & (dt
             >= 0.0);
         const double end_a = factor*moved_a + predicted_a*turn_back_a;
