@@ -50,7 +50,7 @@ def with_lock(
         raise ValueError(msg)
     raises = on_gimbal_lock == "raise"
     arguments = (given,) if turns is None else (given, turns)
-    euler, locked = function.located(*arguments, out=out, every_place=raises)
+    euler, locked = function.located(arguments, out, every_place=raises)
     if not locked.count or on_gimbal_lock == "ignore":
         return euler
     leading = euler.shape[:-1]

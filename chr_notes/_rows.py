@@ -125,16 +125,13 @@ class Rows:
         return self.compute(*given, out)
 
     def located(
-        self,
-        *given: ArrayLike,
-        out: Floats | None = None,
-        every_place: bool = False,
+        self, given: tuple[ArrayLike, ...], out: Floats | None, *, every_place: bool
     ) -> tuple[Floats, Locked]:
         """Compute, and tell where attitudes are at gimbal lock.
 
         Parameters
         ----------
-        *given
+        given
             The arguments.
         out
             For the result, if it is to go there.
