@@ -17,8 +17,9 @@ from chr_notes.generated.arrays.shapes import SHAPES
 
 Places = NDArray[np.intp]
 
-BLOCK = 8192
-"""Rows that NumPy works on at a time: few enough to stay in cache."""
+BLOCK = 4096
+"""Rows that NumPy works on at a time: few enough to stay in cache, and for the C library to keep
+what memory they take for the next ones."""
 # A squared length between these lost nothing, and neither does its square.
 _MOST, _LEAST = 2.0**380, 2.0**-380
 _ALONE = 10_000
@@ -56,7 +57,7 @@ class Locked:
 
 Told = tuple[Bools | None, Floats | None]
 _NONE_LOCKED = Locked()
-_FIRST = slice(0, BLOCK)
+_FIRST = slice(0, 2 * BLOCK)  # as many numbers at most, of so few rows or fewer, at once
 # What is run in a copy of it is run under np.errstate(all="ignore"), which takes ten times as long.
 _SILENT = Context()
 _SILENT.run(np.seterr, all="ignore")
@@ -177,7 +178,7 @@ class Rows:
         else:
             silently = _SILENT.copy().run
             result = np.empty(shape) if done is None else done[0].reshape(shape)
-            few = done is None and result.size <= BLOCK
+            few = done is None and result.size <= _FIRST.stop
             if not (few and silently(self._at_once, arrays, result, _FIRST, locked)):
                 left, rows = done and done[1], self._as_rows(arrays, leading)
                 silently(self._complete, result, left, rows, leading, locked)
