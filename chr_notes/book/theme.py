@@ -11,14 +11,13 @@ from sphinx.config import Config
 from sphinx.util.osutil import relative_uri
 
 from chr_notes.book.access import mended
-from chr_notes.book.download import offered
 from chr_notes.book.entry_links import from_cards, from_docstring
 from chr_notes.book.fields import join, shorten
 from chr_notes.book.figures import taken_out
 from chr_notes.book.spacing import spaced
 from chr_notes.book.unused_rules import used_words, without_unused
 
-__all__ = ["setup"]
+__all__ = ["offered", "setup"]
 
 _ICONS: Final = ("fontawesome",)  # they are in book/icons.css
 _SEARCH: Final = (
@@ -49,6 +48,29 @@ _UNUSED: Final = (
     "_static/scripts/fontawesome.js.LICENSE.txt",
     "_static/vendor/fontawesome",
 )
+_END: Final = "</h1>"
+_MARK: Final = '<p class="chapter-download">'
+
+
+def offered(page: str, name: str) -> str:
+    """Say on a chapter's built page where its notebook is and how to run it; once is enough.
+
+    Parameters
+    ----------
+    page
+        HTML of a chapter.
+    name
+        File name of the notebook, which stands beside the page.
+    """
+    before, article, after = page.partition('<article class="bd-article">')
+    if _MARK in after or not article:
+        return page
+    told = (
+        f'{_MARK}<a href="{name}" download>Download this chapter as a notebook</a>. To run it: '
+        '<code>python -m pip install "chr-notes[notebooks]"</code>, then '
+        f"<code>jupyter lab {name}</code>.</p>"
+    )
+    return before + article + after.replace(_END, f"{_END}\n{told}", 1)
 
 
 def _without_scripts(page: str, names: list[str]) -> str:

@@ -12,6 +12,7 @@ from sphinx.application import Sphinx
 from sphinx.util.docutils import docutils_namespace
 
 from chr_notes.book import SOURCES
+from chr_notes.book.theme import offered
 
 Visit = Callable[..., Page]
 
@@ -94,3 +95,20 @@ def test_the_search_finds(visit: Visit, address: str) -> None:
     page.keyboard.press("Enter")
     expect(page).to_have_url(re.compile(r"search\.html\?q=aircraft"))
     expect(page.locator("#search-results ul.search li").first).to_be_visible()
+
+
+def test_each_chapter_can_be_taken_along(book: Path) -> None:
+    chapters = sorted((book / "notebooks").glob("*.html"))
+    assert len(chapters) > 6
+    for page in chapters:
+        name = f"{page.stem}.ipynb"
+        assert page.read_text(encoding="utf-8").count(f'<a href="{name}" download>') == 1
+        kept = (SOURCES.parent / "notebooks" / name).read_bytes()
+        assert (page.parent / name).read_bytes() == kept
+
+
+def test_once_is_enough() -> None:
+    page = '<h1>Menu</h1><article class="bd-article"><h1>Yaw</h1></article>'
+    once = offered(page, "yaw.ipynb")
+    assert once.startswith('<h1>Menu</h1><article class="bd-article"><h1>Yaw</h1>\n<p class=')
+    assert offered(once, "yaw.ipynb") == once
