@@ -73,4 +73,4 @@ def _kernel(source: str) -> str:
         raise ValueError(msg)
     whole = found.group()
     start = whole.index("        for (ptrdiff_t row = 0; row < padded; row++) {")
-    return dedent(whole[start : whole.index("        STORE")]).rstrip()
+    return dedent(whole[start : whole.index("        LOAD", start)]).rstrip()

@@ -174,7 +174,7 @@ INLINE void stream(double *to, double *lines, int numbers, int is_first, int is_
 }
 #define LINES(width) double lines[BLOCK * (width) + LINE];
 #define STORE(columns, width) \
-    if (rows * (width) > MANY && count == BLOCK) { \
+    if (rows * (width) > MANY && count == BLOCK && (uintptr_t)out % sizeof *out == 0) { \
         double *const to = out + start * (width); \
         store(lines + (uintptr_t)to / sizeof *to % LINE, (columns)[0], width, BLOCK); \
         stream(to, lines, BLOCK * (width), start == 0, rows - start < 2 * BLOCK); \

@@ -184,7 +184,7 @@ INLINE double step_atan2(double y, double x)
 
 /*
  * The same of factor * sqrt(square), where a small angle needs no root: its cosine, and its sine
- * divided by it. Below 2.6 degrees, as from sample to sample, fewer terms do.
+ * divided by it. Below 1.2 degrees, as from sample to sample, fewer terms do.
  */
 #define SMALL_SQUARE 0x1p-11
 
@@ -219,7 +219,7 @@ INLINE int is_narrow(double square, double x, double sides)
     return x > 0.0 && square <= 0x1p-6 * sides;
 }
 
-/* Such a series at z, from the first factor and the first n; below half a degree, half of it. */
+/* Such a series at z, from the first factor and the first n; below 0.6 degrees, half of it. */
 INLINE double in_squared_sine(double first, double n, double share, double z)
 {
     const double z2 = z * z;

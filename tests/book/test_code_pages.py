@@ -72,3 +72,4 @@ def test_the_loop_shown_is_that_of_the_kernel(parts: dict[str, str]) -> None:
     assert indent(shown, " " * 8) in text
     assert "sin_roll" in shown
     assert shown.count("{") == shown.count("}") == 1
+    assert shown.endswith("\n}")  # the page tells of the last lines: those of the loop
