@@ -1,13 +1,14 @@
 """The pages about the generated code say what the code and the stored run say."""
 
 import inspect
+import re
 from textwrap import indent
 from types import ModuleType
 
 import numpy as np
 import pytest
 
-from chr_notes.book import code_pages
+from chr_notes.book import SOURCES, code_pages
 from chr_notes.generated.arrays import euler as arrays
 from chr_notes.generated.scalar import euler as scalar
 
@@ -73,3 +74,11 @@ def test_the_loop_shown_is_that_of_the_kernel(parts: dict[str, str]) -> None:
     assert "sin_roll" in shown
     assert shown.count("{") == shown.count("}") == 1
     assert shown.endswith("\n}")  # the page tells of the last lines: those of the loop
+
+
+def test_the_page_tells_the_rows_of_a_block() -> None:
+    kernels = (code_pages.GENERATED.parent / "native" / "columns.h").read_text(encoding="utf-8")
+    rows = re.search(r"BLOCK = (\d+)", kernels)
+    page = (SOURCES / "from_derivation_to_code.md").read_text(encoding="utf-8")
+    assert rows is not None
+    assert re.search(rf"blocks\s+of\s+{rows[1]}\b", page)
