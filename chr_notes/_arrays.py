@@ -8,6 +8,8 @@ from numpy.typing import ArrayLike, NDArray
 Bools = NDArray[np.bool_]
 Floats = NDArray[np.float64]
 DOUBLE = np.dtype(np.float64)
+# Of more numbers BLAS adds up with several threads, for which others have to wait.
+_ALONE = 10_000
 _LEFT_OUT = {
     "body_rates": "a log without a gyro has none",
     "accel": "a log without an accelerometer has none",
@@ -141,6 +143,13 @@ def check_out(out: Floats, shape: tuple[int, ...]) -> None:
         got = "one that may not be written to" if out.shape == shape else f"shape {out.shape}"
         msg = f"out: expected an array of shape {shape}, got {got}"
         raise ValueError(msg)
+
+
+def sum_of_squares(flat: Floats) -> float:
+    """Add up squares, by BLAS in one thread."""
+    if len(flat) <= _ALONE:
+        return float(flat.dot(flat))
+    return sum_of_squares(flat[:_ALONE]) + sum_of_squares(flat[_ALONE:])
 
 
 def handed_out(parts: tuple[Floats, ...], out: tuple[Floats, ...] | None) -> tuple[Floats, ...]:

@@ -10,19 +10,21 @@ import numpy as np
 from numpy import ndarray
 from numpy.typing import ArrayLike, NDArray
 
-from chr_notes._arrays import DOUBLE, Bools, Floats, check_out, common_shape, floats
+from chr_notes._arrays import DOUBLE, Bools, Floats, check_out, common_shape, floats, sum_of_squares
 from chr_notes._kernels import completed, kernel
 from chr_notes._odd_rows import WrongRow, check_rotations, rows_with_nan, scaled
 from chr_notes.generated.arrays.shapes import SHAPES
 
 Places = NDArray[np.intp]
 
-BLOCK = 4096
-"""Rows that NumPy works on at a time: few enough to stay in cache, and for the C library to keep
-what memory they take for the next ones."""
+BLOCK = 8192
+"""Rows that NumPy works on at a time: few enough to stay in cache."""
+# A C library that has seen an array as large as this come and go keeps the memory of smaller ones
+# for the next of them. From the system it would come anew, page by page, which takes longer than
+# the computing.
+np.empty(2**18)
 # A squared length between these lost nothing, and neither does its square.
 _MOST, _LEAST = 2.0**380, 2.0**-380
-_ALONE = 10_000
 _CLOSE = 1e-9  # hence R Rᵀ is within 3e-5
 _NOWHERE = np.empty(0, dtype=np.intp)
 
@@ -57,7 +59,7 @@ class Locked:
 
 Told = tuple[Bools | None, Floats | None]
 _NONE_LOCKED = Locked()
-_FIRST = slice(0, 2 * BLOCK)  # as many numbers at most, of so few rows or fewer, at once
+_FIRST = slice(0, 4 * BLOCK)  # as many numbers at most, of so few rows or fewer, at once
 # What is run in a copy of it is run under np.errstate(all="ignore"), which takes ten times as long.
 _SILENT = Context()
 _SILENT.run(np.seterr, all="ignore")
@@ -226,9 +228,7 @@ class Rows:
         """
         whole = 0.0
         for part in parts[self._looked_at]:
-            flat = part.ravel()
-            # Of more numbers BLAS adds up with several threads, for which others have to wait.
-            whole += flat.dot(flat) if len(flat) <= _ALONE else np.einsum("i,i", flat, flat)
+            whole += sum_of_squares(part.ravel())
         most, least = _MOST, _LEAST
         if self._rotation:
             # The determinant is at most the root of the cube of a third of the sum of squares, and

@@ -106,6 +106,23 @@ def test_off_leaves_all_to_numpy() -> None:
     assert "chr_notes._compiled" not in modules
 
 
+CALLS = 20
+PAGES_TAKEN = f"""
+import chr_notes, numpy as np, resource
+q = np.random.default_rng(1).normal(size=(4000, 4))
+def pages():
+    for _ in range({CALLS}):
+        chr_notes.matrix_from_quaternion(q)
+    return resource.getrusage(resource.RUSAGE_SELF).ru_minflt
+print(-pages() + pages())
+"""
+
+
+def test_numpy_computes_in_memory_that_it_had_before() -> None:
+    # A hundred pages a call else, which take longer than the computing.
+    assert int(in_a_fresh_python(PAGES_TAKEN, "off").stdout) < CALLS
+
+
 @pytest.mark.kernels
 def test_require_uses_them() -> None:
     code = "import chr_notes; print(chr_notes.kernels_in_use())"
