@@ -149,7 +149,8 @@ def sum_of_squares(flat: Floats) -> float:
     """Add up squares, by BLAS in one thread."""
     if len(flat) <= _ALONE:
         return float(flat.dot(flat))
-    return sum_of_squares(flat[:_ALONE]) + sum_of_squares(flat[_ALONE:])
+    half = len(flat) // 2
+    return sum_of_squares(flat[:half]) + sum_of_squares(flat[half:])
 
 
 def handed_out(parts: tuple[Floats, ...], out: tuple[Floats, ...] | None) -> tuple[Floats, ...]:

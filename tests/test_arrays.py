@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+import chr_notes
 from chr_notes._arrays import sum_of_squares
 
 
@@ -19,3 +20,9 @@ def test_nan_and_what_overflows_are_seen_wherever_they_are(place: int) -> None:
     assert np.isnan(sum_of_squares(numbers))
     numbers[place] = np.inf
     assert sum_of_squares(numbers) == np.inf
+
+
+def test_of_ten_million_numbers_too() -> None:
+    assert sum_of_squares(np.broadcast_to(2.0, 10_500_001)) == 42_000_004
+    none = chr_notes.rotate_to_inertial(np.ones((2_600_000, 1, 4)), np.ones((0, 3)))
+    assert none.shape == (2_600_000, 0, 3)
