@@ -145,6 +145,11 @@ def check_out(out: Floats, shape: tuple[int, ...]) -> None:
         raise ValueError(msg)
 
 
+def first_place(where: Bools) -> str:
+    """Name the first place where something holds."""
+    return f"index {tuple(map(int, np.argwhere(where)[0]))}" if where.ndim else "the only one"
+
+
 def sum_of_squares(flat: Floats) -> float:
     """Add up squares, by BLAS in one thread."""
     if len(flat) <= _ALONE:

@@ -1,9 +1,9 @@
 """Heading from a magnetometer, and a check of roll and pitch against the Earth's field."""
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from chr_notes._arrays import Floats, floats
+from chr_notes._arrays import Floats, first_place, floats
 from chr_notes._rows import Rows
 from chr_notes.generated.arrays import validation as generated
 
@@ -68,7 +68,7 @@ def heading_from_magnetometer(
     if level.ndim > 1 or not any(level.tolist()):
         zero = np.asarray(~level.any(axis=-1))
         if zero.any():
-            msg = f"reference: expected a horizontal field, got none at {_first(zero)}"
+            msg = f"reference: expected a horizontal field, got none at {first_place(zero)}"
             raise ValueError(msg)
     yaw = _heading_from_magnetometer.compute(mag, tilt, level, out)
     return yaw[()] if out is None else yaw
@@ -132,12 +132,7 @@ def part_down(value: ArrayLike) -> Floats:
     if beyond.any():
         msg = (
             "reference_down: expected the part down of a field of magnitude 1, from -1 to 1, "
-            f"got {down[beyond][0]} at {_first(beyond)}"
+            f"got {down[beyond][0]} at {first_place(beyond)}"
         )
         raise ValueError(msg)
     return down
-
-
-def _first(where: NDArray[np.bool_]) -> str:
-    """Name the first place where something holds."""
-    return f"index {tuple(map(int, np.argwhere(where)[0]))}" if where.ndim else "the only one"

@@ -89,6 +89,15 @@ def test_a_field_of_zero_tells_nothing_and_nan_stays_in_its_row() -> None:
     assert np.isnan(validation_factor(mag, tilt, 0.5)).tolist() == [False, True, True, False]
 
 
+@pytest.mark.parametrize("exponent", [-1030, -600, 600, 1020])
+def test_the_factor_of_the_weakest_and_strongest_field_is_that_of_any(exponent: int) -> None:
+    mag, tilt = np.array([1.0, 0.5, 2.0]), [0.3, -0.2]
+    expected = validation_factor(mag, tilt, 0.5)
+    mags = np.stack([np.ldexp(mag, exponent), np.full(3, np.nan)])
+    assert_allclose(validation_factor(mags[0], tilt, 0.5), expected, rtol=1e-15)
+    assert_allclose(validation_factor(mags, tilt, 0.5), np.array([expected, np.nan]), rtol=1e-15)
+
+
 def test_arguments_broadcast() -> None:
     assert heading_from_magnetometer(np.ones((4, 1, 3)), np.zeros((5, 2))).shape == (4, 5)
     assert validation_factor(np.ones((4, 1, 3)), np.zeros((5, 2)), np.zeros(5)).shape == (4, 5)

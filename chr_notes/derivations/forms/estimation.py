@@ -116,4 +116,5 @@ def factor() -> Computation:
             choice,
         ),
         result,
+        guard=size,
     )

@@ -39,6 +39,9 @@ def heading_from_magnetometer(mag: Floats, tilt: Floats, reference: Floats, out:
 def validation_factor(mag: Floats, tilt: Floats, reference_down: Floats, out: Floats) -> Told:
     """The factor E: by how much the field down is off, the whole field being 1.
 
+    Returns the size.
+
+    Right as long as the size neither overflows nor vanishes.
     Ledger: validation.17.
     """
     mag_x = mag[..., 0]
@@ -59,7 +62,7 @@ def validation_factor(mag: Floats, tilt: Floats, reference_down: Floats, out: Fl
     level_z = cos_pitch*cos_roll*reading_z + cos_pitch*reading_y*sin_roll - reading_x*sin_pitch
     result = abs(reference_down - level_z/sqrt(length_squared))
     out[...] = result
-    return None, None
+    return None, size
 
 
 def monitor_gain(

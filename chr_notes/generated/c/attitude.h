@@ -843,6 +843,7 @@ float attitude_heading_from_magnetometer_f(float mag_x, float mag_y, float mag_z
  * reference_down: part of the field that points down, the whole field being 1
  * E, for a reference from -1 to 1 from 0 to 2.
  * A reading that is zero, or has NaN or infinity, gives NaN.
+ * Right as long as the size neither overflows nor vanishes.
  * Ledger: validation.17.
  */
 double attitude_validation_factor(double mag_x, double mag_y, double mag_z, double roll,

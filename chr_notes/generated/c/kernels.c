@@ -2215,7 +2215,7 @@ EVERY_INSTRUCTION_SET static int64_t validation_factor
             const double result = fabs(reference_down - level_z/sqrt(length_squared));
             results[0][row] = result;
             left[row] = !(FINITE(mag_x + mag_y + mag_z + roll + pitch + reference_down) &
-                (fabs(pitch) < LARGEST_ANGLE) & (fabs(roll) < LARGEST_ANGLE));
+                (fabs(pitch) < LARGEST_ANGLE) & (fabs(roll) < LARGEST_ANGLE) & IN_RANGE(size));
             some |= left[row];
         }
         LOAD(mag_in, 0, 3, start + BLOCK)

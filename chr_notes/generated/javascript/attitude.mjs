@@ -2019,6 +2019,7 @@ export function headingFromMagnetometer(magX, magY, magZ, roll, pitch, north, ea
  * The factor E: by how much the field down is off, the whole field being 1.
  * E, for a reference from -1 to 1 from 0 to 2.
  * A reading that is zero, or has NaN or infinity, gives NaN.
+ * Right as long as the size neither overflows nor vanishes.
  * Ledger: validation.17.
  * @param {number} magX reading of the magnetometer along x, any unit
  * @param {number} magY reading of the magnetometer along y, any unit

@@ -48,6 +48,7 @@ def validation_factor(
     pitch: pitch about the vehicle-1 y-axis, radians
     reference_down: part of the field that points down, the whole field being 1
 
+    Right as long as the size neither overflows nor vanishes.
     Ledger: validation.17.
     """
     sin_pitch = sin(pitch)
