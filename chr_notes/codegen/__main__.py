@@ -53,7 +53,7 @@ def files() -> dict[str, str]:
         "c/kernels.c": compiled,
         **_stamps(compiled),
     }
-    made |= {f"pages/{name}": text for name, text in page_parts.parts(programs, compiled).items()}
+    made |= {f"pages/{name}": text for name, text in page_parts.parts(programs, checked).items()}
     for topic in dict.fromkeys(target.topic for target in TARGETS):
         made[f"scalar/{topic}.py"] = python.module(_of_topic(programs, topic))
         made[f"arrays/{topic}.py"] = arrays.module(_of_topic(columns, topic))
@@ -71,8 +71,7 @@ def _stamps(compiled: str) -> dict[str, str]:
 
 
 def _of_squares(target: Target) -> Target:
-    formula = target.formula()
-    return replace(target, formula=lambda: without_roots(formula))  # of steps, all computations
+    return replace(target, formula=lambda: without_roots(target.computation()))
 
 
 def _of_topic(programs: tuple[Program, ...], topic: str) -> tuple[Program, ...]:

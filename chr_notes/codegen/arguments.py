@@ -6,7 +6,8 @@ from sympy import ImmutableMatrix, Symbol
 
 from chr_notes.codegen.target import Argument
 from chr_notes.derivations import calibration, dead_reckoning, estimation, validation
-from chr_notes.derivations.forms import gains, monitor
+from chr_notes.derivations.averaging import speed
+from chr_notes.derivations.forms import averaging, gains, heading, monitor, rest
 from chr_notes.derivations.forms.dead_reckoning import NEXT as ACCELERATION_AFTER
 from chr_notes.derivations.forms.euler import ANGLE as WRAPPED
 from chr_notes.derivations.quaternions import MATRIX as ELEMENTS
@@ -38,10 +39,6 @@ RATES = tuple(
     Argument(name, symbol, f"body rate about {axis}, rad/s")
     for symbol, name, axis in zip(BODY_RATES, "pqr", "xyz", strict=True)
 )
-ANGLE_RATES = tuple(
-    Argument(f"{name}_rate", symbol, f"derivative of {name}, rad/s")
-    for symbol, name in zip(EULER_RATES, ("roll", "pitch", "yaw"), strict=True)
-)
 
 
 def matrix(letter: str, symbols: ImmutableMatrix, says: str) -> tuple[Argument, ...]:
@@ -70,18 +67,18 @@ def matrix(letter: str, symbols: ImmutableMatrix, says: str) -> tuple[Argument, 
 def axes(
     pattern: str, symbols: Iterable[Symbol], says: str, ways: Sequence[str] = "xyz"
 ) -> tuple[Argument, ...]:
-    """One argument an axis: x, y, z, or north, east, down by the pattern of names.
+    """One argument an axis: x, y, z, or what else the elements are called, such as north.
 
     Parameters
     ----------
     pattern
         Format of the name, such as "accel_{}".
     symbols
-        Three symbols in the derivation.
+        Symbols in the derivation.
     says
         Format of the meaning and unit.
     ways
-        What the axes are called.
+        What stands for {} in turn.
     """
     return tuple(
         Argument(pattern.format(way), symbol, says.format(way))
@@ -89,6 +86,7 @@ def axes(
     )
 
 
+ANGLE_RATES = axes("{}_rate", EULER_RATES, "derivative of {}, rad/s", ("roll", "pitch", "yaw"))
 MATRIX = matrix("r", ELEMENTS, "the matrix from the inertial to the body frame")
 _ELEMENTS = ("scalar part", "factor of i", "factor of j", "factor of k")
 QUATERNION_ARGUMENTS = tuple(
@@ -133,6 +131,46 @@ GAINS = (
 GAIN = Argument("gain", estimation.L, "weight of the accelerometer, from 0 to 1")
 TIME_CONSTANT = Argument("time_constant", gains.TIME_CONSTANT, "mean age of what is averaged, s")
 
+AVERAGED = Argument("averaged", averaging.AVERAGED, "time that the mean stands for, s")
+AVERAGING = (
+    *QUATERNION_ARGUMENTS,
+    Argument("mean_length", averaging.LENGTH, "length of the mean force, in its unit"),
+    *(
+        Argument(f"slope_{way[0]}", symbol, f"change of the mean {way} in a time constant")
+        for way, symbol in zip(("north", "east", "down"), averaging.SLOPES, strict=True)
+    ),
+    AVERAGED,
+    Argument("settled", averaging.SETTLED, "whether the low-pass has run in, 0 or 1"),
+)
+LONGEST_STEP = Argument("longest_step", averaging.LONGEST, "beyond which a step is a gap, s")
+HEADING = (
+    Argument("heading_averaged", heading.HEADING_AVERAGED, "time that the heading stands for, s"),
+    Argument("field_length", heading.FIELD_LENGTH, "length of the field so far, any unit"),
+    Argument("field_down", heading.FIELD_DOWN, "its part down, the whole field being 1"),
+    Argument("field_known", heading.FIELD_KNOWN, "time for which the two have held, s"),
+)
+HEADING_TIME_CONSTANT = Argument(
+    "heading_time_constant", heading.TIME_CONSTANT, "mean age of the heading, s"
+)
+FIELD_TOLERANCE = Argument(
+    "field_tolerance", heading.TOLERANCE, "by which a field may differ, as part of the whole"
+)
+FIELD_PATIENCE = Argument(
+    "field_patience", heading.PATIENCE, "after which a field that differs is the field, s"
+)
+HEADING_GAIN = Argument(
+    "heading_gain", heading.HEADING_GAIN, "weight of the magnetometer, from 0 to 1"
+)
+RESTS = (
+    *axes("rest_rate_{}", rest.RATE_MEANS, "mean rate about {} over the rest so far, rad/s"),
+    *axes("rest_force_{}", rest.FORCE_MEANS, "mean force along {} over the rest so far"),
+    Argument("still", rest.STILL, "for how long it has been one, s"),
+    *axes("learnt_{}", rest.LEARNT, "reading at rest about {} as learnt last, rad/s"),
+)
+REST = Argument("rest", rest.REST, "after which it is learnt, s")
+SPEED = Argument("speed", speed, "that the body stays below, m/s")
+BIAS_BOUND = Argument("bias_bound", estimation.bias, "that a gyro's bias stays below, rad/s")
+
 MISALIGNMENT = matrix("m", calibration.MISALIGNMENT, "the misalignment")
 REALIGNMENT = matrix("n", calibration.REALIGNMENT, "the inverse of the misalignment")
 SENSITIVITY = axes("sensitivity_{}", calibration.SENSITIVITY, "sensitivity along {}")
@@ -141,11 +179,11 @@ G_SENSITIVITY = matrix("c", calibration.COUPLING, "the g-sensitivity")
 SOFT_IRON = matrix("d", calibration.SOFT_IRON, "the soft-iron matrix")
 DISTORTION = matrix("n", calibration.REALIGNMENT, "the inverse of the soft-iron matrix")
 HARD_IRON = axes("hard_{}", calibration.HARD_IRON, "hard-iron bias along {}")
-TO_SPHERE = tuple(
-    Argument(f"a_{name}", symbol, f"element {name} of the symmetric matrix to the unit sphere")
-    for name, symbol in zip(
-        ("xx", "xy", "xz", "yy", "yz", "zz"), calibration.TO_SPHERE, strict=True
-    )
+TO_SPHERE = axes(
+    "a_{}",
+    calibration.TO_SPHERE,
+    "element {} of the symmetric matrix to the unit sphere",
+    ("xx", "xy", "xz", "yy", "yz", "zz"),
 )
 CENTRE = axes("centre_{}", calibration.CENTRE, "centre of the readings along {}")
 ACTUAL = axes("{}", VECTOR, "what is there along {}")

@@ -1,18 +1,24 @@
 """Arrays that several generated functions take: their names and elements."""
 
 from chr_notes.codegen import arguments as given
+from chr_notes.codegen.target import Argument, Array
 
-DT = ("dt", (given.PERIOD,))
+
+def numbers(*arguments: Argument) -> tuple[Array, ...]:
+    """Arrays with one element a row, each called as its argument."""
+    return tuple((argument.name, (argument,)) for argument in arguments)
+
+
+DT, GAIN, TIME_CONSTANT, GRAVITY = numbers(
+    given.PERIOD, given.GAIN, given.TIME_CONSTANT, given.GRAVITY
+)
 ACCEL = ("accel", given.ACCEL)
 Q = ("q", given.QUATERNION_ARGUMENTS)
 EULER = ("euler", given.ANGLES)
 BODY_RATES = ("body_rates", given.RATES)
 MAG = ("mag", given.MAG)
-GAIN = ("gain", (given.GAIN,))
-TIME_CONSTANT = ("time_constant", (given.TIME_CONSTANT,))
 SENSITIVITY = ("sensitivity", given.SENSITIVITY)
 BIAS = ("bias", given.BIAS)
-GRAVITY = ("gravity", (given.GRAVITY,))
 MATRIX = ("matrix", given.MATRIX)
 TERMS = (("misalignment", given.MISALIGNMENT), SENSITIVITY, BIAS)
 TERMS_BACK = (("misalignment", given.REALIGNMENT), SENSITIVITY, BIAS)

@@ -51,7 +51,6 @@ def module(programs: tuple[Program, ...]) -> str:
     functions = [_function(program) for program in programs]
     shared = [text for name, text in HELPERS.items() if any(f"{name}(" in f for f in functions)]
     body = "\n\n\n".join([*shared, *functions])
-    head = '"""' + "\n".join(header.made_how(programs)) + '\n"""\n\n'
     called = {name for name in re.findall(r"(?<!\.)\b(\w+)\(", body) if hasattr(np, name)}
     used = {"bool_", "float64", *called, *re.findall(r"\bnan\b", body)} - {"abs"}
     imports = [
@@ -61,17 +60,12 @@ def module(programs: tuple[Program, ...]) -> str:
         "Floats = NDArray[float64]",
         "Told = tuple[NDArray[bool_] | None, Floats | None]",
     ]
-    return head + "\n".join(imports) + f"\n\n\n{body}\n"
+    return header.docstring(programs) + "\n".join(imports) + f"\n\n\n{body}\n"
 
 
 def table(programs: tuple[Program, ...]) -> str:
     """Print the shapes of the last axes of each function's arrays and of its result."""
-    lines = [
-        '"""' + "\n".join(header.made_how(())),
-        '"""',
-        "",
-        "SHAPES: dict[str, tuple[dict[str, tuple[int, ...]], tuple[int, ...]]] = {",
-    ]
+    lines = ["SHAPES: dict[str, tuple[dict[str, tuple[int, ...]], tuple[int, ...]]] = {"]
     for program in programs:
         given = {name: shape(elements) for name, elements in program.target.arrays}
         lines += header.in_lines(
@@ -79,7 +73,7 @@ def table(programs: tuple[Program, ...]) -> str:
             [str(given).replace("'", '"'), str(program.shape)],
             "),",
         )
-    return "\n".join([*lines, "}", ""])
+    return header.docstring(()) + "\n".join([*lines, "}", ""])
 
 
 def _function(program: Program) -> str:

@@ -75,7 +75,7 @@ TARGETS = (
         "wrap_angle",
         "The angle less whole turns, from -pi up to but not including pi",
         euler_forms.wrap_angle,
-        arrays=(("angle", (given.ANGLE,)),),
+        arrays=array.numbers(given.ANGLE),
     ),
     QUATERNIONS(
         "matrix_from_quaternion",
@@ -110,7 +110,7 @@ TARGETS = (
         "Unit quaternion with a >= 0",
         forms.quaternion_from_axis_angle,
         ("quaternions.2.2",),
-        arrays=(("axis", given.AXIS_ARGUMENTS), ("angle", (given.TURN,))),
+        arrays=(("axis", given.AXIS_ARGUMENTS), *array.numbers(given.TURN)),
     ),
     QUATERNIONS(
         "axis_angle_from_quaternion",

@@ -7,7 +7,6 @@ from functools import partial
 
 from chr_notes.codegen import arguments as given
 from chr_notes.codegen import array_arguments as array
-from chr_notes.codegen import averaging_arguments as own
 from chr_notes.codegen.target import Target
 from chr_notes.derivations.forms import averaging, gains, heading, rest
 
@@ -31,12 +30,12 @@ TARGETS = (
         "Attitude quaternion and state of the averaging filter after one more sample",
         averaging.turn,
         arrays=(
-            ("state", own.AVERAGING),
+            ("state", given.AVERAGING),
             array.BODY_RATES,
             array.ACCEL,
             array.DT,
             array.TIME_CONSTANT,
-            ("longest_step", (own.LONGEST_STEP,)),
+            *array.numbers(given.LONGEST_STEP),
         ),
         over_samples=True,
     ),
@@ -45,18 +44,14 @@ TARGETS = (
         "The same with a heading, and what is known of the magnetic field",
         heading.turn,
         arrays=(
-            ("state", (*own.AVERAGING, *own.HEADING)),
+            ("state", (*given.AVERAGING, *given.HEADING)),
             array.BODY_RATES,
             array.ACCEL,
             array.MAG,
             array.DT,
             array.TIME_CONSTANT,
-            ("longest_step", (own.LONGEST_STEP,)),
-            ("heading_time_constant", (own.HEADING_TIME_CONSTANT,)),
-            ("north", (given.NORTH,)),
-            ("east", (given.EAST,)),
-            ("field_tolerance", (own.FIELD_TOLERANCE,)),
-            ("field_patience", (own.FIELD_PATIENCE,)),
+            *array.numbers(given.LONGEST_STEP, given.HEADING_TIME_CONSTANT),
+            *array.numbers(given.NORTH, given.EAST, given.FIELD_TOLERANCE, given.FIELD_PATIENCE),
         ),
         over_samples=True,
     ),
@@ -71,9 +66,7 @@ TARGETS = (
             array.MAG,
             array.DT,
             array.GAIN,
-            ("heading_gain", (own.HEADING_GAIN,)),
-            ("north", (given.NORTH,)),
-            ("east", (given.EAST,)),
+            *array.numbers(given.HEADING_GAIN, given.NORTH, given.EAST),
         ),
         over_samples=True,
     ),
@@ -82,12 +75,11 @@ TARGETS = (
         "Means over a rest so far, for how long it has been one, and what the gyros read at rest",
         rest.bias,
         arrays=(
-            ("state", own.RESTS),
+            ("state", given.RESTS),
             array.BODY_RATES,
             array.ACCEL,
             array.DT,
-            ("rest", (own.REST,)),
-            ("longest_step", (own.LONGEST_STEP,)),
+            *array.numbers(given.REST, given.LONGEST_STEP),
         ),
         over_samples=True,
     ),
@@ -95,11 +87,6 @@ TARGETS = (
         "averaging_bound",
         "Bound of the angle between true and estimated vertical, radians",
         averaging.bound,
-        arrays=(
-            ("averaged", own.AVERAGING[8:9]),
-            array.TIME_CONSTANT,
-            ("speed", (own.SPEED,)),
-            ("bias_bound", (own.BIAS_BOUND,)),
-        ),
+        arrays=array.numbers(given.AVERAGED, given.TIME_CONSTANT, given.SPEED, given.BIAS_BOUND),
     ),
 )

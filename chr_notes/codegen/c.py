@@ -1,6 +1,6 @@
 """Printer of C99: `attitude.h` and `attitude.c`, each function in double and in float."""
 
-from dataclasses import dataclass
+from collections.abc import Iterable
 from functools import partial
 from textwrap import wrap
 
@@ -9,7 +9,7 @@ from sympy.core.relational import Relational
 from sympy.logic.boolalg import BooleanFunction
 
 from chr_notes.codegen.edges import edges
-from chr_notes.codegen.expressions import C, SingleC, Spelling
+from chr_notes.codegen.expressions import C, SingleC
 from chr_notes.codegen.header import (
     FLAG,
     WIDTH,
@@ -21,26 +21,6 @@ from chr_notes.codegen.header import (
 )
 from chr_notes.codegen.lowering import Program
 
-
-@dataclass(frozen=True)
-class Precision:
-    """A floating-point type of C.
-
-    Parameters
-    ----------
-    type
-        Its name.
-    suffix
-        What the names of its functions end in.
-    language
-        How its expressions are written.
-    """
-
-    type: str
-    suffix: str
-    language: Spelling
-
-
 _UNCONTRACTED = """
 /* No product and sum in one instruction: results are the same everywhere. */
 #ifdef __clang__
@@ -48,13 +28,13 @@ _UNCONTRACTED = """
 #elif defined(__GNUC__)
 #pragma GCC optimize("fp-contract=off")
 #endif"""
-PRECISIONS = (Precision("double", "", C()), Precision("float", "_f", SingleC()))
+LANGUAGES = (C(), SingleC())
 
 
 def header(programs: tuple[Program, ...]) -> str:
     """Print `attitude.h`."""
     lines = [
-        *_made_how(programs),
+        *commented(made_how(programs)),
         "#ifndef ATTITUDE_H",
         "#define ATTITUDE_H",
         "",
@@ -65,8 +45,8 @@ def header(programs: tuple[Program, ...]) -> str:
     ]
     for program in programs:
         lines += _comment(program)
-        for precision in PRECISIONS:
-            lines += _signature(program, precision, ");")
+        for language in LANGUAGES:
+            lines += _signature(program, language, ");")
         lines.append("")
     lines += ["#ifdef __cplusplus", "}", "#endif", "", "#endif"]
     return "\n".join(lines) + "\n"
@@ -75,15 +55,16 @@ def header(programs: tuple[Program, ...]) -> str:
 def source(programs: tuple[Program, ...]) -> str:
     """Print `attitude.c`."""
     bodies = [
-        "\n".join(_function(program, precision)) for program in programs for precision in PRECISIONS
+        "\n".join(_function(program, language)) for program in programs for language in LANGUAGES
     ]
     includes = ('#include "attitude.h"', "", "#include <math.h>")
-    head = "\n".join([*_made_how(programs), *includes, _UNCONTRACTED])
+    head = "\n".join([*commented(made_how(programs)), *includes, _UNCONTRACTED])
     return "\n\n".join([head, *bodies]) + "\n"
 
 
-def _made_how(programs: tuple[Program, ...]) -> list[str]:
-    return ["/*", *(f" * {line}" for line in made_how(programs)), " */"]
+def commented(lines: Iterable[str]) -> list[str]:
+    """Put lines into a comment."""
+    return ["/*", *(f" * {line}" for line in lines), " */"]
 
 
 def _comment(program: Program) -> list[str]:
@@ -95,29 +76,25 @@ def _comment(program: Program) -> list[str]:
         *edges(program),
         *rests_on(program),
     ]
-    return ["/*", *(f" * {line}" for line in lines), " */"]
+    return commented(lines)
 
 
-def _signature(program: Program, precision: Precision, end: str) -> list[str]:
-    target = program.target
-    arguments = [f"{precision.type} {argument.name}" for argument in target.arguments]
-    result = precision.type
+def _signature(program: Program, language: C, end: str) -> list[str]:
+    target, number = program.target, language.precision
+    arguments = [f"{number}\xa0{argument.name}" for argument in target.arguments]
+    result = number
     if program.shape:
         result = "int" if program.flag is not None else "void"
-        arguments.append(f"{precision.type} out[{len(program.results)}]")
-    start = f"{result} attitude_{target.name}{precision.suffix}("
+        arguments.append(f"{number}\xa0out[{len(program.results)}]")
+    start = f"{result} attitude_{target.name}{language.suffix}("
     # A break may stand between arguments, not within one.
-    whole = f"{start}{', '.join(arguments)}{end}".replace(
-        f"{precision.type} ", precision.type + "_"
-    )
-    lines = wrap(whole, WIDTH, subsequent_indent="    ", break_on_hyphens=False)
-    return [line.replace(precision.type + "_", f"{precision.type} ") for line in lines]
+    whole = f"{start}{', '.join(arguments)}{end}"
+    return [line.replace("\xa0", " ") for line in wrap(whole, WIDTH, subsequent_indent="    ")]
 
 
-def _function(program: Program, precision: Precision) -> list[str]:
-    language = precision.language
-    constant = partial(of_type, number=precision.type)
-    lines = [*_signature(program, precision, ")"), "{"]
+def _function(program: Program, language: C) -> list[str]:
+    constant = partial(of_type, number=language.precision)
+    lines = [*_signature(program, language, ")"), "{"]
     used = program.used
     lines += [
         f"    (void)({argument.name});"
@@ -125,7 +102,7 @@ def _function(program: Program, precision: Precision) -> list[str]:
         if argument.name not in used
     ]
     for step in program.steps:
-        step_lines = statements(step, language, constant, precision.type, "    ")
+        step_lines = statements(step, language, constant, language.precision, "    ")
         lines += [part for line in step_lines for part in folded(f"    {line}")]
     values = [language.written(value) for value in program.results]
     if not program.shape:

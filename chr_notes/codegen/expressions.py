@@ -1,11 +1,11 @@
 """Printers of expressions: SymPy's own for each language, with its spelling of a few things."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
-from sympy import Add, Basic, Float, Integer, Mul, Pow, Rational, Symbol, UnevaluatedExpr
-from sympy.codegen.ast import float32, real
+from sympy import Add, Basic, Float, Integer, Mul, Pow, Symbol, UnevaluatedExpr
+from sympy.codegen.ast import float32, float64, real
 from sympy.core.relational import Relational
-from sympy.logic.boolalg import And, Not, Or
+from sympy.logic.boolalg import And, Or
 from sympy.printing.c import C99CodePrinter
 from sympy.printing.codeprinter import CodePrinter
 from sympy.printing.jscode import JavascriptCodePrinter
@@ -15,13 +15,7 @@ from sympy.printing.pycode import PythonCodePrinter
 
 from chr_notes.derivations.computation import EPSILON, LARGEST, NOTHING, Choice
 
-EPSILONS = {"double": 2.0**-52, "float": 2.0**-23}
-LARGESTS = {"double": (2.0 - 2.0**-52) * 2.0**1023, "float": (2.0 - 2.0**-23) * 2.0**127}
-
-
-def number(value: Float | Rational) -> str:
-    """Write a number with as many digits as it needs, and a point."""
-    return repr(float(value))
+TYPES = {"double": float64, "float": float32}
 
 
 class Spelling(CodePrinter):
@@ -31,20 +25,18 @@ class Spelling(CodePrinter):
     before, and a power of a name is a product.
     """
 
+    settings: Mapping[str, object] = {}
     precision = "double"
     nothing = "nan"
 
+    def __init__(self) -> None:
+        super().__init__(dict(self.settings))
+
     def written(self, value: Basic) -> str:
         """Print an expression."""
-        constants = {
-            EPSILON: Float(EPSILONS[self.precision]),
-            LARGEST: Float(LARGESTS[self.precision]),
-        }
+        of_type = TYPES[self.precision]
+        constants = {EPSILON: Float(of_type.eps), LARGEST: Float(of_type.max)}
         return str(self.doprint(_prepared(value.xreplace(constants))))
-
-    def name(self, name: str) -> str:
-        """Write the name of an argument or local."""
-        return name
 
     def chosen(self, condition: Basic, yes: str, no: str) -> str:
         """Write what is one value where a condition holds and another elsewhere."""
@@ -67,18 +59,19 @@ class Spelling(CodePrinter):
         return [second, first, *rest] if minus else terms
 
     def _print_Symbol(self, value: Symbol) -> str:
-        return self.nothing if value == NOTHING else self.name(value.name)
+        return self.nothing if value == NOTHING else str(value.name)
 
-    def _print_Float(self, value: Float) -> str:
-        return number(value)
+    def number(self, value: Float | Integer) -> str:
+        """Write a number with as many digits as it needs, and a point."""
+        return repr(float(value))
 
-    def _print_Integer(self, value: Integer) -> str:
-        return number(value)
+    def _print_Float(self, value: Float | Integer) -> str:
+        return self.number(value)
 
-    def _print_Rational(self, value: Rational) -> str:
-        return number(value)
+    _print_Integer = _print_One = _print_Zero = _print_NegativeOne = _print_Float
 
-    _print_One = _print_Zero = _print_NegativeOne = _print_Integer
+    def _print_Relational(self, value: Relational) -> str:
+        return f"{self._print(value.lhs)} {value.rel_op} {self._print(value.rhs)}"
 
     def _print_Pow(self, value: Pow, rational: bool = False) -> str:  # noqa: ARG002, FBT001, FBT002
         if value.exp.is_negative:
@@ -126,30 +119,24 @@ def _prepared(value: Basic) -> Basic:
 class C(Spelling, C99CodePrinter):
     """C in double precision."""
 
+    suffix = ""
+    """What the names of functions end in."""
     nothing = "(double)NAN"  # a float in math.h
 
-    def __init__(self) -> None:
-        super().__init__()
-
     _print_Or = _joined("||")
 
 
-class SingleC(Spelling, C99CodePrinter):
+class SingleC(C):
     """C in single precision."""
 
-    nothing = "NAN"
+    settings: Mapping[str, object] = {"type_aliases": {real: float32}}
     precision = "float"
+    suffix = "_f"
+    nothing = "NAN"
 
-    def __init__(self) -> None:
-        super().__init__({"type_aliases": {real: float32}})
-
-    _print_Or = _joined("||")
-
-    def _print_Float(self, value: Float) -> str:
-        return f"{number(value)}f"
-
-    _print_Integer = _print_Rational = _print_Float
-    _print_One = _print_Zero = _print_NegativeOne = _print_Float
+    def number(self, value: Float | Integer) -> str:
+        """Write a number that is not of type double."""
+        return f"{super().number(value)}f"
 
 
 class ColumnC(C):
@@ -180,14 +167,12 @@ class JavaScript(Spelling, JavascriptCodePrinter):
 
     nothing = "NaN"
 
-    def name(self, name: str) -> str:
-        """Write a name in JavaScript's way."""
-        return camel(name)
+    def number(self, value: Float | Integer) -> str:
+        """Write a number, without a point where it is whole."""
+        return super().number(value).removesuffix(".0")
 
-    def _print_Integer(self, value: Integer) -> str:
-        return str(int(value))
-
-    _print_One = _print_Zero = _print_NegativeOne = _print_Integer
+    def _print_Symbol(self, value: Symbol) -> str:
+        return camel(super()._print_Symbol(value))
 
     _print_hypot = _print_expm1 = _print_log1p = _called("Math.")
 
@@ -195,11 +180,7 @@ class JavaScript(Spelling, JavascriptCodePrinter):
 class Python(Spelling, PythonCodePrinter):
     """Python with `math`."""
 
-    def __init__(self) -> None:
-        super().__init__({"fully_qualified_modules": False})
-
-    def _print_Relational(self, value: Relational) -> str:
-        return f"{self._print(value.lhs)} {value.rel_op} {self._print(value.rhs)}"
+    settings: Mapping[str, object] = {"fully_qualified_modules": False}
 
     def chosen(self, condition: Basic, yes: str, no: str) -> str:
         """Write what is one value where a condition holds and another elsewhere."""
@@ -213,20 +194,14 @@ class Python(Spelling, PythonCodePrinter):
 class NumPy(Spelling, NumPyPrinter):
     """NumPy."""
 
-    def __init__(self) -> None:
-        super().__init__({"fully_qualified_modules": False})
+    settings = Python.settings
 
     def chosen(self, condition: Basic, yes: str, no: str) -> str:
         """Write what is one value where a condition holds and another elsewhere."""
         return f"where({self.written(condition)}, {yes}, {no})"
 
-    _print_Relational = Python._print_Relational  # noqa: SLF001 (SymPy's protocol)
-
     _print_principal = _print_products = _called("")
     _print_And, _print_Or = _joined("&"), _joined("|")
-
-    def _print_Not(self, value: Not) -> str:
-        return f"~{self.parenthesize(value.args[0], PRECEDENCE['Not'])}"
 
 
 def camel(name: str) -> str:

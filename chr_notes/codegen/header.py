@@ -26,6 +26,11 @@ def made_how(programs: tuple[Program, ...]) -> list[str]:
     return lines
 
 
+def docstring(programs: tuple[Program, ...]) -> str:
+    """Begin a module of Python with how it was made."""
+    return '"""' + "\n".join(made_how(programs)) + '\n"""\n\n'
+
+
 def returns(program: Program) -> str:
     """Describe the result with its shape, and the flag after it."""
     sizes = " by ".join(str(size) for size in program.shape)
@@ -71,7 +76,7 @@ def statements(
     indent
         Of what stands in braces.
     """
-    names = [language.name(name.name) for name in step_names(step)]
+    names = [language.written(name) for name in step_names(step)]
     if isinstance(step, Let):
         return [f"{constant(step.value)} {names[0]} = {language.written(step.value)};"]
     if is_short(step, language):

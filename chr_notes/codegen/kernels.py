@@ -5,7 +5,7 @@ from itertools import chain
 
 from sympy import cos, sin
 
-from chr_notes.codegen.c import of_type
+from chr_notes.codegen.c import commented, of_type
 from chr_notes.codegen.expressions import ColumnC, Spelling, StepC
 from chr_notes.codegen.header import folded, made_how
 from chr_notes.codegen.lowering import Program
@@ -38,7 +38,7 @@ def source(columns: Mapping[Target, tuple[Program, ...]], steps: tuple[Program, 
         Steps of filters.
     """
     programs = (*chain(*columns.values()), *steps)
-    lines = ["/*", *(f" * {line}" for line in made_how(programs)), " */"]
+    lines = commented(made_how(programs))
     lines += ['#include "../../native/columns.h"', ""]
     for target, kinds in columns.items():
         for program in kinds:
@@ -69,7 +69,7 @@ def _columns(program: Program, *, turned: bool) -> list[str]:
         f"LOAD({name}_{'given' if turned else 'in'}, {place}, {len(each)},"
         for place, (name, each) in enumerate(target.arrays)
     ]
-    lines = [
+    return [
         f"EVERY_INSTRUCTION_SET static int64_t {target.name}",
         f"    {RUN}",
         "     unsigned char *odd)",
@@ -88,23 +88,7 @@ def _columns(program: Program, *, turned: bool) -> list[str]:
             f"        TO_FRAME({name}_in, {name}_given, {len(each)}, {_ORDERS[name]})"
             for name, each in swapped
         ),
-        "        for (ptrdiff_t row = 0; row < padded; row++) {",
-    ]
-    inner: list[str] = []
-    for name, elements in target.arrays:
-        inner += [
-            f"const double {element.name} = {name}_in[{place}][row];"
-            for place, element in enumerate(elements)
-        ]
-    for step in program.steps:
-        inner += _branchless(step, program)
-    inner += [f"results[{p}][row] = {COLUMN.written(v)};" for p, v in enumerate(program.results)]
-    kept = " & ".join(_handled(program))
-    inner += [f"left[row] = !({kept});", "some |= left[row];"]
-    lines += [part for line in inner for part in folded(f"            {line}")]
-    return [
-        *lines,
-        "        }",
+        *loop(program),
         *([f"        FROM_FRAME(told, results, {size}, {_ORDERS[made]})"] if turned else []),
         *(f"        {load} start + BLOCK)" for load in loads),
         f"        STORE({'told' if turned else 'results'}, {size})",
@@ -120,6 +104,26 @@ def _columns(program: Program, *, turned: bool) -> list[str]:
     ]
 
 
+def loop(program: Program) -> list[str]:
+    """Print the loop over a block of rows."""
+    inner: list[str] = []
+    for name, elements in program.target.arrays:
+        inner += [
+            f"const double {element.name} = {name}_in[{place}][row];"
+            for place, element in enumerate(elements)
+        ]
+    for step in program.steps:
+        inner += _branchless(step, program)
+    inner += [f"results[{p}][row] = {COLUMN.written(v)};" for p, v in enumerate(program.results)]
+    kept = " & ".join(_handled(program))
+    inner += [f"left[row] = !({kept});", "some |= left[row];"]
+    return [
+        "        for (ptrdiff_t row = 0; row < padded; row++) {",
+        *(part for line in inner for part in folded(f"            {line}")),
+        "        }",
+    ]
+
+
 def _handled(program: Program) -> list[str]:
     """List the conditions under which a row is right: what is not met goes the general way.
 
@@ -127,9 +131,7 @@ def _handled(program: Program) -> list[str]:
     """
     names = [element.name for _, elements in program.target.arrays for element in elements]
     conditions = [f"FINITE({' + '.join(names)})"]
-    angles = {
-        call.args[0] for value in program.expressions for call in value.atoms(sin, cos, principal)
-    }
+    angles = {call.args[0] for call in program.expressions.atoms(sin, cos, principal)}
     conditions += [
         f"(fabs({COLUMN.written(angle)}) < LARGEST_ANGLE)" for angle in sorted(angles, key=str)
     ]

@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from sympy import Basic, Expr, MatrixBase, Symbol, cse, numbered_symbols
+from sympy import Basic, Expr, MatrixBase, Symbol, Tuple, cse, numbered_symbols
 
 from chr_notes.codegen.names import name_of
 from chr_notes.codegen.rewriting import Rewriting
@@ -51,14 +51,14 @@ class Program:
     valid: Symbol | None
 
     @property
-    def expressions(self) -> tuple[Basic, ...]:
-        """Every expression, in order."""
+    def expressions(self) -> Tuple:
+        """Every expression, to be searched."""
         return expressions(self.steps, self.results)
 
     @property
     def used(self) -> set[str]:
         """Names of the arguments and locals that occur in them."""
-        return {symbol.name for symbol in _symbols(self.expressions)}
+        return {symbol.name for symbol in self.expressions.free_symbols}
 
 
 def lower(target: Target, rewriting: Rewriting, checks: tuple[str, ...] = ()) -> Program:
@@ -76,8 +76,7 @@ def lower(target: Target, rewriting: Rewriting, checks: tuple[str, ...] = ()) ->
     checks
         Which of "guard" and "valid" are computed too.
     """
-    formula = target.formula()
-    computation = formula if isinstance(formula, Computation) else Computation((), formula)
+    computation = target.computation()
     _check_symbols(target, computation)
     names = {argument.symbol: Symbol(argument.name, real=True) for argument in target.arguments}
     is_matrix = isinstance(computation.results, MatrixBase)
@@ -109,27 +108,17 @@ def lower(target: Target, rewriting: Rewriting, checks: tuple[str, ...] = ()) ->
     )
 
 
-def expressions(steps: Iterable[Let | Choice], results: Iterable[Expr]) -> tuple[Basic, ...]:
-    """List every expression of a program, in order."""
-    found: list[Basic] = []
-    for step in steps:
-        if isinstance(step, Let):
-            found.append(step.value)
-        else:
-            for condition, values in step.branches:
-                found += [condition, *values]
-    return (*found, *results)
-
-
-def _symbols(values: Iterable[Basic]) -> set[Symbol]:
-    return {symbol for value in values for symbol in value.free_symbols}
+def expressions(steps: Iterable[Let | Choice], results: Iterable[Expr] = ()) -> Tuple:
+    """Put every expression into a tuple of SymPy's, which can be searched and changed as one."""
+    parts = (step.value if isinstance(step, Let) else step.branches for step in steps)
+    return Tuple(*parts, *results)
 
 
 def _check_symbols(target: Target, computation: Computation) -> None:
     """Refuse a formula that needs what is neither an argument nor a step before."""
     known = {argument.symbol for argument in target.arguments} | {EPSILON, LARGEST, NOTHING}
     for step in computation.steps:
-        _refuse(target, _symbols(expressions([step], ())) - known)
+        _refuse(target, expressions([step]).free_symbols - known)
         known |= set(step_names(step))
     _refuse(target, computation.results.free_symbols - known)
 
@@ -225,10 +214,10 @@ def _needed(
     steps: tuple[Let | Choice, ...], results: tuple[Expr, ...], reports: set[Symbol]
 ) -> tuple[Let | Choice, ...]:
     """Leave out the steps on which neither results nor reports depend."""
-    needed = reports | _symbols(results)
+    needed = reports | Tuple(*results).free_symbols
     kept: list[Let | Choice] = []
     for step in reversed(steps):
         if needed & set(step_names(step)):
             kept.insert(0, step)
-            needed |= _symbols(expressions([step], ()))
+            needed |= expressions([step]).free_symbols
     return tuple(kept)

@@ -1,18 +1,18 @@
 """Names of locals: what a value is, said by its name."""
 
-from sympy import Abs, Add, Expr, Mul, Pow, Rational, Symbol, conjugate, cos, sin, tan
+from sympy import Add, Expr, Mul, Pow, Rational, Symbol
 
 _LONGEST = 40
 _POWERS = {2: "{}_squared", -1: "inverse_{}", Rational(1, 2): "root_of_{}"}
 
 
 def name_of(value: Expr) -> str | None:
-    """Say what a product, power, sum or function of named things is; None where too long.
+    """Say what a product, power or sum of named things is; None where too long.
 
     Parameters
     ----------
     value
-        Such as `cos(roll) * yaw`.
+        Such as `cos_roll * yaw`.
 
     Returns
     -------
@@ -29,9 +29,6 @@ def _name(value: Expr) -> str | None:
     if isinstance(value, Pow) and value.exp in _POWERS:
         base = _name(value.base)
         return _POWERS[value.exp].format(base) if base else None
-    if isinstance(value, (sin, cos, tan, Abs, conjugate)):
-        inner = _name(value.args[0])
-        return f"{value.func.__name__.lower()}_{inner}" if inner else None
     if isinstance(value, Mul):
         return _of_product(value)
     if isinstance(value, Add) and len(value.args) == 2:  # noqa: PLR2004 (a sum of two has a name)
@@ -46,8 +43,6 @@ def _of_product(value: Mul) -> str | None:
     coefficient, factors = value.as_coeff_mul()
     if coefficient == Rational(1, 2) and len(factors) == 1:
         inner = _name(factors[0])
-        if inner and inner.startswith("half_"):
-            return inner.replace("half_", "quarter_", 1)
         return inner and f"half_{inner}"
     if coefficient not in (1, 2):
         return None

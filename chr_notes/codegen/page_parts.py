@@ -1,15 +1,17 @@
 """Parts of the book's page about the generated code: the stages before a function is printed."""
 
-import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from textwrap import dedent
 from typing import Final
 
 from sympy import ImmutableMatrix, Symbol
 
+from chr_notes.codegen.arguments import ANGLE_RATES
 from chr_notes.codegen.header import made_how
+from chr_notes.codegen.kernels import loop
 from chr_notes.codegen.lowering import Program
 from chr_notes.codegen.python import PYTHON
+from chr_notes.codegen.target import Target
 from chr_notes.derivations.computation import Let
 from chr_notes.derivations.forms.euler import euler_rates
 from chr_notes.symbols import EULER_RATES
@@ -18,25 +20,28 @@ from chr_notes.typeset import formula
 __all__ = ["parts"]
 
 _NAME: Final = "euler_rates_from_body_rates"
-_RATES: Final = ("roll_rate", "pitch_rate", "yaw_rate")
 
 
-def parts(programs: tuple[Program, ...], kernels: str) -> dict[str, str]:
+def parts(
+    programs: tuple[Program, ...], columns: Mapping[Target, tuple[Program, ...]]
+) -> dict[str, str]:
     """Return the text of each part by its file name.
 
     Parameters
     ----------
     programs
         All lowered functions.
-    kernels
-        The C of all kernels.
+    columns
+        Functions of rows, lowered for the kernels.
     """
     program = next(each for each in programs if each.target.name == _NAME)
+    (in_rows,) = columns[program.target]
+    rows = dedent("\n".join(loop(in_rows)))
     made = "\n".join(f"% {line}" for line in made_how(()))
     texts = {
         "form.md": "\n".join(_form()),
         "library.md": f"```text\n{_steps(program)}\n```",
-        "kernel.md": f"```c\n{_kernel(kernels)}\n```",
+        "kernel.md": f"```c\n{rows}\n```",
     }
     return {name: f"{made}\n\n{text}\n" for name, text in texts.items()}
 
@@ -59,18 +64,6 @@ def _display(text: str) -> str:
 def _steps(program: Program) -> str:
     """Write the steps of a program and its results, one a line."""
     lines = [f"{s.name} = {PYTHON.written(s.value)}" for s in program.steps if isinstance(s, Let)]
-    for name, value in zip(_RATES, program.results, strict=True):
-        lines.append(f"{name} = {PYTHON.written(value)}")
+    for rate, value in zip(ANGLE_RATES, program.results, strict=True):
+        lines.append(f"{rate.name} = {PYTHON.written(value)}")
     return "\n".join(lines)
-
-
-def _kernel(source: str) -> str:
-    """Find the loop over a block of rows in the generated kernels."""
-    pattern = rf"^EVERY_INSTRUCTION_SET static int64_t {_NAME}\n.*?^\}}"
-    found = re.search(pattern, source, re.MULTILINE | re.DOTALL)
-    if found is None:
-        msg = f"expected {_NAME} among the kernels, found none"
-        raise ValueError(msg)
-    whole = found.group()
-    start = whole.index("        for (ptrdiff_t row = 0; row < padded; row++) {")
-    return dedent(whole[start : whole.index("        LOAD", start)]).rstrip()

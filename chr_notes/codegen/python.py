@@ -16,8 +16,7 @@ PYTHON = Python()
 def module(programs: tuple[Program, ...]) -> str:
     """Print a module of functions of floats that return a float or a flat tuple."""
     body = "\n\n\n".join(function(program) for program in programs)
-    head = '"""' + "\n".join(header.made_how(programs)) + '\n"""\n\n'
-    return f"{head}{imports(body)}\n{body}\n"
+    return f"{header.docstring(programs)}{imports(body)}\n{body}\n"
 
 
 def imports(body: str) -> str:

@@ -12,9 +12,11 @@ from sympy import (
     Ge,
     Pow,
     Symbol,
+    Tuple,
     Wild,
     atan2,
     cos,
+    expand_func,
     false,
     pi,
     sin,
@@ -29,10 +31,10 @@ from chr_notes.derivations.computation import Choice, Computation, Let, map_step
 from chr_notes.derivations.forms.estimation import KNOWN
 from chr_notes.derivations.forms.filters import SIDES
 
-Rewriting = Callable[[tuple[Basic, ...]], tuple[tuple[Let, ...], dict[Basic, Expr]]]
+Rewriting = Callable[[Tuple], tuple[tuple[Let, ...], dict[Basic, Expr]]]
 
 
-def by_library(values: tuple[Basic, ...]) -> tuple[tuple[Let, ...], dict[Basic, Expr]]:
+def by_library(values: Tuple) -> tuple[tuple[Let, ...], dict[Basic, Expr]]:
     """Give each function of an angle a local of its own.
 
     Parameters
@@ -48,17 +50,22 @@ def by_library(values: tuple[Basic, ...]) -> tuple[tuple[Let, ...], dict[Basic, 
         What they stand for in the expressions.
     """
     lets: list[Let] = []
-    replaced = _secants(values)
-    for angle, functions_of_it in _angles(values).items():
-        named = {name: _local(name, angle) for name in ("sin", "cos", "tan", "sec")}
-        needed = {*functions_of_it, *(["cos"] if "sec" in functions_of_it else [])}
-        called = [function for function in (sin, cos, tan) if function.__name__ in needed]
-        known = angle if angle.is_Symbol else Symbol(_name(angle), real=True)
+    replaced: dict[Basic, Expr] = {}
+    calls, powers = values.atoms(sin, cos, tan), values.atoms(Pow)
+    for angle in sorted({call.args[0] for call in calls}, key=_name):
+        name = _name(angle)
+        known = angle if angle.is_Symbol else Symbol(name, real=True)
         lets += [Let(known, angle)] if known != angle else []
-        lets += [Let(named[function.__name__], function(known)) for function in called]
-        if "sec" in needed:
-            lets.append(Let(named["sec"], 1 / named["cos"]))
-        replaced |= {function(angle): named[function.__name__] for function in called}
+        for function in (sin, cos, tan):
+            if function(angle) in calls:
+                local = Symbol(f"{function.__name__}_{name}", real=True)
+                lets.append(Let(local, function(known)))
+                replaced[function(angle)] = local
+        secant = Symbol(f"sec_{name}", real=True)
+        secants = {1 / cos(angle): secant, 1 / Abs(cos(angle)): Abs(secant)}
+        if secants.keys() & powers:
+            lets.append(Let(secant, 1 / replaced[cos(angle)]))
+            replaced |= secants
     return tuple(lets), replaced
 
 
@@ -66,7 +73,7 @@ class principal(Function):  # noqa: N801 (its name in C and NumPy)
     """An angle less whole turns, in [-pi, pi); one that lies there is left as it is."""
 
 
-def for_columns(values: tuple[Basic, ...]) -> tuple[tuple[Let, ...], dict[Basic, Expr]]:
+def for_columns(values: Tuple) -> tuple[tuple[Let, ...], dict[Basic, Expr]]:
     """Do as `by_library`, with functions that take less time for many rows.
 
     A quotient stands for the tangent and a root for `hypot`. They need no care here: a row whose
@@ -74,21 +81,17 @@ def for_columns(values: tuple[Basic, ...]) -> tuple[tuple[Let, ...], dict[Basic,
     Whole turns are taken off, instead of asking for the angle whose sine and cosine are those of
     another, which costs five times as much.
     """
-    tangents = {
-        call: sin(call.args[0]) / cos(call.args[0]) for value in values for call in value.atoms(tan)
-    }
+    tangents = {call: sin(call.args[0]) / cos(call.args[0]) for call in values.atoms(tan)}
     turned: dict[Basic, Expr] = {}
-    for call in (call for value in values for call in value.atoms(atan2)):
-        angle = call.args[0].args[0] if isinstance(call.args[0], sin) else None
-        if angle is not None and call.args[1] == cos(angle):
+    for call in values.atoms(atan2):
+        sine, cosine = call.args
+        if isinstance(sine, sin) and cosine == cos(angle := sine.args[0]):
             turned |= {call: principal(angle), And(angle >= -pi, angle < pi): false}
-            relations = [relation for each in values for relation in each.atoms(Ge)]
-            turned |= {relation: false for relation in relations if relation.rhs == pi}
-    lets, replaced = by_library(tuple(value.xreplace(tangents | turned) for value in values))
+            turned |= {relation: false for relation in values.atoms(Ge) if relation.rhs == pi}
+    lets, replaced = by_library(values.xreplace(tangents | turned))
     replaced |= {call: value.xreplace(replaced) for call, value in tangents.items()} | turned
+    replaced |= {call: expand_func(call) for call in values.atoms(hypot)}
     replaced[KNOWN] = true
-    for value in values:
-        replaced |= {call: root_of_squares(*call.args) for call in value.atoms(hypot)}
     return lets, replaced
 
 
@@ -138,45 +141,9 @@ def without_roots(computation: Computation) -> Computation:
     return replace(computation, steps=tuple(steps))
 
 
-def root_of_squares(x: Expr, y: Expr) -> Expr:
-    """Write `hypot` as a root."""
-    return sqrt(x**2 + y**2)
-
-
 def _name(angle: Expr) -> str:
     name = name_of(angle)
     if name is None:
         msg = f"expected an angle with a name, got {angle}"
         raise ValueError(msg)
     return name
-
-
-def _local(function: str, angle: Expr) -> Symbol:
-    return Symbol(f"{function}_{_name(angle)}", real=True)
-
-
-def _angles(values: tuple[Basic, ...]) -> dict[Expr, list[str]]:
-    """Find the angles of which functions are taken, and which functions, in order of names."""
-    found: dict[Expr, set[str]] = {}
-    secants = _secants(values)
-    for value in values:
-        for call in value.xreplace(secants).atoms(sin, cos, tan):
-            found.setdefault(call.args[0], set()).add(type(call).__name__)
-    for power in secants:
-        angle = next(iter(power.atoms(cos))).args[0]
-        found.setdefault(angle, set()).add("sec")
-    return {angle: sorted(found[angle]) for angle in sorted(found, key=_name)}
-
-
-def _secants(values: tuple[Basic, ...]) -> dict[Basic, Expr]:
-    """Find 1/cos(x) and 1/|cos(x)|, and what stands for them."""
-    found: dict[Basic, Expr] = {}
-    for value in values:
-        for power in value.atoms(Pow):
-            if power.exp == -1 and isinstance(power.base, cos):
-                found[power] = _local("sec", power.base.args[0])
-            elif power.exp == -1 and isinstance(power.base, Abs):
-                inner = power.base.args[0]
-                if isinstance(inner, cos):
-                    found[power] = Abs(_local("sec", inner.args[0]))
-    return found

@@ -6,27 +6,18 @@ No formula stands here: each target names the derivation that it comes from.
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING, cast
 
 from sympy import Integer
 
 from chr_notes.codegen import array_arguments as array
-from chr_notes.codegen.target import Argument, Target
+from chr_notes.codegen.arguments import axes
+from chr_notes.codegen.target import Target
 from chr_notes.derivations.forms import sequences as forms
 
-if TYPE_CHECKING:
-    from chr_notes.derivations.computation import Computation
-
 _WHICH = ("first", "second", "third")
-ANGLES = tuple(
-    Argument(which, symbol, f"angle of the {which} turn, radians")
-    for which, symbol in zip(_WHICH, forms.ANGLES, strict=True)
-)
-AXES = tuple(
-    Argument(
-        f"{which}_axis", symbol, f"axis of the {which} turn, as turned so far: 1, 2, 3 for x, y, z"
-    )
-    for which, symbol in zip(_WHICH, forms.AXES, strict=True)
+ANGLES = axes("{}", forms.ANGLES, "angle of the {} turn, radians", _WHICH)
+AXES = axes(
+    "{}_axis", forms.AXES, "axis of the {} turn, as turned so far: 1, 2, 3 for x, y, z", _WHICH
 )
 _BOTH = (("angles", ANGLES), ("axes", AXES))
 
@@ -72,14 +63,13 @@ def of_usual_axes(target: Target) -> Iterator[Target]:
 
     All other turns are one of these in a frame whose axes are named otherwise.
     """
-    formula = cast("Computation", target.formula())
     for letters in ("zyx", "zyz"):
         numbers = (Integer(1 + "xyz".index(letter)) for letter in letters)
         values = dict(zip(forms.AXES, numbers, strict=True))
         yield replace(
             target,
             name=f"{target.name}_{letters}",
-            formula=partial(formula.at, values),
+            formula=partial(target.computation().at, values),
             arrays=target.arrays[:1],
             arguments=(),
         )

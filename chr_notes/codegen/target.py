@@ -27,6 +27,10 @@ class Argument:
     says: str
 
 
+Array = tuple[str, tuple[Argument, ...]]
+"""Name and elements of an array that a function of arrays takes."""
+
+
 @dataclass(frozen=True)
 class Target:
     """One generated function.
@@ -45,9 +49,8 @@ class Target:
     entries
         Ids of the ledger entries that state it; empty where the documents do not have it.
     arrays
-        Names and elements of the arrays that a function of arrays takes, which NumPy and the
-        kernels have then: one element, a vector, or a matrix row by row. Empty where nobody needs
-        it for arrays.
+        What a function of arrays takes, which NumPy and the kernels have then: one element, a
+        vector, or a matrix row by row. Empty where nobody needs it for arrays.
     arguments
         Its scalar arguments in order; with none given, the elements of the arrays.
     over_samples
@@ -60,7 +63,7 @@ class Target:
     says: str
     formula: Callable[[], Expr | ImmutableMatrix | Computation]
     entries: tuple[str, ...] = ()
-    arrays: tuple[tuple[str, tuple[Argument, ...]], ...] = ()
+    arrays: tuple[Array, ...] = ()
     arguments: tuple[Argument, ...] = ()
     over_samples: bool = False
 
@@ -68,3 +71,8 @@ class Target:
         """Take the arguments from the arrays, where these have all of them."""
         elements = (element for _, each in self.arrays for element in each)
         object.__setattr__(self, "arguments", self.arguments or tuple(elements))
+
+    def computation(self) -> Computation:
+        """Give the formula as a computation, which may have no steps."""
+        formula = self.formula()
+        return formula if isinstance(formula, Computation) else Computation((), formula)

@@ -18,12 +18,13 @@ from sympy.core.relational import Relational
 from sympy.logic.boolalg import And, BooleanTrue, Not, Or
 
 from chr_notes.codegen.target import Target
-from chr_notes.derivations.computation import EPSILON, LARGEST, NOTHING, Choice, Computation, Let
+from chr_notes.derivations.computation import EPSILON, LARGEST, NOTHING, Choice, Let
 
 MP = mpmath.mp.clone()
 MP.dps = 50
 NAN = MP.nan
 Number = Any
+computation_of = cache(Target.computation)
 
 
 def single(value: float) -> float:
@@ -52,7 +53,7 @@ class Reference:
 
     def results(self, target: Target, values: tuple[float, ...]) -> list[Number]:
         """Compute the elements of the result, and after them the flag if there is one."""
-        computation = _computation(target)
+        computation = computation_of(target)
         known: dict[Symbol, Number] = {
             argument.symbol: MP.mpf(value)
             for argument, value in zip(target.arguments, values, strict=True)
@@ -103,12 +104,6 @@ class Reference:
         if isinstance(constant, Rational):
             return MP.mpf(constant.p) / constant.q
         return MP.mpf(self.rounded(float(constant)))
-
-
-@cache
-def _computation(target: Target) -> Computation:
-    formula = target.formula()
-    return formula if isinstance(formula, Computation) else Computation((), formula)
 
 
 @cache

@@ -10,6 +10,7 @@ from sympy import (
     atan,
     cos,
     diag,
+    expand_func,
     eye,
     floor,
     pi,
@@ -19,7 +20,6 @@ from sympy import (
 from sympy.codegen.cfunctions import hypot
 from sympy.logic.boolalg import Boolean
 
-from chr_notes.codegen.rewriting import root_of_squares
 from chr_notes.codegen.targets import TARGETS
 from chr_notes.derivations import calibration, validation
 from chr_notes.derivations.estimation import L
@@ -140,7 +140,7 @@ def _pitch_at_rest(formula: Formula, entry: Basic) -> Iterator[Boolean]:
     sine, cosine = formula[1].args
     yield Eq(sine, LENGTH * sin(angle), evaluate=False)
     assert isinstance(cosine, hypot), "a root, which is not negative"
-    squared = cosine.replace(hypot, root_of_squares) ** 2
+    squared = expand_func(cosine) ** 2
     yield Eq(squared, LENGTH**2 * (1 - sin(angle) ** 2), evaluate=False)
 
 

@@ -14,6 +14,7 @@ from sympy import (
     atan2,
     cos,
     diff,
+    expand_func,
     eye,
     lambdify,
     pi,
@@ -21,10 +22,8 @@ from sympy import (
     sin,
     tan,
 )
-from sympy.codegen.cfunctions import hypot
 from sympy.sets import FiniteSet
 
-from chr_notes.codegen.rewriting import root_of_squares
 from chr_notes.derivations import euler, hamilton, quaternions, sequences
 from chr_notes.derivations.computation import Computation
 from chr_notes.derivations.forms import sequences as forms
@@ -154,7 +153,7 @@ def of_sequence(computation: Computation, name: str, *branches: int) -> Immutabl
     choices = [axis - 1 for axis in axes]
     known = dict(zip(forms.AXES, map(Integer, axes), strict=True))
     known |= dict(zip(forms.ANGLES, ANGLES, strict=True))
-    return computation.inlined(*choices, *branches).xreplace(known).replace(hypot, root_of_squares)
+    return expand_func(computation.inlined(*choices, *branches).xreplace(known))
 
 
 @ROTATING

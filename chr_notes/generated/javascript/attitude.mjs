@@ -1620,8 +1620,7 @@ export function gyroStep(roll, pitch, yaw, p, q, r, dt) {
   const cosRoll = Math.cos(roll);
   const speedSquared = p*p + q*q + r*r;
   const wholeTurnSquared = speedSquared*(dt*dt);
-  const moves = wholeTurnSquared <= 1.7976931348623157e+308 && speedSquared <
-      1000000000000000000000000;
+  const moves = wholeTurnSquared <= 1.7976931348623157e+308 && speedSquared < 1e+24;
   let rateX, rateY, rateZ;
   if (moves) {
     rateX = p;
@@ -1656,8 +1655,7 @@ export function gyroStep(roll, pitch, yaw, p, q, r, dt) {
 export function gyroTurn(a, b, c, d, p, q, r, dt) {
   const speedSquared = p*p + q*q + r*r;
   const wholeTurnSquared = speedSquared*(dt*dt);
-  const moves = wholeTurnSquared <= 1.7976931348623157e+308 && speedSquared <
-      1000000000000000000000000;
+  const moves = wholeTurnSquared <= 1.7976931348623157e+308 && speedSquared < 1e+24;
   let rateX, rateY, rateZ, turnSquared;
   if (moves) {
     rateX = p;
@@ -1707,8 +1705,7 @@ export function gyroTurn(a, b, c, d, p, q, r, dt) {
 export function observerTurn(a, b, c, d, p, q, r, accelX, accelY, accelZ, dt, gain) {
   const speedSquared = p*p + q*q + r*r;
   const wholeTurnSquared = speedSquared*(dt*dt);
-  const moves = wholeTurnSquared <= 1.7976931348623157e+308 && speedSquared <
-      1000000000000000000000000;
+  const moves = wholeTurnSquared <= 1.7976931348623157e+308 && speedSquared < 1e+24;
   let rateX, rateY, rateZ, turnSquared;
   if (moves) {
     rateX = p;
@@ -1815,8 +1812,7 @@ export function observerStep(roll, pitch, yaw, p, q, r, accelX, accelY, accelZ, 
   const startD = cosHalfPitchSinHalfYaw*cosHalfRoll - cosHalfYawSinHalfPitch*sinHalfRoll;
   const speedSquared = p*p + q*q + r*r;
   const wholeTurnSquared = speedSquared*(dt*dt);
-  const moves = wholeTurnSquared <= 1.7976931348623157e+308 && speedSquared <
-      1000000000000000000000000;
+  const moves = wholeTurnSquared <= 1.7976931348623157e+308 && speedSquared < 1e+24;
   let rateX, rateY, rateZ, turnSquared;
   if (moves) {
     rateX = p;
@@ -1932,8 +1928,7 @@ export function eulerObserverStep(roll, pitch, yaw, p, q, r, accelX, accelY, acc
   const cosRoll = Math.cos(roll);
   const speedSquared = p*p + q*q + r*r;
   const wholeTurnSquared = speedSquared*(dt*dt);
-  const moves = wholeTurnSquared <= 1.7976931348623157e+308 && speedSquared <
-      1000000000000000000000000;
+  const moves = wholeTurnSquared <= 1.7976931348623157e+308 && speedSquared < 1e+24;
   let rateX, rateY, rateZ;
   if (moves) {
     rateX = p;
@@ -2160,8 +2155,7 @@ export function monitoredTurn(
   }
   const speedSquared = p*p + q*q + r*r;
   const wholeTurnSquared = speedSquared*(dt*dt);
-  const moves = wholeTurnSquared <= 1.7976931348623157e+308 && speedSquared <
-      1000000000000000000000000;
+  const moves = wholeTurnSquared <= 1.7976931348623157e+308 && speedSquared < 1e+24;
   let rateX, rateY, rateZ, turnSquared;
   if (moves) {
     rateX = p;
@@ -2576,8 +2570,7 @@ export function averagingTurn(
   }
   const speedSquared = p*p + q*q + r*r;
   const wholeTurnSquared = speedSquared*(stepSeen*stepSeen);
-  const moves = wholeTurnSquared <= 1.7976931348623157e+308 && speedSquared <
-      1000000000000000000000000;
+  const moves = wholeTurnSquared <= 1.7976931348623157e+308 && speedSquared < 1e+24;
   let rateX, rateY, rateZ, turnSquared;
   if (moves) {
     rateX = p;
@@ -2831,8 +2824,7 @@ export function averagingHeadingTurn(
   }
   const speedSquared = p*p + q*q + r*r;
   const wholeTurnSquared = speedSquared*(stepSeen*stepSeen);
-  const moves = wholeTurnSquared <= 1.7976931348623157e+308 && speedSquared <
-      1000000000000000000000000;
+  const moves = wholeTurnSquared <= 1.7976931348623157e+308 && speedSquared < 1e+24;
   let rateX, rateY, rateZ, turnSquared;
   if (moves) {
     rateX = p;
@@ -3152,8 +3144,7 @@ export function observerHeadingTurn(
 ) {
   const speedSquared = p*p + q*q + r*r;
   const wholeTurnSquared = speedSquared*(dt*dt);
-  const moves = wholeTurnSquared <= 1.7976931348623157e+308 && speedSquared <
-      1000000000000000000000000;
+  const moves = wholeTurnSquared <= 1.7976931348623157e+308 && speedSquared < 1e+24;
   let rateX, rateY, rateZ, turnSquared;
   if (moves) {
     rateX = p;
@@ -3304,8 +3295,7 @@ export function biasAtRest(
   longestStep,
 ) {
   const forceSize = Math.abs(accelX) + Math.abs(accelY) + Math.abs(accelZ);
-  const sampleKnown = forceSize > 1e-12 && forceSize < 1000000000000 && p*p + q*q + r*r <
-      1000000000000000000000000;
+  const sampleKnown = forceSize > 1e-12 && forceSize < 1000000000000 && p*p + q*q + r*r < 1e+24;
   const stays = sampleKnown && dt <= longestStep && Math.abs(accelX - restForceX) + Math.abs(accelY
       - restForceY) + Math.abs(accelZ - restForceZ) <= 0.05*Math.abs(restForceX) +
       0.05*Math.abs(restForceY) + 0.05*Math.abs(restForceZ) && Math.abs(p - restRateX) + Math.abs(q
