@@ -159,6 +159,8 @@ def pytest_terminal_summary(terminalreporter: "pytest.TerminalReporter") -> None
     reports = terminalreporter.stats.get("skipped", [])
     reasons = Counter(str(report.longrepr[2]).removeprefix("Skipped: ") for report in reports)
     each = [f"{count} {reason}" for reason, count in sorted(reasons.items())]
+    # These are not collected, by workers of whose collection nothing is known here.
+    each += [] if kernels_in_use() else ["what needs compiled kernels"]
     terminalreporter.write_line(f"Left out: {'; '.join(each) or 'no test'}.")
 
 
@@ -210,7 +212,6 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
             if name in used:
                 item.add_marker(name)
     unasked = [] if config.getoption("full") else ["full"]
-    # A run without the kernels says so beforehand: with CHR_NOTES_KERNELS=require there is none.
     unasked += [] if kernels_in_use() else ["kernels"]
     out = [item for item in items if any(map(item.get_closest_marker, unasked))]
     items[:] = sorted((item for item in items if item not in out), key=_place)

@@ -149,13 +149,6 @@ setup(
         Extension(
             "chr_notes._compiled",
             sources=["chr_notes/native/module.c"],
-            depends=[
-                "chr_notes/native/columns.h",
-                "chr_notes/native/decimals.h",
-                "chr_notes/native/elementary.h",
-                "chr_notes/generated/c/kernels.c",
-                "chr_notes/generated/c/stamp.h",
-            ],
             include_dirs=[np.get_include()],
             # Products and sums are rounded one by one, so that every instruction set gives the
             # same bits.

@@ -109,9 +109,6 @@ def common_shape(
         If the leading axes do not fit each other.
     """
     leading = [a.shape[: a.ndim - last] for a, last in zip(arrays, axes, strict=True)]
-    several = [each for each in leading if each] or [()]
-    if several.count(several[0]) == len(several):
-        return several[0]
     try:
         return np.broadcast_shapes(*leading)
     except ValueError:

@@ -54,14 +54,14 @@ def with_lock(
     if not locked.count or on_gimbal_lock == "ignore":
         return euler
     leading = euler.shape[:-1]
+    # NumPy knows no places in a shape without axes.
+    axes = np.array(np.unravel_index(locked.places, leading or (1,)))[: len(leading)]
+    places = tuple(map(tuple, axes.T.tolist()))
     if raises:
-        # NumPy knows no places in a shape without axes.
-        axes = np.array(np.unravel_index(locked.places, leading or (1,)))[: len(leading)]
-        raise GimbalLockError(tuple(map(tuple, axes.T.tolist())))
-    first = np.unravel_index(locked.places[0], leading or (1,))[: len(leading)]
+        raise GimbalLockError(places)
     message = (
-        f"{locked.count} attitude(s) at gimbal lock, the first at index "
-        f"{tuple(map(int, first))}: {_ROLL if turns is None else _LAST}"
+        f"{locked.count} attitude(s) at gimbal lock, the first at index {places[0]}: "
+        f"{_ROLL if turns is None else _LAST}"
     )
     # The caller of the public function that calls this one.
     warnings.warn(message, GimbalLockWarning, stacklevel=3)

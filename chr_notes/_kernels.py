@@ -33,7 +33,10 @@ def _load() -> ModuleType | None:
         module = import_module("chr_notes._compiled")
     except ImportError as error:
         if choice == "require":
-            msg = "expected the kernels, but they were not built: is there a C compiler?"
+            msg = (
+                "expected the kernels, but they were not built: is there a C compiler, with "
+                "Python's headers? `pip install -v` shows what it says"
+            )
             raise ImportError(msg) from error
         return None
     if getattr(module, "stamp", None) != STAMP:

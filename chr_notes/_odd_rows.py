@@ -23,8 +23,8 @@ class WrongRow(Exception):  # noqa: N818 (it becomes an error once its place is 
         self.row, self.message = row, message
 
 
-def rows_with_nan(parts: list[Floats]) -> Bools | None:
-    """Say which rows have NaN: what comes of them is NaN as a whole. None where no row has."""
+def rows_with_nan(parts: list[Floats]) -> Bools:
+    """Say which rows have NaN: what comes of them is NaN as a whole."""
     each = [np.isnan(part).reshape(len(part), -1).any(axis=1) for part in parts]
     return np.asarray(reduce(np.logical_or, each))
 
@@ -51,13 +51,13 @@ def scaled(rows: Floats, *, refused: bool) -> tuple[Floats, NDArray[np.intc], Bo
     return np.ldexp(rows, -exponent[:, np.newaxis]), exponent, nothing
 
 
-def check_rotations(matrix: Floats, missing: Bools | None) -> None:
+def check_rotations(matrix: Floats, missing: Bools) -> None:
     """Refuse matrices that are not rotations; those with NaN are passed over."""
     defects = np.empty((len(matrix), 2))
     rotation_defect(matrix, defects)
     off_by, determinant = defects.T
     right = (off_by <= ROTATION_TOLERANCE) & (determinant >= 0)
-    wrong = np.flatnonzero(~(right if missing is None else right | missing))
+    wrong = np.flatnonzero(~(right | missing))
     if wrong.size:
         first = int(wrong[0])
         raise WrongRow(

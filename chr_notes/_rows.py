@@ -286,13 +286,12 @@ class Rows:
         exponent = None
         if self._scaled is not None:
             parts[0], exponent, nothing = scaled(parts[0], refused=self._scaled == "refused")
-            missing = nothing if missing is None else missing | nothing
+            missing = missing | nothing
         lock, _ = self._general(*parts, values)
         if exponent is not None and self._degree:
             exponent = self._degree * exponent
             np.ldexp(values, exponent.reshape(-1, *[1] * len(self._result)), out=values)
-        if missing is not None:
-            values[np.broadcast_to(missing, len(values))] = np.nan
+        values[np.broadcast_to(missing, len(values))] = np.nan
         if lock is not None and locked is not None:
             locked.add(lock, rows)
 

@@ -30,12 +30,6 @@ def samples(name: str, value: ArrayLike) -> Floats:
     return array
 
 
-def whole_samples(name: str, value: ArrayLike) -> Floats:
-    """Take a recording without the rows that hold NaN or infinity."""
-    array = samples(name, value)
-    return array[complete(array)]
-
-
 @np.errstate(all="ignore")  # without end is not below
 def complete(array: Floats, below: float = np.inf) -> NDArray[np.bool_]:
     """Say which rows of a two-dimensional array hold numbers alone, of a length below a limit."""
@@ -49,17 +43,6 @@ def complete(array: Floats, below: float = np.inf) -> NDArray[np.bool_]:
 def lengths(vectors: Floats) -> Floats:
     """Lengths of vectors, shape (N, 3)."""
     return np.asarray(np.linalg.norm(vectors, axis=1))
-
-
-def held_out(
-    name: str, value: ArrayLike, below: float = np.inf
-) -> tuple[Floats, NDArray[np.bool_]]:
-    """Take a recording with the rows that are not complete made NaN all over, and say which."""
-    array = samples(name, value)
-    missing = ~complete(array, below)
-    if not missing.any():
-        return array, missing
-    return np.where(missing[:, np.newaxis], np.nan, array), missing
 
 
 def one_sample(name: str, value: ArrayLike) -> Sequence[float]:

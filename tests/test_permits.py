@@ -93,3 +93,16 @@ def test_what_is_left_out_without_a_permit_fails(pytester: pytest.Pytester) -> N
     failed = re.findall(r"^(?:FAILED|ERROR) test_parts\.py::(\w+)", done.stdout.str(), re.MULTILINE)
     assert {*failed} == {*re.findall(r"def (\w+)", LEFT_OUT)}
     done.stdout.fnmatch_lines(["Left out: no test.", "ERROR test_whole.py*"])
+
+
+@pytest.mark.slow
+def test_a_run_without_kernels_says_so(
+    pytester: pytest.Pytester, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("pyproject.toml", "conftest.py"):
+        shutil.copy(ROOT / name, pytester.path)
+    pytester.makepyfile(test_numbers="def test_of_numbers(): ...")
+    monkeypatch.setenv("CHR_NOTES_KERNELS", "off")
+    done = pytester.runpytest_subprocess("test_numbers.py", "-n0")
+    assert done.ret == 0
+    done.stdout.fnmatch_lines(["Left out: what needs compiled kernels."])

@@ -8,7 +8,7 @@ from sympy import cos, sin
 from chr_notes.codegen.c import commented, of_type
 from chr_notes.codegen.expressions import ColumnC, Spelling, StepC
 from chr_notes.codegen.header import folded, made_how
-from chr_notes.codegen.lowering import Program
+from chr_notes.codegen.lowering import Program, needed_steps
 from chr_notes.codegen.rewriting import principal
 from chr_notes.codegen.target import Target
 from chr_notes.derivations.computation import Choice, Let
@@ -112,8 +112,8 @@ def loop(program: Program) -> list[str]:
             f"const double {element.name} = {name}_in[{place}][row];"
             for place, element in enumerate(elements)
         ]
-    for step in program.steps:
-        inner += _branchless(step, program)
+    for step in _off_the_pole(program):
+        inner += _constants(step, COLUMN)
     inner += [f"results[{p}][row] = {COLUMN.written(v)};" for p, v in enumerate(program.results)]
     kept = " & ".join(_handled(program))
     inner += [f"left[row] = !({kept});", "some |= left[row];"]
@@ -144,13 +144,15 @@ def _handled(program: Program) -> list[str]:
     return conditions
 
 
-def _branchless(step: Let | Choice, program: Program) -> list[str]:
-    # Rows at gimbal lock go the general way.
-    flag = program.flag
-    if isinstance(step, Choice) and flag is not None and step.branches[0][0] == ~flag:
-        pairs = zip(step.names, step.branches[0][1], strict=True)
-        return [part for pair in pairs for part in _constants(Let(*pair), COLUMN)]
-    return _constants(step, COLUMN)
+def _off_the_pole(program: Program) -> tuple[Let | Choice, ...]:
+    """Leave out what is for gimbal lock alone: rows there go the general way."""
+    steps: list[Let | Choice] = []
+    for step in program.steps:
+        if isinstance(step, Choice) and program.flag and step.branches[0][0] == ~program.flag:
+            steps += map(Let, step.names, step.branches[0][1])
+        else:
+            steps.append(step)
+    return needed_steps(steps, program.results, {program.flag, program.guard, program.valid})
 
 
 def _constants(step: Let | Choice, language: Spelling) -> list[str]:

@@ -1,6 +1,6 @@
 """From a formula to a list of assignments, the same for every language."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from sympy import Basic, Expr, MatrixBase, Symbol, Tuple, cse, numbered_symbols
@@ -95,7 +95,7 @@ def lower(target: Target, rewriting: Rewriting, checks: tuple[str, ...] = ()) ->
     known = set(names.values())
     steps, results = _schedule(known, angles, steps, results)
     reports = {computation.flag, *(getattr(computation, name) for name in checks)}
-    steps = _needed(steps, results, reports - {None})
+    steps = needed_steps(steps, results, reports)
     size = computation.results.shape if is_matrix else ()
     return Program(
         target=target,
@@ -210,14 +210,14 @@ def _is_cheap(value: Basic) -> bool:
     return bool(rest.is_Symbol and coefficient != 1)
 
 
-def _needed(
-    steps: tuple[Let | Choice, ...], results: tuple[Expr, ...], reports: set[Symbol]
+def needed_steps(
+    steps: Sequence[Let | Choice], results: tuple[Expr, ...], reports: set[Symbol | None]
 ) -> tuple[Let | Choice, ...]:
     """Leave out the steps on which neither results nor reports depend."""
-    needed = reports | Tuple(*results).free_symbols
+    asked = reports | Tuple(*results).free_symbols
     kept: list[Let | Choice] = []
     for step in reversed(steps):
-        if needed & set(step_names(step)):
+        if asked & set(step_names(step)):
             kept.insert(0, step)
-            needed |= expressions([step]).free_symbols
+            asked |= expressions([step]).free_symbols
     return tuple(kept)

@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike
 
 from chr_notes._arrays import Floats
 from chr_notes._recordings import run
-from chr_notes._samples import WILD_RATE, held_out, periods, start
+from chr_notes._samples import WILD_RATE, complete, periods, samples, start
 from chr_notes._units import warn_of_rates
 from chr_notes.euler import wrap_angle
 from chr_notes.generated.scalar.estimation import gyro_step, gyro_turn
@@ -77,7 +77,10 @@ def integrate_gyro(
     if method not in ("quaternion", "euler"):
         msg = f'method: expected "quaternion" or "euler", got {method!r}'
         raise ValueError(msg)
-    rates, missing = held_out("body_rates", body_rates, WILD_RATE)
+    rates = samples("body_rates", body_rates)
+    missing = ~complete(rates, WILD_RATE)
+    if missing.any():
+        rates = np.where(missing[:, np.newaxis], np.nan, rates)
     steps = periods(dt, len(rates))
     warn_of_rates(rates, steps)
     first = start("initial", initial)

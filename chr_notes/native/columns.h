@@ -235,11 +235,6 @@ INLINE int are_axes(const double *axes)
     return axes[0] != axes[1] && axes[1] != axes[2];
 }
 
-INLINE int same_turns(const double *one, const double *other)
-{
-    return one[0] == other[0] && one[1] == other[1] && one[2] == other[2];
-}
-
 /* A zero stays one without a sign, so that a half turn is told on the same side. */
 #define ARRANGE(to, TO, from, FROM, width, order) \
     for (int element = 0; element < (width); element++) \
@@ -259,7 +254,7 @@ INLINE int same_turns(const double *one, const double *other)
             const double *const axes = in[1] + start * step[1]; \
             const double *const from[] = {in[0] + start * step[0], axes}; \
             for (end = step[1] ? start + 1 : rows; end < rows; end++) \
-                if (!same_turns(axes, in[1] + end * step[1])) break; \
+                if (memcmp(axes, in[1] + end * step[1], 3 * sizeof *axes)) break; \
             if (are_axes(axes)) { \
                 any |= (axes[0] == axes[2] ? name##_zyz : name##_zyx)( \
                     end - start, from, step, out + start * (width), odd + start); \

@@ -32,14 +32,19 @@
 #define EIGHTH 0x1.921fb54442d18p-1
 #define TAN_SIXTEENTH 0x1.a827999fcef32p-2
 
+/* An angle less whole quarter turns. */
+INLINE double less_quarters(double angle, double turns)
+{
+    return ((angle - turns * HALF_PI_1) - turns * HALF_PI_2) - turns * HALF_PI_3;
+}
+
 /* What is left of an angle after whole quarter turns, and how many those are. */
 INLINE double quarter_turns_off(double angle, int64_t *quarters)
 {
     const double round = 0x1.8p52; /* added and taken away again, it leaves a whole number */
-    double turns = angle * TWO_OVER_PI + round;
+    const double turns = angle * TWO_OVER_PI + round;
     memcpy(quarters, &turns, sizeof turns);
-    turns -= round;
-    return ((angle - turns * HALF_PI_1) - turns * HALF_PI_2) - turns * HALF_PI_3;
+    return less_quarters(angle, turns - round);
 }
 
 /*
@@ -125,10 +130,10 @@ INLINE double column_principal(double angle)
 {
     const double round = 0x1.8p52;
     const double turns = 4.0 * ((angle * (0.25 * TWO_OVER_PI) + round) - round);
-    const double rest = ((angle - turns * HALF_PI_1) - turns * HALF_PI_2) - turns * HALF_PI_3;
+    const double rest = less_quarters(angle, turns);
     /* The number of turns was rounded: near half a turn it can be one off. */
-    const double back = rest > 0x1.921fb54442d18p+1 ? 4.0 : rest < -0x1.921fb54442d18p+1 ? -4.0 : 0.0;
-    const double found = ((rest - back * HALF_PI_1) - back * HALF_PI_2) - back * HALF_PI_3;
+    const double back = rest > 4.0 * EIGHTH ? 4.0 : rest < -4.0 * EIGHTH ? -4.0 : 0.0;
+    const double found = less_quarters(rest, back);
     return found >= 4.0 * EIGHTH ? -4.0 * EIGHTH : found;
 }
 

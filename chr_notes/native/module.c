@@ -17,17 +17,17 @@
  * decimals(text, starts, ends) reads fields of a text as numbers.
  */
 #define Py_LIMITED_API 0x030B0000
+#define PY_SSIZE_T_CLEAN
 #include <Python.h>
 #define NPY_NO_DEPRECATED_API NPY_2_0_API_VERSION
 #define NPY_TARGET_VERSION NPY_2_0_API_VERSION
 #include <numpy/arrayobject.h>
-#include <stdlib.h>
 
 #include "decimals.h"
 #include "../generated/c/kernels.c"
 #include "../generated/c/stamp.h"
 
-enum { LONG = 10000, MOST_AXES = 32, FEW = 256, LISTED = 4 };
+enum { LONG = 10000, MOST_AXES = 32, LISTED = 4 };
 /* Numbers that fill 32 MB, and rows that leave a cache room. */
 enum { NEW_MEMORY = 1 << 22, FEW_ROWS = 1 << 14 };
 
@@ -41,8 +41,13 @@ typedef struct {
     npy_intp step;
 } Rows;
 
-/* Last axes of an array by the number of its elements. */
-static int last_axes(int elements) { return elements == 9 ? 2 : elements > 0; }
+/* Last axes of an array by the number of its elements, and how many: none, one, or 3 by 3. */
+static int last_axes(int elements, npy_intp *sizes)
+{
+    sizes[0] = elements == 9 ? 3 : elements;
+    sizes[1] = 3;
+    return elements == 9 ? 2 : elements > 0;
+}
 
 /* Whether an array is one axis of rows, each of them a part of a longer one, or all the same. */
 static int is_of_parts(PyArrayObject *array, int last, npy_intp width)
@@ -57,7 +62,8 @@ static int is_of_parts(PyArrayObject *array, int last, npy_intp width)
 static int look(PyObject *value, int elements, Rows *rows)
 {
     PyArrayObject *const array = (PyArrayObject *)value;
-    const int last = last_axes(elements);
+    npy_intp sizes[2];
+    const int last = last_axes(elements, sizes);
     const npy_intp width = elements ? elements : 1;
     if (!PyArray_CheckExact(value) || PyArray_TYPE(array) != NPY_DOUBLE) return 0;
     rows->step = width;
@@ -68,20 +74,24 @@ static int look(PyObject *value, int elements, Rows *rows)
     rows->first = PyArray_DATA(array);
     rows->shape = PyArray_DIMS(array);
     rows->axes = PyArray_NDIM(array) - last;
-    rows->rows = 1;
     if (rows->axes < 0 || rows->axes > MOST_AXES) return 0;
-    for (int axis = 0; axis < rows->axes; axis++) rows->rows *= rows->shape[axis];
+    rows->rows = PyArray_MultiplyList(rows->shape, rows->axes);
     rows->end = rows->first + (rows->rows ? (rows->rows - 1) * rows->step + width : 0);
-    if (last == 1) return rows->shape[rows->axes] == elements;
-    return !last || (rows->shape[rows->axes] == 3 && rows->shape[rows->axes + 1] == 3);
+    return PyArray_CompareLists(rows->shape + rows->axes, sizes, last);
 }
+
+/* The arguments of a kernel; of several rows, those with the most are the model of the result. */
+typedef struct {
+    const double *in[MOST_ARRAYS];
+    ptrdiff_t step[MOST_ARRAYS];
+    double numbers[MOST_ARRAYS][LISTED];
+    Rows arrays[MOST_ARRAYS];
+    const Rows *model;
+} Arguments;
 
 static int same_axes(const Rows *one, const Rows *other)
 {
-    if (one->axes != other->axes) return 0;
-    for (int axis = 0; axis < one->axes; axis++)
-        if (one->shape[axis] != other->shape[axis]) return 0;
-    return 1;
+    return one->axes == other->axes && PyArray_CompareLists(one->shape, other->shape, one->axes);
 }
 
 static int overlap(const Rows *one, const Rows *other)
@@ -91,11 +101,9 @@ static int overlap(const Rows *one, const Rows *other)
 
 static PyObject *new_result(const Kernel *kernel, const Rows *model)
 {
-    const int last = last_axes(kernel->result);
     npy_intp shape[MOST_AXES + 2];
+    const int last = last_axes(kernel->result, shape + model->axes);
     for (int axis = 0; axis < model->axes; axis++) shape[axis] = model->shape[axis];
-    if (last) shape[model->axes] = last == 2 ? 3 : kernel->result;
-    if (last == 2) shape[model->axes + 1] = 3;
     return PyArray_SimpleNew(model->axes + last, shape, NPY_DOUBLE);
 }
 
@@ -104,48 +112,40 @@ static PyObject *new_result(const Kernel *kernel, const Rows *model)
  * written to there and not past the cache, as kernels do with many rows. Smaller results get the
  * memory of earlier ones.
  */
-static int64_t run(const Kernel *kernel, npy_intp rows, const double *const *in,
-    const ptrdiff_t *step, double *out, unsigned char *odd, int is_new)
+static int64_t run(
+    const Kernel *kernel, const Arguments *all, double *out, unsigned char *odd, int is_new)
 {
-    const npy_intp width = kernel->result ? kernel->result : 1;
+    const npy_intp rows = all->model->rows, width = kernel->result ? kernel->result : 1;
     const npy_intp part = is_new && rows * width > NEW_MEMORY ? FEW_ROWS : rows;
     const double *from[MOST_ARRAYS];
     int64_t any = 0;
     for (npy_intp start = 0; start < rows; start += part) {
         const npy_intp count = rows - start < part ? rows - start : part;
         for (int array = 0; array < kernel->arrays; array++)
-            from[array] = in[array] + start * step[array];
-        any |= kernel->run(count, from, step, out + start * width, odd + start);
+            from[array] = all->in[array] + start * all->step[array];
+        any |= kernel->run(count, from, all->step, out + start * width, odd + start);
     }
     return any;
 }
 
 /* Compute into `result`, a new reference, which is returned or given up. */
-static PyObject *compute(const Kernel *kernel, npy_intp rows, const double *const *in,
-    const ptrdiff_t *step, PyObject *result, int is_new)
+static PyObject *compute(
+    const Kernel *kernel, const Arguments *all, PyObject *result, int is_new)
 {
+    const npy_intp rows = all->model->rows;
     double *const out = PyArray_DATA((PyArrayObject *)result);
-    unsigned char few[FEW] = {0}, *const odd = rows <= FEW ? few : calloc((size_t)rows, 1);
+    unsigned char *const odd = PyMem_Calloc((size_t)rows, 1);
+    PyThreadState *others;
     int64_t any;
     if (!odd) {
         Py_DECREF(result);
         return PyErr_NoMemory();
     }
-    if (rows < LONG) {
-        any = kernel->run(rows, in, step, out, odd);
-    } else {
-        Py_BEGIN_ALLOW_THREADS
-        any = run(kernel, rows, in, step, out, odd, is_new);
-        Py_END_ALLOW_THREADS
-    }
-    if (any) {
-        PyObject *const which = PyBytes_FromStringAndSize((const char *)odd, rows);
-        PyObject *const both = which ? PyTuple_Pack(2, result, which) : NULL;
-        Py_XDECREF(which);
-        Py_DECREF(result);
-        result = both;
-    }
-    if (odd != few) free(odd);
+    others = rows < LONG ? NULL : PyEval_SaveThread();
+    any = run(kernel, all, out, odd, is_new);
+    if (others) PyEval_RestoreThread(others);
+    if (any) result = Py_BuildValue("Ny#", result, (const char *)odd, rows);
+    PyMem_Free(odd);
     return result;
 }
 
@@ -173,15 +173,6 @@ static int plain_numbers(PyObject *value, int elements, double *numbers, Rows *r
     return elements > 0;
 }
 
-/* The arguments of a kernel; of several rows, those with the most are the model of the result. */
-typedef struct {
-    const double *in[MOST_ARRAYS];
-    ptrdiff_t step[MOST_ARRAYS];
-    double numbers[MOST_ARRAYS][LISTED];
-    Rows arrays[MOST_ARRAYS];
-    const Rows *model;
-} Arguments;
-
 /* Find them; 0 where they are not as the kernels need them. */
 static int find(const Kernel *kernel, PyObject *const *given, Arguments *all)
 {
@@ -196,14 +187,10 @@ static int find(const Kernel *kernel, PyObject *const *given, Arguments *all)
         all->in[array] = own->first;
         all->step[array] = own->rows == 1 ? 0 : own->step;
         /* The result has the axes of the array with the most rows, and a row for all has fewer. */
-        if (own->rows != 1 && model->rows != 1) {
-            if (!same_axes(own, model)) return 0;
-        } else if (own->rows != 1 || (model->rows == 1 && own->axes > model->axes)) {
-            if (own->axes < model->axes) return 0;
-            all->model = own;
-        } else if (own->axes > model->axes) {
-            return 0;
-        }
+        if (own->rows != 1 && model->rows != 1 && !same_axes(own, model)) return 0;
+        if (own->rows != 1 && own->axes < model->axes) return 0;
+        if (model->rows != 1 && own->axes > model->axes) return 0;
+        if (own->rows != 1 || own->axes > model->axes) all->model = own;
     }
     return 1;
 }
@@ -236,8 +223,7 @@ static PyObject *call(PyObject *self, PyObject *const *given, Py_ssize_t count)
             if (overlap(&target, all.arrays + array)) Py_RETURN_NONE;
         Py_INCREF(result);
     }
-    return compute(
-        kernel, all.model->rows, all.in, all.step, result, result != given[count - 1]);
+    return compute(kernel, &all, result, result != given[count - 1]);
 }
 
 static PyObject *call_completed(PyObject *self, PyObject *const *given, Py_ssize_t count)
@@ -249,10 +235,8 @@ static PyObject *call_completed(PyObject *self, PyObject *const *given, Py_ssize
         Py_DECREF(done);
         return NULL;
     }
-    for (Py_ssize_t place = 0; place < count; place++) {
-        Py_INCREF(given[place]);
-        PyTuple_SetItem(all, place, given[place]);
-    }
+    for (Py_ssize_t place = 0; place < count; place++)
+        PyTuple_SetItem(all, place, Py_NewRef(given[place]));
     result = PyObject_CallFunctionObjArgs(PyTuple_GetItem(self, 1), done, all, NULL);
     Py_DECREF(all);
     Py_DECREF(done);
@@ -268,7 +252,6 @@ static PyObject *call_sampled(PyObject *self, PyObject *const *given, Py_ssize_t
     const Kernel *const step = PyCapsule_GetPointer(PyTuple_GetItem(self, 0), NULL);
     const Kernel *const finish
         = PyCapsule_GetPointer(PyCFunction_GetSelf(PyTuple_GetItem(self, 1)), NULL);
-    static const ptrdiff_t one[MOST_ARRAYS];
     Arguments all;
     unsigned char odd = 0;
     PyObject *result;
@@ -281,7 +264,7 @@ static PyObject *call_sampled(PyObject *self, PyObject *const *given, Py_ssize_t
     if (!result) return NULL;
     out = PyArray_DATA((PyArrayObject *)result);
     step->run(1, all.in, all.step, PyArray_DATA((PyArrayObject *)given[0]), &odd);
-    finish->run(1, all.in, one, out, &odd);
+    finish->run(1, all.in, all.step, out, &odd);
     for (int element = 0; element < finish->result; element++)
         if (out[element] >= 4 * EIGHTH) out[element] = -4 * EIGHTH;
     if (!odd) return result;
@@ -328,19 +311,17 @@ static struct PyModuleDef definition = {
 PyMODINIT_FUNC PyInit__compiled(void)
 {
     PyObject *module;
+    int wrong;
     import_array();
     module = PyModule_Create(&definition);
-    if (!module || PyModule_AddStringConstant(module, "stamp", STAMP)) goto failed;
-    for (const Kernel *kernel = KERNELS; kernel->name; kernel++) {
+    wrong = !module || PyModule_AddStringConstant(module, "stamp", STAMP);
+    for (const Kernel *kernel = KERNELS; kernel->name && !wrong; kernel++) {
         PyObject *const self = PyCapsule_New((void *)kernel, NULL, NULL);
         PyObject *const function = self ? PyCFunction_NewEx(&of_arrays, self, NULL) : NULL;
-        const int wrong = !function || PyObject_SetAttrString(module, kernel->name, function);
+        wrong = PyModule_AddObjectRef(module, kernel->name, function);
         Py_XDECREF(self);
         Py_XDECREF(function);
-        if (wrong) goto failed;
     }
+    if (wrong) Py_CLEAR(module);
     return module;
-failed:
-    Py_XDECREF(module);
-    return NULL;
 }

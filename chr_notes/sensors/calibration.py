@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from chr_notes._arrays import Floats, floats
-from chr_notes._samples import complete, positive, whole_samples
+from chr_notes._samples import complete, positive, samples
 from chr_notes.conventions import STANDARD_GRAVITY
 from chr_notes.errors import CalibrationWarning
 from chr_notes.sensors.models import ThreeAxisCalibration
@@ -147,7 +147,8 @@ def fit_gyro_bias(body_rates: ArrayLike, *, still_limit: float = STILL_LIMIT) ->
     >>> fit_gyro_bias(noise + [0.01, 0, -0.02]).round(3)
     array([-0.01, -0.  ,  0.02])
     """
-    rates = whole_samples("body_rates", body_rates)
+    rates = samples("body_rates", body_rates)
+    rates = rates[complete(rates)]
     if not len(rates):
         msg = "body_rates: expected at least one row without NaN, got none"
         raise ValueError(msg)

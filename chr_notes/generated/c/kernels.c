@@ -1073,8 +1073,6 @@ EVERY_INSTRUCTION_SET static int64_t angles_from_matrix_zyx
             const double level_2 = along_across;
             const double moved_2 = level_1*r21 + level_2*r22;
             const double moved_3 = level_1*r31 + level_2*r32;
-            const double row_1 = r21;
-            const double row_2 = r22;
             const double second_angle = column_atan2(-along_first, size);
             const int locked = size < 1.7763568394002505e-15*fabs(along_first);
             const double first_angle = column_atan2(along_second, along_across);
@@ -1148,8 +1146,6 @@ EVERY_INSTRUCTION_SET static int64_t angles_from_matrix_zyz
             const double level_2 = along_across;
             const double moved_1 = level_1*r11 + level_2*r12;
             const double moved_2 = level_1*r21 + level_2*r22;
-            const double row_1 = r21;
-            const double row_2 = r22;
             const double second_angle = column_atan2(size, along_first);
             const int locked = size < 1.7763568394002505e-15*fabs(along_first);
             const double first_angle = column_atan2(along_second, along_across);
