@@ -142,9 +142,9 @@ def check_out(out: Floats, shape: tuple[int, ...]) -> None:
         raise ValueError(msg)
 
 
-def first_place(where: Bools) -> str:
-    """Name the first place where something holds."""
-    return f"index {tuple(map(int, np.argwhere(where)[0]))}" if where.ndim else "the only one"
+def at_first(where: Bools) -> str:
+    """Say, at the end of an error, where something holds first; nothing of one number."""
+    return f" at index {tuple(map(int, np.argwhere(where)[0]))}" if where.ndim else ""
 
 
 def sum_of_squares(flat: Floats) -> float:

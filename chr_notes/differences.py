@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import ArrayLike
 
-from chr_notes._arrays import Floats, first_place, floats
+from chr_notes._arrays import Floats, at_first, floats
 from chr_notes._rows import Rows
 from chr_notes.generated.arrays import quaternions as generated
 from chr_notes.quaternions.algebra import quaternion_multiply
@@ -166,8 +166,8 @@ def slerp(p: ArrayLike, q: ArrayLike, share: ArrayLike) -> Floats:
     shares = floats("share", share)
     outside = (shares < 0) | (shares > 1)
     if outside.any():
-        where = first_place(np.asarray(outside))
-        msg = f"share: expected numbers from 0 to 1, got {shares[outside].flat[0]} at {where}"
+        got = f"{shares[outside].flat[0]}{at_first(np.asarray(outside))}"
+        msg = f"share: expected numbers from 0 to 1, got {got}"
         raise ValueError(msg)
     axis, angle = axis_angle_from_quaternion(quaternion_multiply(_inverse_of_p(p), q))
     start = floats("p", p, 4)

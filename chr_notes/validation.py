@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import ArrayLike
 
-from chr_notes._arrays import Floats, first_place, floats
+from chr_notes._arrays import Floats, at_first, floats
 from chr_notes._rows import Rows
 from chr_notes.generated.arrays import validation as generated
 
@@ -68,7 +68,7 @@ def heading_from_magnetometer(
     if level.ndim > 1 or not any(level.tolist()):
         zero = np.asarray(~level.any(axis=-1))
         if zero.any():
-            msg = f"reference: expected a horizontal field, got none at {first_place(zero)}"
+            msg = f"reference: expected a horizontal field, got none{at_first(zero)}"
             raise ValueError(msg)
     yaw = _heading_from_magnetometer.compute(mag, tilt, level, out)
     return yaw[()] if out is None else yaw
@@ -132,7 +132,7 @@ def part_down(value: ArrayLike) -> Floats:
     if beyond.any():
         msg = (
             "reference_down: expected the part down of a field of magnitude 1, from -1 to 1, "
-            f"got {down[beyond][0]} at {first_place(beyond)}"
+            f"got {down[beyond][0]}{at_first(beyond)}"
         )
         raise ValueError(msg)
     return down

@@ -124,6 +124,7 @@ REFUSED = {
         lambda: slerp(ONE, ONE, [0.5, 1.5]),
         r"share: .* 0 to 1, got 1\.5 at index \(1,\)",
     ),
+    "one share beyond": (lambda: slerp(ONE, ONE, 1.5), r"share: .* 0 to 1, got 1\.5$"),
     "one quaternion": (lambda: continuous_quaternions(ONE), r"q: expected shape \(N, 4\)"),
     "zero inclination": (lambda: inclination_from_quaternion(NONE), "q: "),
 }
